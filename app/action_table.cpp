@@ -50,7 +50,7 @@ QList<QPair<QString, QString>> actionMenus() {
             {"view", MenuText::tr("View")},
             {"perspective", MenuText::tr("Perspectives")},
             {"panel", MenuText::tr("Move panels")},
-            {"app", MenuText::tr("Program Tiller")}};
+            {"app", MenuText::tr("Application")}};
 }
 
 ActionTable::ActionTable(QWidget& owner) : QObject(&owner), owner_(owner) {
@@ -87,7 +87,7 @@ void ActionTable::remove(QAction* action) {
     actions_.removeOne(action);
     std::erase_if(rules_, [action](const Rule& rule) { return rule.action == action; });
     owner_.removeAction(action);
-    // Deleted later: it may be the action that is currently running.
+    // Delete later, because the action may be currently running.
     action->deleteLater();
 }
 
@@ -171,7 +171,7 @@ bool ActionTable::eventFilter(QObject* watched, QEvent* event) {
     auto* focus = static_cast<QWidget*>(watched);
     QWidget* window = focus->window();
     if (window->windowType() == Qt::Tool && window->parentWidget() != nullptr) {
-        window = window->parentWidget()->window();  // a floating dock
+        window = window->parentWidget()->window();  // the focus is in a floating dock
     }
     QAction* action = window == &owner_
                           ? heardAt(*focus, QKeySequence(QKeyCombination(press.modifiers(), Qt::Key(letter))))
@@ -179,7 +179,7 @@ bool ActionTable::eventFilter(QObject* watched, QEvent* event) {
     if (action == nullptr) {
         return false;
     }
-    // As with every shortcut, the focus widget has priority: an input field needs the letter itself.
+    // As with every shortcut, the focus widget has priority, because an input field needs the letter.
     QKeyEvent question(QEvent::ShortcutOverride, letter, press.modifiers(), press.nativeScanCode(),
                        press.nativeVirtualKey(), press.nativeModifiers(), press.text());
     question.ignore();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Table of all actions of the window: name, menu, shortcut, one sentence of help, and the reason why an action is
-// disabled. Menus, shortcuts, the command palette, the shortcut settings and the help page are generated from it.
+// Table of all actions of the window: name, menu, shortcut, one sentence of help, and the reason why an
+// action is disabled. The menus, the shortcuts, the command palette, the shortcut settings and the help page
+// are generated from this table.
 
 #include <QAction>
 #include <QKeySequence>
@@ -16,19 +17,20 @@
 namespace tiller::app {
 
 struct ActionSpec {
-    QString id;    ///< e.g. "power.on"; the part before the dot is the menu
+    QString id;    ///< e.g. "power.on"; the part before the dot is the id of the menu
     QString text;  ///< e.g. "Power on"
     QString help;  ///< one sentence
     QKeySequence shortcut = {};
     std::function<void()> run;
-    /// The reason why the action is disabled; empty if it is enabled. Null: always enabled.
+    /// Returns the reason why the action is disabled; empty if it is enabled. Null: the action is always
+    /// enabled.
     std::function<QString(const SessionState&)> obstacle = {};
 };
 
-/// The text of the action without its mnemonic.
+/// Returns the text of the action without its mnemonic.
 QString plain(const QAction& action);
 
-/// Id and title of the menus, in order.
+/// Ids and titles of the menus, in order.
 QList<QPair<QString, QString>> actionMenus();
 
 class ActionTable : public QObject {
@@ -49,24 +51,25 @@ public:
     QAction* find(const QString& id) const;
     static QString menuOf(const QAction& action);
     static QString helpOf(const QAction& action);
-    /// The reason why the action is disabled; empty if it is enabled.
+    /// Returns the reason why the action is disabled; empty if it is enabled.
     static QString obstacleOf(const QAction& action);
-    /// True if the actions would conflict with the same shortcut; false if their shortcuts are limited to different
-    /// tabs.
+    /// True if the actions would conflict when they have the same shortcut. False if their shortcuts are
+    /// limited to different tabs.
     static bool share(const QAction& a, const QAction& b);
     /// The built-in default shortcut.
     static QKeySequence builtInShortcut(const QAction& action);
-    /// Assigns every action its default shortcut, or the one in the map.
+    /// Assigns to each action its shortcut in the map, or its default shortcut.
     void setShortcuts(const QMap<QString, QKeySequence>& chosen);
 
-    /// A table of all actions for users, as rich text.
+    /// Returns a table of all actions for users, as rich text.
     QString helpText() const;
 
 public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
 protected:
-    /// On keyboards without Latin letters, a shortcut with a letter refers to the position of the key.
+    /// Handles shortcuts on keyboards without Latin letters. A shortcut with a letter then refers to the
+    /// position of the key.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -80,7 +83,8 @@ private:
     QWidget& owner_;
     QList<QAction*> actions_;
     std::vector<Rule> rules_;
-    QMap<QString, QKeySequence> chosen_;  ///< shortcuts selected by the user, also for actions added later
+    /// Shortcuts selected by the user; also applied to actions added later.
+    QMap<QString, QKeySequence> chosen_;
 };
 
 }  // namespace tiller::app

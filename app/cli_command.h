@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Declarations shared by the commands of tiller-cli.
+// Functions of the tiller-cli commands.
 
 #include <QStringList>
 #include <QTextStream>
@@ -24,16 +24,15 @@ inline int wrongArguments(const QString& what) {
 
 /// Runs a controller with a simulated arm until the process is terminated.
 int simulate(const QStringList& arguments);
-/// Triggers a fault, given by its name, at a running simulated controller.
+/// Triggers a named fault in a running simulated controller.
 int fault(const QStringList& arguments);
 /// Prints the conditions for moving a robot from this PC, one line each, or as JSON.
-/// Returns  kFailed if a condition is bad. Blocks: up to twelve seconds
+/// Returns  kFailed if a condition is not met. Blocks: up to twelve seconds
 int doctor(const QStringList& arguments);
 /// Records the packages of a robot to a file, for a given time or until the process is terminated.
 int record(const QStringList& arguments);
 /// Prints the content of a recording as text or JSON.
 int info(const QStringList& arguments);
-/// Exports a recording as CSV or HDF5.
 int exportRecording(const QStringList& arguments);
 /// Publishes the packages of a robot to viewers until the process is terminated.
 int serve(const QStringList& arguments);
@@ -42,7 +41,7 @@ int episodes(const QStringList& arguments);
 /// Shows the content of a project, checks it, or converts it.
 /// Returns  kFailed if a check finds an error
 int projectCommand(const QStringList& arguments);
-/// Finds the time at which the arm of a recording deviates from its model.
+/// Finds the time at which the arm in a recording deviates from its model.
 int divergence(const QStringList& arguments);
 
 }  // namespace tiller::app

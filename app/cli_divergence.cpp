@@ -25,22 +25,22 @@ const QString kDivergenceHelp = QStringLiteral(
     "\n"
     "  FILE                 recording (.mcap, .h5 or .csv), such as that of an incident. The arm of the\n"
     "                       simulated controller follows the targets of the recording, and its motion is\n"
-    "                       compared with that of the real arm. The simulated arm has no contact, carries\n"
-    "                       the payload that is set on the controller, and has no friction\n"
+    "                       compared with that of the real arm. The simulated arm carries the payload that\n"
+    "                       is set on the controller, and has neither contact nor friction\n"
     "  --model MODEL        robot model, such as ur5e (default: the model named in the recording)\n"
     "  --joint DEGREES      largest permitted deviation of each joint (default 0.5); 0: not compared\n"
     "  --tcp MM             the same for the TCP (default 5)\n"
     "  --current A          the same for the current of each joint (default 2)\n"
     "  --force N            the same for the force at the TCP (default 30)\n"
-    "  --lasting SECONDS    shorter deviations are ignored (default 0.01)\n"
+    "  --lasting SECONDS    ignores shorter deviations (default 0.01)\n"
     "  --from, --until SECONDS   compares only this part\n"
     "  --json               prints one JSON object instead of text\n"
     "  --quiet              shows no progress on the terminal\n"
     "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 wrong arguments.\n");
+    "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 invalid arguments.\n");
 
-/// Output format of a quantity: its name, and its unit with the factor from SI.
+/// Output format of a quantity: its name, its unit, and the conversion factor from SI.
 struct Spelling {
     const char* key;
     const char* name;
@@ -160,8 +160,8 @@ void print(const divergence::Report& report) {
                  .arg(first->seconds, 0, 'f', 3)
                  .arg(placeOf(*first), amountOf(*first), QLatin1String(spellingOf(first->quantity).name));
     if (report.partedFromStart()) {
-        out() << "Arm and model differ from the first sample on: check --model, the payload set on the "
-                 "robot, and contact with the arm.\n";
+        out() << "Arm and model differ from the first sample on: check --model and the payload set on the "
+                 "robot, and that nothing touches the arm.\n";
     }
 }
 
@@ -212,7 +212,7 @@ int divergence(const QStringList& arguments) {
             for (const RobotModel& each : robotModels()) {
                 known << QString::fromLatin1(each.name);
             }
-            return wrongArguments(QStringLiteral("--model takes one of %1, not '%2'")
+            return wrongArguments(QStringLiteral("--model must be one of %1, not '%2'")
                                       .arg(known.join(QStringLiteral(", ")), parser.value(model)));
         }
     }

@@ -20,8 +20,8 @@ const QString kHelp = QStringLiteral(
     "  --port-offset N      added to every port number (default 0)\n"
     "  --help               shows this text\n"
     "\n"
-    "Only reads; changes nothing on the robot or the PC. Exit code: 0 no check failed, 1 a check failed,\n"
-    "2 wrong arguments.\n");
+    "The command only reads data and does not change anything on the robot or the PC. Exit code: 0 no\n"
+    "check failed, 1 a check failed, 2 invalid arguments.\n");
 
 }  // namespace
 
@@ -45,7 +45,7 @@ int doctor(const QStringList& arguments) {
     bool ok = false;
     const int portOffset = parser.value(offset).toInt(&ok);
     if (!ok || portOffset < -29000 || portOffset > 35000) {
-        return wrongArguments(QStringLiteral("--port-offset takes a number from -29000 to 35000, not '%1'")
+        return wrongArguments(QStringLiteral("--port-offset must be a number from -29000 to 35000, not '%1'")
                                   .arg(parser.value(offset)));
     }
     const tiller::doctor::Report report = tiller::doctor::examine(

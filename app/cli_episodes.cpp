@@ -29,7 +29,7 @@ const QString kEpisodesHelp = QStringLiteral(
     "  --force              replaces an existing file\n"
     "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 file written, 1 file not written or no episode found, 2 wrong arguments.\n");
+    "Exit code: 0 file written, 1 file not written or no episode found, 2 invalid arguments.\n");
 
 }  // namespace
 
@@ -66,7 +66,7 @@ int episodes(const QStringList& arguments) {
     } else if (how == QLatin1String("whole")) {
         choice.cut = recording::EpisodeChoice::Cut::Whole;
     } else if (how != QLatin1String("program")) {
-        return wrongArguments(QStringLiteral("--cut takes program, notes or whole, not '%1'").arg(how));
+        return wrongArguments(QStringLiteral("--cut must be program, notes or whole, not '%1'").arg(how));
     }
     const auto hertz = numberIn(parser, rate, 0, 10'000);
     const auto least = numberIn(parser, shortest, 0, 1e6);

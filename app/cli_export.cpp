@@ -33,8 +33,8 @@ const QString kExportHelp = QStringLiteral(
     "  --help               shows this text\n"
     "\n"
     "Numbers are written with the fewest digits that read back exactly; values that the robot did not send\n"
-    "are empty cells. Exit code: 0 everything was written, 1 it was not, or a part of the recording could\n"
-    "not be read, 2 wrong arguments.\n");
+    "are empty cells. Exit code: 0 everything was written, 1 not everything was written, or part of the\n"
+    "recording could not be read, 2 invalid arguments.\n");
 
 }  // namespace
 
@@ -67,13 +67,13 @@ int exportRecording(const QStringList& arguments) {
         return wrongArguments(
             target.isEmpty()
                 ? QStringLiteral("export: --out FILE.csv, --out FILE.h5 or --out FILE.mcap is missing")
-                : QStringLiteral("export: '%1' ends neither in %2")
-                      .arg(target, recording::suffixWords(false, QStringLiteral("nor"))));
+                : QStringLiteral("export: '%1' must end in %2")
+                      .arg(target, recording::suffixWords(false, QStringLiteral("or"))));
     }
     const QString source = parser.positionalArguments().constFirst();
     if (QFileInfo(source).canonicalFilePath() == QFileInfo(target).canonicalFilePath() &&
         QFileInfo::exists(target)) {
-        return wrongArguments(QStringLiteral("export: a recording cannot be exported onto itself"));
+        return wrongArguments(QStringLiteral("export: the output file must differ from the recording"));
     }
     if (!parser.isSet(force) && QFileInfo::exists(target)) {
         return wrongArguments(QStringLiteral("export: %1 already exists; --force replaces it").arg(target));

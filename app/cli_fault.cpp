@@ -18,8 +18,8 @@ const QString kFaultHelp = QStringLiteral(
     "Usage: tiller-cli fault ADDRESS[:PORT] WORDS...\n"
     "\n"
     "ADDRESS is the address of 'tiller-cli simulate' or of the simulator of the application, PORT the port\n"
-    "that its 'ready' line lists as faults (default 29990). Any program that can open a TCP connection can\n"
-    "do the same: one line of WORDS is answered by one line, 'ok' or 'error: ' and the reason.\n"
+    "that its 'ready' line lists as faults (default 29990). Any program can do the same over a TCP\n"
+    "connection: it sends one line of WORDS and receives one line, 'ok' or 'error: ' and the reason.\n"
     "\n"
     "WORDS is one of\n");
 
@@ -30,26 +30,26 @@ int fault(const QStringList& arguments) {
         arguments[1] == QLatin1String("-h")) {
         if (arguments.size() < 2) {
             return wrongArguments(
-                QStringLiteral("fault: an address and words are missing, such as "
-                               "'tiller-cli fault 127.0.0.1 protective-stop'"));
+                QStringLiteral("fault: an address and words are required, such as 'tiller-cli fault "
+                               "127.0.0.1 protective-stop'"));
         }
         out() << kFaultHelp << simulator::faultHelp();
         return kSuccess;
     }
     if (arguments.size() < 3) {
-        return wrongArguments(QStringLiteral("fault: words are missing, such as 'protective-stop'"));
+        return wrongArguments(QStringLiteral("fault: words are required, such as 'protective-stop'"));
     }
     const QStringList address = arguments[1].split(':');
     bool ok = address.size() <= 2;
     const quint16 port = address.size() < 2 ? simulator::Ports().faults : address[1].toUShort(&ok);
     if (!ok || port == 0) {
         return wrongArguments(
-            QStringLiteral("fault: '%1' is not an address, or an address and a port").arg(arguments[1]));
+            QStringLiteral("fault: '%1' must be an address, optionally with a port").arg(arguments[1]));
     }
     QTcpSocket socket;
     socket.connectToHost(address[0], port);
     if (!socket.waitForConnected(kWaitTimeoutMs)) {
-        return complain(QStringLiteral("no simulated controller answers at %1 port %2 (%3)")
+        return complain(QStringLiteral("no simulated controller responds at %1 port %2 (%3)")
                             .arg(address[0])
                             .arg(port)
                             .arg(socket.errorString()),
@@ -58,10 +58,10 @@ int fault(const QStringList& arguments) {
     socket.write(arguments.mid(2).join(' ').replace('\n', ' ').toUtf8() + '\n');
     while (!socket.canReadLine() && socket.waitForReadyRead(kWaitTimeoutMs)) {
     }
-    // Only the answer to `help` has several lines.
+    // Only the reply to `help` has several lines.
     QByteArray answer = socket.readAll();
     if (answer.isEmpty()) {
-        return complain(QStringLiteral("%1 port %2 does not answer").arg(address[0]).arg(port), kFailed);
+        return complain(QStringLiteral("%1 port %2 does not respond").arg(address[0]).arg(port), kFailed);
     }
     if (answer.startsWith("error: ")) {
         return complain(QString::fromUtf8(answer.mid(7)).trimmed(), kFailed);

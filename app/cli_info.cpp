@@ -23,7 +23,7 @@ const QString kInfoHelp = QStringLiteral(
     "  --json               prints one JSON object instead of text\n"
     "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 the whole file can be read, 1 it cannot be read or only in part, 2 wrong arguments.\n");
+    "Exit code: 0 the whole file can be read, 1 it cannot be read or only in part, 2 invalid arguments.\n");
 
 double lengthOf(const recording::Recording& file) {
     const auto last = file.rows() == 0 ? Result<std::vector<double>>(std::vector<double>{0.0})
@@ -141,7 +141,7 @@ int info(const QStringList& arguments) {
         return complain(opened.error().toString(), kFailed);
     }
     const recording::Recording& file = *opened.value();
-    // Damaged parts are only detected when they are read.
+    // Damaged parts are detected only when they are read.
     std::vector<std::size_t> first{0};
     constexpr std::uint64_t kRowsAtOnce = 65536;
     for (std::uint64_t row = 0; row < file.rows(); row += kRowsAtOnce) {

@@ -14,7 +14,7 @@ std::optional<double> numberIn(const QCommandLineParser& parser, const QCommandL
     if (ok && value >= least && value <= most) {
         return value;
     }
-    wrongArguments(QStringLiteral("--%1 takes a number from %2 to %3, not '%4'")
+    wrongArguments(QStringLiteral("--%1 must be a number from %2 to %3, not '%4'")
                        .arg(option.names().first())
                        .arg(least)
                        .arg(most)

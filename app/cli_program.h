@@ -19,18 +19,18 @@ struct LoadedProgram {
     program::ProgramScript script;  ///< see ProgramScript::ok()
 };
 
-/// name      name of the program; empty: the only one of the project
-/// fromStep  number of the step to begin at; 0: the first
-/// Errors    as project::loadProject(); InvalidArgument if there is no such program or step, with the
-/// existing ones
+/// name      name of the program; empty: the only program of the project
+/// fromStep  number of the first step to run; 0: the first step of the program
+/// Errors    as project::loadProject(); InvalidArgument, with the existing names or numbers, if there is no
+/// such program or step
 Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int fromStep);
 
 /// Formats a problem of a step, e.g. "step 3 (MoveL): The arm cannot reach ...".
 QString problemText(const LoadedProgram& loaded, int step, const QString& text);
-/// The type of this step; empty if no step has this number.
+/// Returns the type of this step; empty if no step has this number.
 QString stepName(const LoadedProgram& loaded, int number);
 
-/// Runs a program, simulated or on a robot.
+/// Runs a program in the simulator or on a robot.
 int run(const QStringList& arguments);
 /// Prints a program as URScript.
 int script(const QStringList& arguments);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A progress line on a terminal that is overwritten repeatedly; no output without a terminal, as under systemd.
+// A progress line on a terminal that is overwritten with each update. Without a terminal, e.g. under systemd,
+// nothing is printed.
 
 #include <QString>
 #include <chrono>

@@ -22,29 +22,27 @@ namespace tiller::app {
 namespace {
 
 const QString kProjectHelp = QStringLiteral(
-    "tiller-cli project: inspect, check and convert projects\n"
+    "tiller-cli project: inspects, checks and converts projects\n"
     "\n"
     "Usage: tiller-cli project info FILE [options]\n"
     "       tiller-cli project check FILE [options]\n"
     "       tiller-cli project convert FILE --out FILE [options]\n"
     "\n"
-    "  info                 print what the project contains\n"
-    "  check                check every waypoint and every path: reach, collisions with the arm, the tool "
-    "and\n"
-    "                       the cell, singularities, with the nominal kinematics of the robot model\n"
-    "  convert              waypoints of a .tiller file to a .csv file, a .csv file to a .tiller file, or a\n"
-    "                       .tiller file of an earlier version to the current one\n"
+    "  info                 prints the content of the project\n"
+    "  check                checks every waypoint and every path: reach, singularities, and collisions with\n"
+    "                       the arm, the tool and the cell. Uses the nominal kinematics of the robot model\n"
+    "  convert              converts waypoints of a .tiller file to a .csv file, a .csv file to a .tiller\n"
+    "                       file, or a .tiller file of an earlier version to the current one\n"
     "\n"
-    "  FILE                 project (.tiller); for convert also waypoints (.csv)\n"
-    "  --json               info, check: one JSON object instead of text\n"
-    "  --model MODEL        robot model of a file that names none: ur3e, ur5e, ur10e, ur20, ur30...\n"
+    "  FILE                 project (.tiller); convert also accepts waypoints (.csv)\n"
+    "  --json               info, check: prints one JSON object instead of text\n"
+    "  --model MODEL        robot model for a file without one: ur3e, ur5e, ur10e, ur20, ur30...\n"
     "  --out FILE           convert: file to write, .tiller or .csv\n"
-    "  --force              convert: replace an existing file\n"
-    "  --help               this text\n"
+    "  --force              convert: replaces an existing file\n"
+    "  --help               shows this text\n"
     "\n"
-    "Exit code: 0 done, and for check: no error found; 1 the file cannot be read or written, or check found "
-    "an\n"
-    "error; 2 wrong arguments. A finding that only slows the arm down is a warning.\n");
+    "Exit code: 0 done, and check found no error; 1 the file cannot be read or written, or check found an\n"
+    "error; 2 invalid arguments. A finding that only slows the arm down is a warning.\n");
 
 QString named(const QString& name) {
     return QStringLiteral("“%1”").arg(name);
@@ -259,7 +257,8 @@ int projectCommand(const QStringList& arguments) {
     }
     const QStringList words = parser.positionalArguments();
     if (words.size() != 2 || !QStringList{"info", "check", "convert"}.contains(words.constFirst())) {
-        return wrongArguments(QStringLiteral("project: info, check or convert and one file are needed"));
+        return wrongArguments(
+            QStringLiteral("project: an action (info, check or convert) and one file are required"));
     }
     const QString& action = words[0];
     const QString& path = words[1];
@@ -278,13 +277,16 @@ int projectCommand(const QStringList& arguments) {
             return wrongArguments(QStringLiteral("project: --out FILE.tiller or --out FILE.csv is missing"));
         }
         if (isCsv(path) && isCsv(target)) {
-            return wrongArguments(QStringLiteral("project: a .csv file converts to a .tiller file only"));
+            return wrongArguments(
+                QStringLiteral("project: a .csv file can be converted only to a .tiller file"));
         }
         if (QFileInfo::exists(target) && !parser.isSet(force)) {
-            return wrongArguments(QStringLiteral("project: %1 exists; --force replaces it").arg(target));
+            return wrongArguments(
+                QStringLiteral("project: %1 already exists; --force replaces it").arg(target));
         }
         if (isCsv(path) && !chosen) {
-            return wrongArguments(QStringLiteral("project: a .csv file names no robot model; use --model"));
+            return wrongArguments(
+                QStringLiteral("project: a .csv file contains no robot model; use --model"));
         }
     }
     Result<project::Project> loaded =
@@ -303,16 +305,17 @@ int projectCommand(const QStringList& arguments) {
     }
     if (chosen && loaded->robot && *loaded->robot != *chosen) {
         return wrongArguments(
-            QStringLiteral("project: %1 is for %2; --model is for files that name no robot model")
+            QStringLiteral("project: %1 is for %2; --model is only for files without a robot model")
                 .arg(path, modelName(*loaded->robot)));
     }
     if (!loaded->robot) {
         loaded->robot = chosen;
     }
     if (!converts) {
-        return loaded->robot ? check(path, *loaded, *loaded->robot, parser.isSet(json))
-                             : wrongArguments(
-                                   QStringLiteral("project: %1 names no robot model; use --model").arg(path));
+        return loaded->robot
+                   ? check(path, *loaded, *loaded->robot, parser.isSet(json))
+                   : wrongArguments(
+                         QStringLiteral("project: %1 contains no robot model; use --model").arg(path));
     }
     Result<void> written;
     if (isCsv(target)) {

@@ -47,8 +47,8 @@ const QString kRecordHelp = QStringLiteral(
     "  --trigger CONDITION  records only while the condition is true, in numbered files FILE_001,\n"
     "                       FILE_002...: 'actual_TCP_force_2 > 20', 'robot_mode = 7',\n"
     "                       'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'\n"
-    "  --before SECONDS     with a trigger: recorded time before it (0 to 60, default 0)\n"
-    "  --after SECONDS      with a trigger: recorded time after it (default 0)\n"
+    "  --before SECONDS     with a trigger: also records this time before it (0 to 60, default 0)\n"
+    "  --after SECONDS      with a trigger: also records this time after it (default 0)\n"
     "  --files N            with a trigger: stops after N files\n"
     "  --attach FILE        stores a file, such as the project, inside the .mcap file\n"
     "  --no-ros             omits joint state, wrench and transform for ROS tools from the .mcap file\n"
@@ -60,8 +60,9 @@ const QString kRecordHelp = QStringLiteral(
     "  --help               shows this text\n"
     "\n"
     "If the connection is lost, it is restored automatically, and the file contains the gap with its\n"
-    "length. Data are saved twice a second; a crash loses no more than that. Exit code: 0 the file is\n"
-    "complete, 1 it is not, or there are no data, 2 wrong arguments.\n");
+    "length. A restart of the controller is stored as an event with both times; \"info\" shows it. Data are\n"
+    "saved twice a second; a crash loses at most half a second. Exit code: 0 the file is complete, 1 the\n"
+    "file is incomplete or there are no data, 2 invalid arguments.\n");
 
 struct RecordOptions {
     receive::ReceiverOptions receiver;
@@ -74,9 +75,9 @@ struct RecordOptions {
     bool quiet = false;
 };
 
-/// Returns an unused file name in the folder.
+/// Returns the path of a new file in the folder.
 QString newFileIn(const QString& folder, QString address) {
-    // These characters are not allowed in file names on all systems.
+    // Some systems do not allow these characters in file names.
     address.replace(QLatin1Char(':'), QLatin1Char('_')).replace(QLatin1Char('%'), QLatin1Char('_'));
     const QString name = QStringLiteral("%1-%2").arg(
         address, QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMddTHHmmss")));
@@ -87,7 +88,7 @@ QString newFileIn(const QString& folder, QString address) {
     return path;
 }
 
-/// Returns the options; empty if an error was printed.
+/// Returns the options; empty after an error was printed.
 std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
     QCommandLineParser parser;
     const QCommandLineOption help(QStringList{"h", "help"});
@@ -129,7 +130,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         return std::nullopt;
     }
     if (parser.isSet(outFile) && parser.isSet(outFolder)) {
-        wrongArguments(QStringLiteral("record: --out and --out-folder exclude each other"));
+        wrongArguments(QStringLiteral("record: --out and --out-folder cannot be combined"));
         return std::nullopt;
     }
     RecordOptions options;
@@ -139,8 +140,8 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     if (options.format == nullptr || options.format->recorder == nullptr) {
         wrongArguments(path.isEmpty()
                            ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
-                           : QStringLiteral("record: '%1' ends neither in %2")
-                                 .arg(path, recording::suffixWords(true, QStringLiteral("nor in"))));
+                           : QStringLiteral("record: '%1' must end in %2")
+                                 .arg(path, recording::suffixWords(true, QStringLiteral("or"))));
         return std::nullopt;
     }
     if (!parser.isSet(force) && !parser.isSet(trigger) && QFileInfo::exists(path)) {
@@ -272,6 +273,10 @@ int record(const QStringList& arguments) {
                      .arg(progress.seconds, 0, 'f', 3)
                      .arg(progress.lost)
                      .arg(progress.bytes)
+              << Qt::endl;
+    }
+    if (progress.restarts > 0) {
+        out() << QStringLiteral("Restarts of the controller during the recording: %1").arg(progress.restarts)
               << Qt::endl;
     }
     if (progress.state != RecorderState::Finished) {

@@ -27,29 +27,28 @@ using namespace std::chrono_literals;
 using program::Preview;
 
 const QString kRunHelp = QStringLiteral(
-    "tiller-cli run: run a program of a project\n"
+    "tiller-cli run: runs a program of a project\n"
     "\n"
     "Usage: tiller-cli run FILE.tiller --simulate [options]\n"
     "       tiller-cli run FILE.tiller --robot ADDRESS [options]\n"
     "\n"
-    "  --simulate           run the script in the simulated controller, faster than real time\n"
-    "  --robot ADDRESS      run it on a robot, after a simulated run from its current position\n"
-    "  --program NAME       the program; not needed if the project has only one\n"
-    "  --from STEP          begin at the step with this number\n"
+    "  --simulate           runs the script in the simulated controller, faster than real time\n"
+    "  --robot ADDRESS      runs it on a robot, after a simulated run from the current position of the arm\n"
+    "  --program NAME       name of the program; not needed if the project has only one\n"
+    "  --from STEP          starts at the step with this number\n"
     "  --input CHANNEL=on|off[@SECONDS]\n"
-    "                       a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be "
-    "repeated\n"
-    "  --time-limit SECONDS end after this time (default 3600)\n"
+    "                       sets a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be\n"
+    "                       repeated\n"
+    "  --time-limit SECONDS stops the run after this time (default 3600)\n"
     "  --port-offset N      added to every port number of the robot (default 0)\n"
-    "  --json               one JSON object instead of text\n"
-    "  --help               this text\n"
+    "  --json               prints one JSON object instead of text\n"
+    "  --help               shows this text\n"
     "\n"
-    "A run on a robot moves the arm at once, at the speeds of the program: keep clear of it. Ctrl-C, the "
-    "end\n"
-    "of this command and a lost connection stop it. It is refused if a simulated run of the first ten "
-    "minutes\n"
-    "finds a collision or a stop, or if the robot is another model than the project's.\n"
-    "Exit code: 0 the program ended without findings, 1 it did not, 2 wrong arguments.\n");
+    "A run on a robot moves the arm at once, at the speeds of the program: keep clear of the arm. Ctrl-C,\n"
+    "the end of this command and a lost connection stop the run. The run is refused if a simulated run of\n"
+    "the first ten minutes finds a collision or a stop, or if the robot is a different model than the\n"
+    "project's.\n"
+    "Exit code: 0 the program ended without findings, 1 it did not, 2 invalid arguments.\n");
 
 /// Parses an input change, e.g. "DI3=on@2.5".
 std::optional<program::InputChange> inputFrom(const QString& text) {
@@ -149,25 +148,25 @@ int refuse(const LoadedProgram& loaded, bool json) {
     return kFailed;
 }
 
-/// True for findings that make a run on the robot unsafe. Inputs that are not set can end a simulated run
-/// early, which is not dangerous.
+/// True for findings that make a run on the robot unsafe. An input that is not set can only end a simulated
+/// run early, which is not dangerous.
 bool isDangerous(const program::Finding& finding) {
     using Kind = program::Finding::Kind;
     return finding.kind == Kind::ScriptError || finding.kind == Kind::ProtectiveStop ||
            finding.kind == Kind::Collision;
 }
 
-/// Maximum simulated time of a program before it runs on a robot [s].
+/// Maximum simulated time of the check before a program runs on a robot [s].
 constexpr double kCheckedTime = 600;
 
-/// The reason why the program must not run on the robot that sends this state; empty if it may.
+/// Returns the reason why the program must not run on the robot that sends this state; empty if it may run.
 QString mismatch(const LoadedProgram& loaded, const receive::RobotState& state) {
     constexpr double kSameTcp = 1e-4;    // [m]
     constexpr double kSamePlace = 0.02;  // [m]; a calibrated arm differs from its model by a few millimetres
     const RobotModel& model = robotModel(loaded.project.robot.value_or(RobotModelId::UR5e));
     const Pose computed = kinematics::forwardTcp(model.dh, state.q(), state.tcpOffset());
     if (!((computed.position - state.tcpPose().position).norm() < kSamePlace)) {
-        return QStringLiteral("the robot is not a %1, the model that the project was taught with")
+        return QStringLiteral("the project was taught with a %1, but the robot is a different model")
             .arg(QLatin1String(model.name));
     }
     if (loaded.script.tcp &&
@@ -220,8 +219,8 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address;
     controllerOptions.portOffset = portOffset;
-    // Without a heartbeat for 100 ms the robot stops. A shorter pause of this PC, which the robot did not
-    // detect, must not end the run.
+    // The robot stops after 100 ms without a heartbeat. A shorter pause of this PC that the robot did not
+    // detect must not end the run.
     controllerOptions.dataTimeout = 2s;
     controllerOptions.connectionTimeout = 2s;
     control::Controller controller(controllerOptions);
@@ -285,10 +284,10 @@ int run(const QStringList& arguments) {
         return kSuccess;
     }
     if (parser.positionalArguments().size() != 1) {
-        return wrongArguments(QStringLiteral("run: one project file is needed"));
+        return wrongArguments(QStringLiteral("run: one project file is required"));
     }
     if (parser.isSet(simulate) == parser.isSet(robot)) {
-        return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is needed"));
+        return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is required"));
     }
     if (parser.isSet(robot) && !isHostName(parser.value(robot))) {
         return wrongArguments(
@@ -299,7 +298,7 @@ int run(const QStringList& arguments) {
         const auto change = inputFrom(text);
         if (!change) {
             return wrongArguments(
-                QStringLiteral("--input takes, for example, DI3=on or DI3=off@2.5, not '%1'").arg(text));
+                QStringLiteral("--input must have the form DI3=on or DI3=off@2.5, not '%1'").arg(text));
         }
         options.inputs.push_back(*change);
     }

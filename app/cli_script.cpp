@@ -12,17 +12,17 @@ namespace tiller::app {
 namespace {
 
 const QString kScriptHelp = QStringLiteral(
-    "tiller-cli script: write a program of a project as URScript\n"
+    "tiller-cli script: writes a program of a project as URScript\n"
     "\n"
     "Usage: tiller-cli script FILE.tiller [options]\n"
     "\n"
-    "  --program NAME       the program; not needed if the project has only one\n"
-    "  --from STEP          begin at the step with this number\n"
-    "  --out FILE           write to this file instead of standard output\n"
-    "  --help               this text\n"
+    "  --program NAME       name of the program; not needed if the project has only one\n"
+    "  --from STEP          starts at the step with this number\n"
+    "  --out FILE           writes to this file instead of standard output\n"
+    "  --help               shows this text\n"
     "\n"
-    "The script runs on the robot without a PC. Nothing on this PC stops it then. Exit code: 0 written,\n"
-    "1 the program has errors or the file cannot be read or written, 2 wrong arguments.\n");
+    "The script runs on the robot without a PC, so this PC cannot stop it. Exit code: 0 written, 1 the\n"
+    "program has errors or the file cannot be read or written, 2 invalid arguments.\n");
 
 }  // namespace
 
@@ -42,12 +42,13 @@ int script(const QStringList& arguments) {
         return kSuccess;
     }
     if (parser.positionalArguments().size() != 1) {
-        return wrongArguments(QStringLiteral("script: one project file is needed"));
+        return wrongArguments(QStringLiteral("script: one project file is required"));
     }
     bool isNumber = false;
     const int first = parser.value(from).toInt(&isNumber);
     if (!isNumber || first < 0) {
-        return wrongArguments(QStringLiteral("--from takes a step number, not '%1'").arg(parser.value(from)));
+        return wrongArguments(
+            QStringLiteral("--from must be a step number, not '%1'").arg(parser.value(from)));
     }
     const auto loaded = loadProgram(parser.positionalArguments().constFirst(), parser.value(name), first);
     if (!loaded) {

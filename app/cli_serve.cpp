@@ -22,40 +22,31 @@ const QString kServeHelp = QStringLiteral(
     "Usage: tiller-cli serve ADDRESS [options]\n"
     "\n"
     "  ADDRESS              address or host name of the robot, or of a simulated robot\n"
-    "  --listen ADDRESS     address that Foxglove and other viewers connect to (default 127.0.0.1: only "
-    "this\n"
-    "                       machine; 0.0.0.0: every machine on the network). The server is read-only: no "
-    "viewer\n"
-    "                       can move the robot\n"
+    "  --listen ADDRESS     address that Foxglove and other viewers connect to (default 127.0.0.1: only\n"
+    "                       this machine; 0.0.0.0: every machine on the network). The server is read-only:\n"
+    "                       no viewer can move the robot\n"
     "  --port N             port of the server (default 8765); 0: a free port\n"
-    "  --allow-origin ORIGIN  web page or app that may connect, such as https://app.foxglove.dev (Foxglove "
-    "in a\n"
-    "                       browser) or file:// (desktop apps: Foxglove, Lichtblick). Can be given several "
-    "times\n"
-    "  --no-server          no server\n"
-    "  --udp ADDRESS[:PORT] sends JSON in UDP datagrams, one for each package, to PlotJuggler (its port: "
-    "9870)\n"
+    "  --allow-origin ORIGIN  web page or app that may connect, such as https://app.foxglove.dev (Foxglove\n"
+    "                       in a browser) or file:// (desktop apps: Foxglove, Lichtblick). Can be repeated\n"
+    "  --no-server          starts no server; requires --udp\n"
+    "  --udp ADDRESS[:PORT] sends JSON in UDP datagrams, one for each package, to PlotJuggler (port 9870)\n"
     "  --fields A,B,...     RTDE outputs to forward; default: all that the window shows\n"
     "  --wait SECONDS       time to wait for the first package (default 10)\n"
-    "  --quiet              no progress on the terminal\n"
-    "  --port-offset N      added to the robot's port numbers (default 0)\n"
-    "  --help               this text\n"
+    "  --quiet              shows no progress on the terminal\n"
+    "  --port-offset N      added to every port number of the robot (default 0)\n"
+    "  --help               shows this text\n"
     "\n"
-    "Limits of the server: 16 viewers with a subscription; 32 connections without one and 32 handshakes, of "
-    "which\n"
-    "a new one replaces the oldest; handshake within 5 s and 16 KiB; requests of at most 64 KiB each and 1 "
-    "MiB/s;\n"
-    "8 MiB of unsent messages for each viewer, of which the oldest are dropped. A viewer that reads nothing "
-    "for\n"
-    "10 s, or does not read the answers to its requests, is disconnected. Web pages are refused unless they "
-    "come\n"
-    "from this machine or from an allowed origin.\n"
+    "Limits of the server: 16 viewers with a subscription; 32 connections without a subscription and 32\n"
+    "handshakes (a new one replaces the oldest); handshake within 5 s and 16 KiB; requests of at most\n"
+    "64 KiB each and 1 MiB/s; 8 MiB of unsent messages for each viewer (the oldest are dropped). A viewer\n"
+    "that reads nothing for 10 s, or does not read the responses to its requests, is disconnected. Web\n"
+    "pages are refused unless they come from this machine or from an allowed origin.\n"
     "\n"
-    "Prints a line beginning with 'ready'. Ends on Ctrl-C or SIGTERM. Reconnects when the connection to the "
-    "robot\n"
-    "is lost. Exit code: 0; 1: no data or port not available; 2: wrong arguments.\n");
+    "Prints a line beginning with 'ready'. Ends on Ctrl-C or SIGTERM. Reconnects when the connection to\n"
+    "the robot is lost. Exit code: 0 ended by Ctrl-C or SIGTERM, 1 no data or port not available, 2 invalid\n"
+    "arguments.\n");
 
-/// Prints each refused origin only once, so that many refused pages do not fill the terminal.
+/// Prints each rejected origin only once, so that many rejected requests do not fill the terminal.
 class RefusedOrigins {
 public:
     void show(const QString& origin) {
@@ -70,7 +61,7 @@ public:
     }
 
 private:
-    /// The origin is chosen by the peer, so control characters are removed.
+    /// Removes control characters, because the peer determines the origin text.
     static QString printable(QString text) {
         std::replace_if(
             text.begin(), text.end(), [](QChar c) { return !c.isPrint(); }, QChar(u'?'));
@@ -124,7 +115,7 @@ int serve(const QStringList& arguments) {
         options.udpAddress = parts.constFirst();
         options.udpPort = parts.size() < 2 ? options.udpPort : parts[1].toUShort(&ok);
         if (!ok || options.udpPort == 0) {
-            return wrongArguments(QStringLiteral("--udp: '%1' is not an address, or an address and a port")
+            return wrongArguments(QStringLiteral("--udp: '%1' must be an address, optionally with a port")
                                       .arg(parser.value(udp)));
         }
     } else if (options.listenAddress.isEmpty()) {

@@ -27,22 +27,22 @@ const QString kSimulateHelp = QStringLiteral(
     "  --port-offset N      added to every port number (default 0)\n"
     "  --model MODEL        ur3, ur3e, ur5, ur5e, ur10, ur10e, ur16e, ur20, ur30... (default ur5e)\n"
     "  --software VERSION   version of the controller software: 3.15 for a CB3 model; 5.11, 5.22, 5.25 or\n"
-    "                       another 5.x; 10.12 for PolyScope X (default 5.22, CB3 models 3.15)\n"
+    "                       another 5.x; 10.12 for PolyScope X (default: 5.22, for CB3 models 3.15)\n"
     "  --headless           starts with the brakes released and in remote control, ready to move\n"
     "  --local              starts in local control and refuses the same commands as a real robot\n"
-    "  --programs FOLDER    folder of the programs: .urp files as saved by the pendant, .urpx, or URScript\n"
+    "  --programs FOLDER    folder with programs: .urp files as saved by the pendant, .urpx, or URScript\n"
     "                       text; with the installation files that they name\n"
     "  --urcaps FOLDER      URScript that replaces nodes of URCaps: one .script file for each node class,\n"
     "                       with a line '# class: NAME'\n"
-    "  --device NAME=FILE   a camera, gripper or other device that answers programs as the table in FILE\n"
-    "                       says, by XML-RPC or lines of text; can be given several times. The README of\n"
-    "                       robot/simulator describes the table; the fault 'device' makes it absent\n"
-    "  --fault WORDS        fault that is present from the start; can be given several times. See\n"
+    "  --device NAME=FILE   simulates a camera, gripper or other device that replies to programs by XML-RPC\n"
+    "                       or lines of text, as defined by the table in FILE; can be repeated. The README\n"
+    "                       of robot/simulator describes the table; the fault 'device' disconnects it\n"
+    "  --fault WORDS        fault that is present from the start; can be repeated. See\n"
     "                       'tiller-cli fault --help': the same words work while the simulator runs;\n"
     "                       '--fault help' lists them\n"
-    "  --assume NAME=VALUE  sets a behaviour that is not known of real controllers; can be given several\n"
-    "                       times. '--assume help' lists all names and values\n"
-    "  --boot-time SECONDS  duration of the start, as on a real controller (default: none)\n"
+    "  --assume NAME=VALUE  sets a behaviour that is not confirmed for real controllers; can be repeated.\n"
+    "                       '--assume help' lists all names and values\n"
+    "  --boot-time SECONDS  duration of booting, as on a real controller (default: none)\n"
     "  --calibration SIZE   uses an arm that deviates from its model by up to SIZE mm and mrad (at most 5)\n"
     "                       and reports its calibration as real arms do\n"
     "  --seed N             seed of the measurement noise and of all other random values (default 1)\n"
@@ -137,7 +137,7 @@ int simulate(const QStringList& arguments) {
     const QStringList faults = parser.values(fault);
     for (const QString& words : faults) {
         if (words.trimmed() == QLatin1String("help")) {
-            out() << QStringLiteral("--fault takes one of\n") << simulator::faultHelp();
+            out() << QStringLiteral("--fault must be one of\n") << simulator::faultHelp();
             return kSuccess;
         }
     }
@@ -154,13 +154,13 @@ int simulate(const QStringList& arguments) {
     simulator::SimulatorOptions options;
     options.listenAddress = parser.value(listen);
     if (QHostAddress(options.listenAddress).isNull()) {
-        return wrongArguments(QStringLiteral("--listen takes an IP address such as 127.0.0.2, not '%1'")
+        return wrongArguments(QStringLiteral("--listen must be an IP address such as 127.0.0.2, not '%1'")
                                   .arg(options.listenAddress));
     }
     bool ok = false;
     options.portOffset = parser.value(offset).toInt(&ok);
     if (!ok || options.portOffset < -29000 || options.portOffset > 35000) {
-        return wrongArguments(QStringLiteral("--port-offset takes a number from -29000 to 35000, not '%1'")
+        return wrongArguments(QStringLiteral("--port-offset must be a number from -29000 to 35000, not '%1'")
                                   .arg(parser.value(offset)));
     }
     const auto id = robotModelByName(parser.value(model));
@@ -181,7 +181,7 @@ int simulate(const QStringList& arguments) {
         return wrongArguments(fits.error().context);
     }
     if (parser.isSet(headless) && parser.isSet(local)) {
-        return wrongArguments(QStringLiteral("--headless and --local exclude each other"));
+        return wrongArguments(QStringLiteral("--headless and --local cannot be combined"));
     }
     for (const QString& words : parser.values(assumed)) {
         if (const auto taken = simulator::assume(options.assumptions, words); !taken) {
@@ -196,7 +196,7 @@ int simulate(const QStringList& arguments) {
         return kWrongArguments;
     }
     if (*boot > 0 && parser.isSet(headless)) {
-        return wrongArguments(QStringLiteral("--headless and --boot-time exclude each other"));
+        return wrongArguments(QStringLiteral("--headless and --boot-time cannot be combined"));
     }
     options.bootTime = *boot;
     options.calibration = *deviation;
@@ -217,7 +217,7 @@ int simulate(const QStringList& arguments) {
         if (name.isEmpty() || name.contains(' ') || file.isEmpty() || isTaken) {
             return wrongArguments(
                 QStringLiteral(
-                    "--device takes a name of its own and a file, such as camera=camera.txt, not '%1'")
+                    "--device must be a unique name and a file, such as camera=camera.txt, not '%1'")
                     .arg(words));
         }
         options.devices.push_back({name, file});

@@ -37,14 +37,13 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
                                   "folder");
     const QCommandLineOption project("project", CommandLineText::tr("Open this project file (.tiller)."),
                                      "file");
-    // Option name of earlier versions.
+    // Name of the option in earlier versions.
     QCommandLineOption session("session", project.description(), "file");
     session.setFlags(QCommandLineOption::HiddenFromHelp);
-    const QCommandLineOption theme("theme", CommandLineText::tr("Colours: light or dark."), "name");
+    const QCommandLineOption theme("theme", CommandLineText::tr("Colour theme: light or dark."), "name");
     const QCommandLineOption monitorOnly(
-        "monitor-only",
-        CommandLineText::tr(
-            "Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings."));
+        "monitor-only", CommandLineText::tr("Monitor only: do not change anything on the robot; STOP still "
+                                            "works. Cannot be turned off in Settings."));
     parser.addPositionalArgument("file", project.description(), "[file.tiller]");
     parser.addPositionalArgument("recording", CommandLineText::tr("Open these recordings in the plots."),
                                  "[file.mcap|file.h5|file.csv ...]");
@@ -56,7 +55,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!parser.parse(arguments)) {
         return wrong(parser.errorText());
     }
-    // The file manager passes files as positional arguments.
+    // File managers pass files as positional arguments.
     QStringList files = parser.positionalArguments();
     const bool opened = !files.isEmpty() && files.constFirst().endsWith(QLatin1String(".tiller"));
     const QString file = opened ? files.takeFirst() : QString();
@@ -78,7 +77,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     line.projectFile = opened ? file : parser.value(parser.isSet(project) ? project : session);
     line.theme = parser.value(theme).toLower();
     if (!line.theme.isEmpty() && line.theme != "light" && line.theme != "dark") {
-        return wrong(CommandLineText::tr("--theme takes light or dark, not \"%1\"").arg(line.theme));
+        return wrong(CommandLineText::tr("--theme must be light or dark, not \"%1\"").arg(line.theme));
     }
     line.monitorOnly = parser.isSet(monitorOnly);
     if (parser.isSet(demo) && line.monitorOnly) {
@@ -89,17 +88,17 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         return wrong(CommandLineText::tr("--robot and --simulator cannot be combined"));
     }
     if (parser.isSet(demo) && parser.isSet(robot)) {
-        // The demonstration moves the arm automatically and is not allowed on a real robot.
+        // The demonstration moves the arm automatically, so it must not run on a real robot.
         return wrong(CommandLineText::tr(
-            "--demo works on the simulated robot only and cannot be combined with --robot"));
+            "--demo works only on the simulated robot and cannot be combined with --robot"));
     }
     if (parser.isSet(demo) && line.demoDirectory.isEmpty()) {
-        return wrong(CommandLineText::tr("--demo needs a folder"));
+        return wrong(CommandLineText::tr("--demo requires a folder"));
     }
     if (parser.isSet(robot)) {
         line.robotHost = parser.value(robot).trimmed();
         if (line.robotHost.isEmpty()) {
-            return wrong(CommandLineText::tr("--robot needs an address, e.g. --robot 192.168.0.10"));
+            return wrong(CommandLineText::tr("--robot requires an address, e.g. --robot 192.168.0.10"));
         }
         line.start = CommandLine::Start::Robot;
     } else if (parser.isSet(simulator) || parser.isSet(demo)) {

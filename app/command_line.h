@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The command line of `tiller`. Errors contain the valid values.
+// The command line of `tiller`. Error messages contain the valid values.
 
 #include <QString>
 #include <QStringList>
@@ -12,14 +12,14 @@ namespace tiller::app {
 
 struct CommandLine {
     enum class Start { Ask, Simulator, Robot };
-    Start start = Start::Ask;  ///< Ask: show the connect dialog
+    Start start = Start::Ask;  ///< Ask: shows the connection dialog
     QString robotHost;
     QString
-        demoDirectory;    ///< not empty: run the scripted demonstration, write its files to this folder, exit
+        demoDirectory;    ///< folder for files of the scripted demonstration; if not empty, runs it and exits
     QString projectFile;  ///< project to open; empty: the last project
     QStringList recordings;    ///< recordings to open
     QString theme;             ///< "light", "dark", or empty for the last setting
-    bool monitorOnly = false;  ///< block all changes on the robot, independent of the settings
+    bool monitorOnly = false;  ///< blocks all changes on the robot, independent of the settings
     bool showHelp = false;
     bool showVersion = false;
     QString helpText;

@@ -16,7 +16,7 @@
 namespace tiller::app {
 namespace {
 
-/// All words must occur; actions that match at the beginning come first.
+/// All words must occur in the text. Actions whose name begins with a word are listed first.
 int rank(const QAction& action, const QStringList& words) {
     const QString text = plain(action);
     const QString all =
@@ -41,10 +41,10 @@ int rank(const QAction& action, const QStringList& words) {
 }
 
 constexpr int kPaletteWidth = 640;     // [px]
-constexpr int kAroundPaletteRow = 72;  // margins, and a scroll bar
+constexpr int kAroundPaletteRow = 72;  // margins and a scroll bar [px]
 
-/// The first part of a reason that fits in a row: "Monitor only", "Not in control". The complete reason is in
-/// the tooltip.
+/// Returns the first part of a reason that fits in a row, e.g. "Monitor only", "Not in control". The tooltip
+/// contains the complete reason.
 QString firstClause(const QString& reason) {
     static const QRegularExpression kEnd(QStringLiteral("[:.](\\s|$)"));
     return reason.left(reason.indexOf(kEnd));
@@ -119,7 +119,7 @@ void CommandPalette::runCurrent() {
         return;
     }
     const QPointer<QAction> action = listed_[row];
-    // Close the palette first, so that the window is active if the action opens a dialog.
+    // Close the palette first, so that the main window is active if the action opens a dialog.
     accept();
     if (action) {
         action->trigger();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Finds every action of the table by a few letters of its name and runs it with Enter. Disabled actions are listed
-// with the reason.
+// Finds actions of the table by a few letters of their name. Enter runs the selected action. Disabled actions
+// are listed with the reason.
 
 #include <QDialog>
 
@@ -24,7 +24,7 @@ class CommandPalette : public QDialog {
 public:
     explicit CommandPalette(const ActionTable& actions, QWidget* parent = nullptr);
 
-    /// The actions currently listed, best match first.
+    /// The listed actions, best match first.
     QList<QAction*> listed() const { return listed_; }
 
 protected:

@@ -52,7 +52,8 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 24);
     layout->setSpacing(16);
-    // Users with a remembered robot see this part first; new users have no remembered robot.
+    // The part for robots is first if a robot is remembered. New users have no remembered robot, so their
+    // first part is the simulator.
     QWidget* const robot = robotPart();
     QWidget* const simulator = simulatorPart();
     layout->addWidget(remembered.isEmpty() ? simulator : robot);
@@ -60,8 +61,8 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     layout->addWidget(remembered.isEmpty() ? robot : simulator);
 
     auto* safety = new QLabel(
-        tr("Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, "
-           "check payload and TCP, and start slowly. STOP in this window is not an emergency stop."));
+        tr("Before you move a real arm: keep everyone out of its reach, keep the emergency stop within "
+           "reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop."));
     safety->setProperty("role", "secondary");
     safety->setWordWrap(true);
     layout->addWidget(safety);
@@ -69,11 +70,11 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     auto* buttons = new QHBoxLayout;
     auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setObjectName("cancelConnect");
-    auto* project = new QPushButton(tr("Open a project…"));
+    auto* project = new QPushButton(tr("Open project…"));
     project->setObjectName("openProject");
-    project->setToolTip(tr("Waypoints from a file, without a robot: everything works except motion."));
+    project->setToolTip(tr("Opens waypoints from a file without a robot: everything except motion works."));
     for (QPushButton* button : {project, cancel, connect_, simulator_, sample_, forget_}) {
-        button->setAutoDefault(false);  // the focus must not change the default button
+        button->setAutoDefault(false);  // a focus change must not change the default button
     }
     buttons->addWidget(project);
     buttons->addStretch();
@@ -134,7 +135,7 @@ QWidget* ConnectDialog::robotPart() {
     host_->setAccessibleName(tr("Address or host name of the robot"));
     host_->setPlaceholderText(QStringLiteral("192.168.0.10"));
     name_->setObjectName("robotName");
-    name_->setAccessibleName(tr("Name shown for the robot"));
+    name_->setAccessibleName(tr("Display name of the robot"));
     name_->setPlaceholderText(tr("Lab UR5e"));
     auto* form = new QFormLayout;
     form->addRow(tr("Address"), host_);
@@ -142,7 +143,7 @@ QWidget* ConnectDialog::robotPart() {
     layout->addLayout(form);
 
     list_->setObjectName("rememberedRobots");
-    list_->setAccessibleName(tr("Robots connected to before"));
+    list_->setAccessibleName(tr("Recently connected robots"));
     list_->setMaximumHeight(104);
     for (const RobotAddress& robot : std::as_const(remembered_)) {
         list_->addItem(robot.name == robot.host ? robot.host

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The start dialog: try the simulator, connect a robot, or open a project.
+// The start dialog. The user can start the simulator, connect to a robot, or open a project.
 
 #include <QDialog>
 
@@ -20,12 +20,13 @@ class ConnectDialog : public QDialog {
 public:
     enum class Choice { Simulator, Sample, Robot, Project };
 
-    /// remembered  newest first
+    /// remembered  remembered robots, newest first
     explicit ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* parent = nullptr);
 
-    /// The selection, once accepted.
+    /// The selection of the user. Valid after the dialog was accepted.
     Choice choice() const { return choice_; }
-    /// Name and host as entered, with the port offset of a remembered robot if its address was not changed.
+    /// Name and host as entered. The port offset is that of a remembered robot if its address was not
+    /// changed.
     RobotAddress address() const;
 
 Q_SIGNALS:
@@ -39,11 +40,11 @@ private:
     QWidget* simulatorPart();
     QWidget* robotPart();
     void choose(Choice choice);
-    /// The default button depends on the input.
+    /// Sets the default button, which depends on the input.
     void updateButtons();
     void showRobot(int row);
     void forgetRobot();
-    /// Until it is edited, the name is the one remembered for the address.
+    /// Sets the name that is remembered for the address, unless the user has edited the name.
     void followAddress();
 
     QVector<RobotAddress> remembered_;
@@ -59,7 +60,7 @@ private:
     Choice choice_ = Choice::Robot;
 };
 
-/// The reason why the text cannot be a host name or an address; empty if it can.
+/// Returns the reason why the text cannot be a host name or an address; empty if it is valid.
 QString hostProblem(const QString& host);
 
 }  // namespace tiller::app

@@ -24,7 +24,7 @@
 namespace tiller::app {
 namespace {
 
-/// A report has a few kilobytes; larger files are not reports.
+/// A report has a few kilobytes. A file larger than this is not a report.
 constexpr qint64 kLargestReport = 1'000'000;
 
 }  // namespace
@@ -48,12 +48,13 @@ constexpr int kCalls = 64;
 constexpr std::size_t kStack = 64 * 1024;
 constexpr std::array kSignals = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-/// The data for the signal handler, which must neither allocate nor lock.
+/// Data for the signal handler, which must not allocate memory or lock a mutex.
 struct CrashNotes {
     std::array<char, 4096> path{};
     std::array<std::array<char, kLineLength>, kLines> lines{};
-    volatile std::sig_atomic_t next = 0;  ///< counts all lines; the index in the ring is the remainder
-    std::array<char, kStack> stack{};     ///< separate stack of the handler, for stack overflows
+    /// Number of all lines so far; modulo kLines it is the index in the ring.
+    volatile std::sig_atomic_t next = 0;
+    std::array<char, kStack> stack{};  ///< separate stack of the handler, for stack overflows
 };
 CrashNotes crashNotes;
 
@@ -102,7 +103,8 @@ extern "C" void writeCrashReport(int signal) {
         }
         ::close(file);
     }
-    // SA_RESETHAND has restored the default action, so the process terminates as without the handler.
+    // SA_RESETHAND has restored the default action. Raising the signal again terminates the process as
+    // without the handler.
     ::raise(signal);
 }
 
@@ -115,7 +117,7 @@ void keepCrashReports(const QString& path) {
         return;
     }
     std::copy(bytes.begin(), bytes.end(), crashNotes.path.begin());
-    // The first call loads a library, which is not allowed in the signal handler.
+    // The first call of backtrace() loads a library, which is not allowed in the signal handler.
     std::array<void*, 1> once{};
     ::backtrace(once.data(), 1);
 

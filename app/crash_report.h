@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Crash reports: the signal, the call stack and the last lines of the log. The crashing process writes the report
-// with async-signal-safe functions; the next start offers it to the user.
+// Crash reports with the signal, the call stack and the last lines of the log. The crashing process writes
+// the report using only async-signal-safe functions. At the next start, the application offers the report to
+// the user.
 
 #include <QByteArray>
 #include <QString>
 
 namespace tiller::app {
 
-/// Path of the report of the current user.
+/// Path of the crash report of the current user.
 QString crashReportPath();
 
-/// Makes a crash write a report to this file before the process terminates.
+/// Installs a handler that writes a report to this file if the process crashes.
 /// path     missing folders are created
-/// Threads  GUI, once. No effect on systems without backtrace()
+/// Threads  GUI; call once. No effect on systems without backtrace()
 void keepCrashReports(const QString& path);
 
-/// Adds a log line to the next report; long lines are truncated.
+/// Adds a log line to a later crash report. Long lines are truncated.
 /// Threads  GUI
 void rememberForCrash(const QString& line);
 
-/// The report of an earlier process; empty if there is none or it cannot be read.
+/// Returns the crash report of an earlier process; empty if there is none or it cannot be read.
 QByteArray readCrashReport(const QString& path);
 
 }  // namespace tiller::app

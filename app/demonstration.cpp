@@ -59,7 +59,8 @@ void Demonstration::start() {
         finish();
         return;
     }
-    // The demonstration generates mouse events only: no button is physically pressed.
+    // The demonstration only generates mouse events. No button is physically pressed, so a key-state check
+    // would fail.
     window_.setKeyStateProbe(KeyStateProbe::none());
     timer_.start();
 }
@@ -106,7 +107,7 @@ void Demonstration::addSteps() {
                           jogEnd_ = state().tcpPose;
                           return true;
                       },
-                      10'000, [this, jogKey] {  // an unexpected stop; the following release is measured
+                      10'000, [this, jogKey] {  // after an unexpected stop; the next release is measured
                           press(jogKey);
                           QTimer::singleShot(kShortJogMs, this, [this, jogKey] { release(jogKey); });
                       }});
@@ -211,7 +212,7 @@ QString Demonstration::summary() const {
         out << "log     " << trouble << '\n';
     }
     if (repeatedPresses_ > 0) {
-        out << tr("pressed again        %1 times: the motion had stopped before the key was released")
+        out << tr("pressed again        %1 times: the motion had stopped before the button was released")
                    .arg(repeatedPresses_)
             << '\n';
     }
@@ -233,7 +234,7 @@ QString Demonstration::summary() const {
 QWidget* Demonstration::find(const QString& key) {
     auto* widget = window_.findChild<QWidget*>(key);
     if (widget == nullptr) {
-        fail(tr("there is no key “%1” in the window").arg(key));
+        fail(tr("the window has no button “%1”").arg(key));
     }
     return widget;
 }

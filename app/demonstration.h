@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The scripted demonstration: operates the main window by mouse events on the real widgets, with the simulated
-// robot. It writes screenshots, a recording and a summary with the result of each step.
+// The scripted demonstration operates the main window with the simulated robot, by mouse events on the actual
+// widgets. It writes screenshots, a recording, and a summary with the result of each step.
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -26,12 +26,12 @@ class Demonstration : public QObject {
     Q_OBJECT
 
 public:
-    /// folder  for the files; created if missing
+    /// folder  folder for the files; created if missing
     Demonstration(MainWindow& window, const QString& folder, QObject* parent = nullptr);
 
     void start();
     bool succeeded() const { return failed_.isEmpty(); }
-    /// The results as printed, one per line.
+    /// The printed results, one per line.
     QString summary() const;
 
 Q_SIGNALS:
@@ -43,8 +43,8 @@ private:
         std::function<void()> begin;
         std::function<bool()> done;
         int timeoutMs = 10'000;
-        /// Only for a step that moves the arm: repeats the motion if the arm stops before the step is
-        /// complete. On a busy machine a jog may end early (blocked event loop, old data) and has to be
+        /// Only for a step that moves the arm. Repeats the motion if the arm stops before the step is
+        /// complete. On a busy computer, a jog may end early (blocked event loop, outdated data) and must be
         /// started again.
         std::function<void()> anew = {};
     };
@@ -74,7 +74,7 @@ private:
     QStringList troubles_;  ///< warnings and errors reported by the session
 
     Pose jogStart_;
-    std::optional<Pose> jogEnd_;  ///< pose after the jog came to rest
+    std::optional<Pose> jogEnd_;  ///< pose after the arm has stopped at the end of the jog
     control::StopMeasurement jogStop_;
 };
 

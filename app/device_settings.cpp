@@ -25,7 +25,7 @@ QLabel* secondary(const QString& text) {
     return label;
 }
 
-/// Names with a common width, so that the fields of the page are aligned.
+/// Creates a label with a common width, so that the fields of the page are aligned.
 QLabel* fieldName(const QString& text) {
     constexpr int kWidth = 116;
     auto* label = new QLabel(text);
@@ -95,7 +95,7 @@ QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, co
     auto* curve = numberField("settings." + kind + ".exponent", tr("Curve of the %1").arg(title), 1,
                               DeviceTuning::kMaxExponent, 0.1, 1, {});
     curve->setPrefix(tr("exponent "));
-    curve->setToolTip(tr("1: linear. Higher: finer near the centre, faster at full deflection."));
+    curve->setToolTip(tr("1: linear. Higher values: finer near the centre, faster at full deflection."));
     auto* dominant = new QCheckBox(tr("Dominant axis only"));
     dominant->setObjectName("settings." + kind + ".dominant");
     dominant->setAccessibleName(tr("%1: dominant axis only").arg(title));
@@ -115,7 +115,7 @@ QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, co
     connect(zone, &QDoubleSpinBox::valueChanged, this, choose);
     connect(curve, &QDoubleSpinBox::valueChanged, this, choose);
     connect(dominant, &QCheckBox::clicked, this, choose);
-    // The device test page can also change the settings.
+    // The device test page may also change the settings.
     connect(&devices_, &DeviceJog::tuned, this,
             [this, kind, show](const QString& of, const DeviceTuning& tuning) {
                 if (of == kind) {
@@ -152,8 +152,8 @@ void DeviceSettings::listDevices() {
     used_->setEnabled(!devices_.devices().empty());
     there_->setText(devices_.devices().empty()
                         ? tr("No gamepad or SpaceMouse found. Connect one; it is detected automatically.")
-                        : tr("Moves the arm only while the dead-man switch is held. Not stored: after a "
-                             "restart no device moves the arm."));
+                        : tr("Moves the arm only while the hold-to-run button is held. Not stored: after a "
+                             "restart, no device moves the arm."));
 }
 
 }  // namespace tiller::app

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Settings of gamepads and SpaceMouse: the device that moves the arm, dead zone, sensitivity curve, and limitation
-// to the main axis.
+// Settings for gamepads and SpaceMouse devices: the device that moves the arm, dead zone, sensitivity curve,
+// and limitation to the main axis.
 
 #include <QMap>
 #include <QWidget>
@@ -27,7 +27,7 @@ public:
 
 Q_SIGNALS:
     void tuningChosen(const QString& kind, const tiller::DeviceTuning& tuning);
-    /// Request to open the device test page.
+    /// The user wants to open the device test page.
     void trainerWanted();
 
 private:

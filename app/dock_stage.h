@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The area of the window whose panels the user can arrange. Header, jog column and status bar are outside, so that
-// no arrangement can hide the stop controls.
+// The area of the window with the panels that the user can arrange. Header, jog column and status bar are
+// outside this area, so that no arrangement can hide the stop controls.
 
 #include <QByteArray>
 #include <QList>
@@ -16,11 +16,11 @@ namespace tiller::app {
 
 class PanelDock;
 
-/// A built-in arrangement: a row of panels, and one panel below it over the whole width.
+/// A built-in arrangement: a row of panels, and one panel below the row over the whole width.
 struct StagePlan {
     struct Place {
         QString dock;
-        int percent = 0;  ///< percentage of the window width; 0: the remaining width
+        int percent = 0;  ///< percentage of the window width; 0: uses the remaining width
         bool shown = true;
     };
     QVector<Place> row;
@@ -37,27 +37,27 @@ public:
     explicit DockStage(QWidget* parent = nullptr);
     ~DockStage() override;
 
-    /// Takes ownership of the dock; the next plan shows it.
+    /// Takes ownership of the dock. The dock is shown by the next plan.
     void add(PanelDock& dock);
     const QList<PanelDock*>& docks() const { return docks_; }
 
-    /// Moves every panel to its position in the plan. The proportions follow the window size until the user changes
-    /// the arrangement.
+    /// Moves every panel to its position in the plan. The proportions are adapted to the window size until
+    /// the user changes the arrangement.
     void arrange(const StagePlan& plan);
-    /// Moves a panel to this side of all others.
+    /// Moves a panel to this side of all other panels.
     void move(PanelDock& dock, StageSide side);
     /// Makes a panel visible.
     void reveal(PanelDock& dock);
     /// The current arrangement.
     QByteArray state() const;
-    /// state    a result of state(), undamaged: Qt can crash on damaged data
-    /// Returns  false for another version, without changes
+    /// state    an undamaged result of state(), because Qt can crash on damaged data
+    /// Returns  false, without changes, if the state is from another version
     bool restore(const QByteArray& state);
 
 Q_SIGNALS:
     /// The user moved, closed, floated or resized a panel.
     void rearranged();
-    /// The window of a floating panel was deactivated, minimized or closed, or a panel was shown, hidden, or
+    /// The window of a floating panel was deactivated, minimized or closed. Or a panel was shown, hidden, or
     /// brought to the front of its tab group.
     void attentionLost(tiller::control::StopCause cause);
 
@@ -74,7 +74,7 @@ private:
     void changeByUser();
 
     QList<PanelDock*> docks_;
-    std::optional<StagePlan> plan_;  ///< set while the arrangement equals the plan
+    std::optional<StagePlan> plan_;  ///< set while the arrangement matches the plan
     bool arranging_ = false;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The help shortcut of the window in its dialogs: Qt does not deliver shortcuts of the window while a dialog has
-// the focus.
+// Makes the help shortcut of the main window available in its dialogs. Qt does not deliver shortcuts of a
+// window while a dialog has the focus.
 
 #include <QObject>
 
@@ -13,7 +13,7 @@ namespace tiller::app {
 
 class HelpKey : public QObject {
 public:
-    /// command  of the window `owner`, which is also the parent
+    /// command  help command of the window `owner`, which is also the parent
     HelpKey(QAction& command, QWidget& owner);
 
 protected:

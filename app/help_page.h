@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Help: the manual with a selected page, the rules of jogging, and all commands with their shortcuts.
+// The help page with the manual, the rules of jogging, and all commands with their shortcuts.
 
 #include <QDialog>
 
@@ -15,14 +15,15 @@ class HelpPage : public QDialog {
 public:
     /// longestHold  maximum duration of a jog without a new press [s]
     /// commands     list of commands as HTML
-    /// manual       folder of the manual; empty: not installed, and the page explains how to get it
+    /// manual       folder of the manual; if it is empty, the manual is not installed and the help page
+    /// explains how to get it
     HelpPage(int longestHold, const QString& commands, const QString& manual, QWidget* parent = nullptr);
 
     /// page  relative to the folder of the manual, e.g. "window/io.html#gripper"
     void showManual(const QString& page);
 
 Q_SIGNALS:
-    /// The user wants to start the practice tasks; the page closes.
+    /// The user wants to start the practice tasks. The help page closes.
     void practiceRequested();
 
 protected:

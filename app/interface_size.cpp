@@ -10,7 +10,7 @@ namespace {
 
 constexpr char kFactor[] = "QT_SCALE_FACTOR";
 constexpr char kProperty[] = "tillerInterfaceSize";
-/// Above this pixel density, a button of 72 px is smaller than 13 mm.
+/// At a higher pixel density than this, a button of 72 px is smaller than 13 mm.
 constexpr double kDensePixels = 140;  // [pixels per inch]
 
 double factorOfTheEnvironment() {
@@ -62,7 +62,7 @@ SizedApplication::SizedApplication(int argc, char** argv, int percent)
     if (wanted == kInterfaceSizes.front() || screen == nullptr) {
         return;
     }
-    // The screen is known only here; it may be smaller than at the last start.
+    // The screen is known only at this point. It may be smaller than at the last start.
     if (const int fitting = fittingInterfaceSize(wanted, availableAtNormalSize(*screen)); fitting != wanted) {
         application_.reset();
         begin(fitting);
@@ -83,7 +83,7 @@ void SizedApplication::begin(int percent) {
     application_ = std::make_unique<QApplication>(count_, arguments_.data());
     application_->setProperty(kProperty, percent);
     if (told) {
-        // For this process only: programs started from here use their own size.
+        // The scale applies to this process only. Child processes use their own scale.
         qputenv(kFactor, QByteArray::number(desktopFactor_));
     }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Scale of the whole user interface (text, buttons, rows, plots, 3D view) in addition to the scale of the desktop.
-// Qt reads the factor at the start of the application, so that a change takes effect at the next start.
+// Scale of the whole user interface (text, buttons, rows, plots, 3D view) in addition to the scale of the
+// desktop. Qt reads the scale factor when the application starts, so that a change takes effect at the next
+// start.
 
 #include <QSize>
 #include <array>
@@ -16,12 +17,12 @@ namespace tiller::app {
 
 /// Selectable sizes [%].
 inline constexpr std::array<int, 4> kInterfaceSizes = {100, 125, 150, 200};
-/// Minimum window size at 100 %: a screen of 1280 x 720 without title bar and borders.
+/// Minimum window size at 100 %. It fits on a screen of 1280 x 720 with a title bar and borders.
 inline constexpr QSize kSmallestWindow{1264, 672};
 
-/// The largest selectable size not above `percent`; 100 if there is none.
+/// The largest selectable size that does not exceed `percent`; 100 if there is none.
 int saneInterfaceSize(int percent);
-/// The largest selectable size up to `wanted` at which the minimum window fits.
+/// The largest selectable size up to `wanted` at which the minimum window fits on the screen.
 /// available  space for windows on the screen at 100 % [px]
 int fittingInterfaceSize(int wanted, QSize available);
 /// The size at the start of the application [%].
@@ -31,8 +32,8 @@ QSize availableAtNormalSize(const QScreen& screen);
 /// True if a larger size is recommended for the pixel density.
 bool needsLargerSize(const QScreen& screen);
 
-/// Creates the application with a size. If the window does not fit, the largest possible size is used, because the
-/// stop controls must be visible.
+/// Creates the application with the given size. If the window does not fit on the screen, the largest size
+/// that fits is used, because the stop controls must be visible.
 /// Threads  GUI
 class SizedApplication {
 public:
@@ -48,7 +49,7 @@ private:
 
     const std::vector<char*> given_;
     const double desktopFactor_;    ///< scale factor requested by the environment
-    std::vector<char*> arguments_;  ///< without the arguments removed by Qt
+    std::vector<char*> arguments_;  ///< arguments except those removed by Qt
     int count_ = 0;
     std::unique_ptr<QApplication> application_;
 };

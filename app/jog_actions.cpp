@@ -33,9 +33,9 @@ QString stepName(const StepPreset& step) {
 void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keyboard,
                        const std::function<void()>& showTrainer) {
     table.add(
-        {"jog.keyboard", tr("Arm or disarm the keyboard"),
-         tr("While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s "
-            "without use."),
+        {"jog.keyboard", tr("Arm or disarm keyboard jogging"),
+         tr("While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It "
+            "is disarmed after 30 s without use."),
          QKeySequence(Qt::CTRL | Qt::Key_J), [&keyboard] { keyboard.setArmed(!keyboard.isArmed()); },
          [](const SessionState& s) { return s.monitorOnly ? texts::monitorOnlyObstacle() : QString(); }});
     table.add({"jog.devices",
@@ -44,7 +44,8 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
                {},
                showTrainer});
     table.add({"jog.zero", tr("Zero here"),
-               tr("Measures the TCP displacement from here. Press again to measure from the last key press."),
+               tr("Shows the TCP displacement from this position. Press again to show it from the start of "
+                  "the last motion."),
                QKeySequence(Qt::Key_Z), [&column] { column.zeroHere(); }});
     int index = 0;
     for (const SpeedClass& choice : speedClasses()) {
@@ -64,37 +65,39 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
         table.add({stepId(step),
                    stepName(step),
                    step.millimetres > 10 || step.degrees > 10
-                       ? tr("Moves by this distance, only while the key is held.")
-                       : tr("Moves by this distance at each press."),
+                       ? tr("Moves the arm by this distance while the button is held.")
+                       : tr("Each press moves the arm by this distance."),
                    {},
                    [&column, step] { column.selectors().setFreeStep(step.size()); }});
     }
     for (const double force : kContactForces) {
-        table.add({QStringLiteral("jog.contact.%1").arg(force),
-                   tr("Jog until contact (%1 N)").arg(force),
-                   tr("Moves slowly while the key is held and stops when the tool reaches this force."),
-                   {},
-                   [&column, force] { column.selectors().setUntilContact(force); }});
+        table.add(
+            {QStringLiteral("jog.contact.%1").arg(force),
+             tr("Jog until contact (%1 N)").arg(force),
+             tr("Moves slowly while the button is held and stops when the contact force reaches this value."),
+             {},
+             [&column, force] { column.selectors().setUntilContact(force); }});
     }
-    // Also available in the context menus of the column, for users without a right mouse button.
+    // Also available in the context menus of the column. This command is for users who do not have a right
+    // mouse button.
     table.add({"jog.speed.other",
-               tr("Jog speed, other…"),
-               tr("Asks for the TCP speed. Rotation and joint speeds change in proportion."),
+               tr("Other jog speed…"),
+               tr("Sets the TCP speed. Rotation and joint speeds change in proportion."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Speed); }});
     table.add({"jog.step.other",
-               tr("Jog step, other…"),
-               tr("Asks for the step length. The step angle does not change."),
+               tr("Other jog step…"),
+               tr("Sets the step length. The step angle does not change."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Step); }});
     table.add({"jog.turn.other",
-               tr("Jog angle, other…"),
-               tr("Asks for the step angle of tool and joint rotations. The step length does not change."),
+               tr("Other jog angle…"),
+               tr("Sets the step angle of tool and joint rotations. The step length does not change."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::Turn); }});
     table.add({"jog.contact.other",
-               tr("Jog until contact, other force…"),
-               tr("Asks for the contact force in N that ends the motion."),
+               tr("Other contact force for jogging…"),
+               tr("Sets the contact force in N that ends the motion."),
                {},
                [&column] { column.selectors().askFor(JogSelectors::Entry::ContactForce); }});
     index = 0;

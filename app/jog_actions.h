@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The functions of the jog column as commands, for use without a mouse and in the palette.
+// The functions of the jog column as commands, for the command palette and for use without a mouse.
 
 #include <QCoreApplication>
 #include <functional>

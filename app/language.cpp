@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <algorithm>
 
-// Outside of all namespaces: the macro declares a function of generated code.
+// Outside all namespaces, because the macro declares a function of generated code.
 static void initTranslations() {
     Q_INIT_RESOURCE(tiller_translations);
 }
@@ -35,7 +35,7 @@ QString languageFor(const QString& chosen) {
     if (isThere(chosen)) {
         return chosen;
     }
-    const QStringList spoken = QLocale::system().uiLanguages();  // e.g. "de-AT", "de"; "zh-Hans-CN"
+    const QStringList spoken = QLocale::system().uiLanguages();  // e.g. "de-AT", "de", or "zh-Hans-CN"
     for (const QString& tag : spoken) {
         const QLocale locale(tag);
         if (const QString whole = locale.name(); isThere(whole)) {
@@ -62,7 +62,7 @@ void LanguageTexts::take(const QString& chosen) {
     initTranslations();
     leave();
     code_ = languageFor(chosen);
-    // The English texts contain the plural forms.
+    // A translation is also loaded for English, because it contains the plural forms.
     if (texts_.load(QStringLiteral("tiller_") + code_, QStringLiteral(":/i18n"))) {
         QCoreApplication::installTranslator(&texts_);
     }
@@ -70,7 +70,7 @@ void LanguageTexts::take(const QString& chosen) {
     if (qtTexts_.load(QStringLiteral("qtbase_") + code_, qt)) {
         QCoreApplication::installTranslator(&qtTexts_);
     }
-    // If the language is the system language, use the regional formats of the system.
+    // If the user has not selected a language, use the regional formats of the system.
     QCoreApplication::instance()->setProperty(kShownLanguage, code_);
     QLocale::setDefault(chosen.isEmpty() ? QLocale::system() : QLocale(code_));
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The language of the user interface: translations, including Qt's dialogs, and the decimal separator.
+// The language of the user interface: translations, including those of Qt's dialogs, and the decimal
+// separator.
 
 #include <QString>
 #include <QTranslator>
@@ -10,20 +11,20 @@
 namespace tiller::app {
 
 struct Language {
-    QString code;  ///< code as in the file name: "de", "zh_CN"
-    QString name;  ///< native name
+    QString code;  ///< code used in file names, e.g. "de", "zh_CN"
+    QString name;  ///< native name of the language
 };
 
 /// Available languages, English first.
 const QVector<Language>& languages();
-/// The language to use; English as fallback.
+/// Returns the language to use; English if no translation matches.
 /// chosen  language code; empty or unknown: system language
 QString languageFor(const QString& chosen);
 /// Code of the language used for new windows.
 QString shownLanguage();
 
-/// Loads the texts of one language for the lifetime of the object or until another one is loaded. Displayed and
-/// entered numbers use the decimal separator of this language; files do not.
+/// Loads the texts of one language until another language is loaded or the object is destroyed. The decimal
+/// separator of this language is used for displayed and entered numbers, but not in files.
 /// Threads  GUI. Existing windows keep their texts
 class LanguageTexts {
 public:

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The simulated robot inside the application. It uses the first of 127.0.0.1, 127.0.0.2 ... with free standard
-// ports, so that several windows and `tiller-cli simulate` can run in parallel.
+// The simulated robot inside the application. It uses the first of the addresses 127.0.0.1, 127.0.0.2 ... on
+// which the standard ports are free, so that several windows and `tiller-cli simulate` can run at the same
+// time.
 
 #include <QList>
 #include <memory>
@@ -15,18 +16,18 @@ namespace tiller::app {
 
 class LocalSimulator {
 public:
-    /// Starts the simulated robot unless it is running.
+    /// Starts the simulated robot if it is not running.
     /// Returns  the address for the session
     /// Errors   Rejected if no loopback address has free ports; AddressInvalid
     Result<RobotAddress> start();
     void stop();
     simulator::Simulator* controller() { return controller_.get(); }
-    /// Treats another controller in this process as one of this object. It must exist until null is passed or
-    /// this object is destroyed.
+    /// Treats another controller in this process as a controller of this object. The controller must exist
+    /// until null is passed or this object is destroyed.
     void borrow(simulator::Simulator* controller) { borrowed_ = controller; }
     /// All running controllers.
     QList<simulator::Simulator*> controllers() const;
-    /// The controller that a session is connected to; null if it is not one of these.
+    /// The controller that a session is connected to; null if it is not one of controllers().
     simulator::Simulator* controllerOf(const SessionState& state) const;
 
 private:

@@ -38,10 +38,10 @@ void print(FILE* to, const QString& text) {
     }
 }
 
-/// Returns the requested project, the last one, or a new file.
+/// Returns the requested project, otherwise the last project or a new file.
 app::StartProject projectOf(const app::CommandLine& line, const app::Settings& settings) {
     if (!line.demoDirectory.isEmpty()) {
-        // The demonstration starts with a new project every time.
+        // The demonstration always starts with a new project.
         const QString file = line.demoDirectory + QStringLiteral("/demo.tiller");
         QFile::remove(file);
         return {file, {}};
@@ -49,7 +49,7 @@ app::StartProject projectOf(const app::CommandLine& line, const app::Settings& s
     return line.projectFile.isEmpty() ? app::startProject(settings) : app::StartProject{line.projectFile, {}};
 }
 
-/// True if there is no display. Qt would abort, even for `--help`.
+/// True if there is no display. Qt would then abort, even with `--help`.
 bool withoutDisplay(const QStringList& arguments) {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     const char* const names[] = {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"};
@@ -61,14 +61,14 @@ bool withoutDisplay(const QStringList& arguments) {
 #endif
 }
 
-/// The demonstration has the same size on every computer.
+/// Returns the interface size. The demonstration has the same size on every computer.
 int sizeFor(const QStringList& arguments) {
     const bool demonstrates = std::ranges::any_of(
         arguments, [](const QString& word) { return word.startsWith(QLatin1String("--demo")); });
     return demonstrates ? app::kInterfaceSizes.front() : app::readInterfaceSize({});
 }
 
-/// Shown only once: any saved setting means that it was shown before.
+/// Shows the hint only once. If there is any saved setting, the hint was shown before.
 void showSizeHint(app::MainWindow& window) {
     if (app::needsLargerSize(*window.screen()) &&
         !app::SettingsView({}).contains(QStringLiteral("look/size"))) {
@@ -76,7 +76,7 @@ void showSizeHint(app::MainWindow& window) {
             Severity::Info,
             QCoreApplication::translate("InterfaceSize",
                                         "This screen has a high resolution. Increase “Interface size” in "
-                                        "Settings to enlarge text, keys and plots."));
+                                        "Settings to enlarge text, controls and plots."));
     }
 }
 
@@ -103,7 +103,7 @@ int runDemonstration(QApplication& application, app::MainWindow& window, const Q
     return QApplication::exec();
 }
 
-/// Connects to the robot of the previous window. The user has to take control again.
+/// Connects to the robot of the previous window. The user must take control again.
 void connectAgain(app::MainWindow& window, const SessionState& before) {
     if (before.link == LinkState::Disconnected) {
         return;
@@ -115,7 +115,7 @@ void connectAgain(app::MainWindow& window, const SessionState& before) {
     }
 }
 
-/// connect  called before the window is shown, so that the robot responds while the first frame is painted
+/// connect  called before the window is shown, so that the robot can respond while the first frame is painted
 std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const app::Settings& settings,
                                             const std::function<void(app::MainWindow&)>& connect) {
     auto window = std::make_unique<app::MainWindow>(settings);
@@ -128,7 +128,7 @@ std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const 
     }
     connect(*window);
     window->show();
-    // Without a window manager, the window has to be activated here; an inactive window does not start
+    // Without a window manager, the window must be activated here, because an inactive window does not start
     // motions.
     window->activateWindow();
     const app::StartProject project = projectOf(line, settings);
@@ -158,7 +158,7 @@ int main(int argc, char* argv[]) {
     QApplication::setApplicationName(QStringLiteral("Tiller"));
     QApplication::setOrganizationName(QStringLiteral("Tiller"));
     QApplication::setApplicationVersion(QStringLiteral(TILLER_VERSION));
-    // The desktop finds the icon by this name.
+    // The desktop environment finds the icon by this name.
     QApplication::setDesktopFileName(QStringLiteral("org.tiller.Tiller"));
 
     app::LanguageTexts texts(app::Settings().preferences().language);
@@ -179,9 +179,9 @@ int main(int argc, char* argv[]) {
     }
 
     if (unseen && line->demoDirectory.isEmpty()) {
-        print(stderr, QStringLiteral(
-                          "tiller: there is no display to open the window on. Start it in a desktop session, "
-                          "or run the demonstration without one: tiller --simulator --demo DIR"));
+        print(stderr,
+              QStringLiteral("tiller: no display is available. Start Tiller in a desktop session, or run the "
+                             "demonstration without a display: tiller --simulator --demo DIR"));
         return kNoDisplay;
     }
 
@@ -192,7 +192,7 @@ int main(int argc, char* argv[]) {
     if (demonstration) {
         settings.setTutorialProgress({.dismissed = true, .firstSteps = {}, .practice = {}});
     }
-    // The demonstration connects by itself, so that it receives all errors.
+    // The demonstration opens its own connection later, so that it receives all errors.
     auto window = openWindow(*line, settings, [&](app::MainWindow& opened) {
         if (!demonstration) {
             connectAsAsked(opened, *line);
@@ -219,7 +219,7 @@ int main(int argc, char* argv[]) {
         }
         window.reset();
         texts.take(app::Settings().preferences().language);
-        // Use the current project, not the one from the command line.
+        // Use the current project instead of the project on the command line.
         line->projectFile.clear();
         line->recordings.clear();
         window = openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });

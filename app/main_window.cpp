@@ -94,7 +94,8 @@ constexpr QSize kStart{1600, 900};
 constexpr int kGap = 10;
 constexpr int kKeepLayoutMs = 2000;
 
-/// The margin around a panel; header and status bar extend to the window edges.
+/// Adds a margin around a panel. Header and status bar have no margin, because they extend to the window
+/// edges.
 QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     auto* frame = new QWidget;
     auto* layout = new QVBoxLayout(frame);
@@ -103,15 +104,15 @@ QWidget* withMargins(QWidget* panel, const QMargins& margins) {
     return frame;
 }
 
-/// The dock of the jog column: fixed and not closable.
+/// The dock of the jog column. It cannot be moved or closed.
 class FixedDock : public QDockWidget {
 public:
     FixedDock(QWidget* content, const QString& name, const QString& title, QWidget* parent)
         : QDockWidget(title, parent) {
         setObjectName(name);
         setFeatures(NoDockWidgetFeatures);
-        // A title bar without height. A plain widget has no size hint, which QDockWidget treats as -1, so that the
-        // content is one pixel too low.
+        // A title bar without height. A plain widget would have no size hint. QDockWidget would use -1 for
+        // its height, and the content would be one pixel too low.
         auto* bar = new QWidget(this);
         auto* layout = new QHBoxLayout(bar);
         layout->setContentsMargins(0, 0, 0, 0);
@@ -123,7 +124,8 @@ protected:
     void closeEvent(QCloseEvent* event) override { event->ignore(); }
 };
 
-/// STOP must be visible immediately, even on a small screen. Excludes title bar and borders.
+/// Initial size of the window without title bar and borders. STOP must be visible immediately, even on a
+/// small screen.
 QSize startSize() {
     const QScreen* screen = QGuiApplication::primaryScreen();
     return screen == nullptr ? kStart : kStart.boundedTo(screen->availableSize() - QSize(16, 48));
@@ -173,8 +175,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     connect(keyboard_, &KeyboardJog::armedChanged, this, [this](bool armed) {
         Q_EMIT session_->message(
             Severity::Info,
-            armed ? tr("Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they "
-                       "rotate. 1 to 6 with + and − move a joint. Space and Esc stop.")
+            armed ? tr("Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, "
+                       "they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.")
                   : tr("Keyboard jogging disarmed"));
     });
     connect(keyboard_, &KeyboardJog::refused, this,
@@ -187,14 +189,14 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     lessons_ = std::make_unique<Tutorial>(*session_, *document_, simulator_, settings_, scene_->view());
     transfer_ = new SettingsTransfer(settings_, this);
     buildDocks();
+    popup_ = new RobotPopup(*session_, *this, *scene_);
     buildActions();
     new HoverKeeper(this);
-    popup_ = new RobotPopup(*session_, *this, *scene_);
     connectParts();
     applyPreferences(preferences_);
 
     restoreGeometry(settings_.windowGeometry());
-    // Saved after a delay, because a process that is killed cannot save anything at its end.
+    // Saved shortly after each change, because a killed process cannot save anything at its end.
     layoutTimer_.setSingleShot(true);
     layoutTimer_.setInterval(kKeepLayoutMs);
     connect(&layoutTimer_, &QTimer::timeout, this, &MainWindow::keepLayout);
@@ -206,19 +208,19 @@ MainWindow::~MainWindow() {
     disconnect(qApp, nullptr, this, nullptr);
     const QList<QDialog*> open = findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly);
     qDeleteAll(open);
-    // Ignore signals of the panels during destruction.
+    // Signals of the panels must be ignored during destruction.
     disconnect(stage_, nullptr, nullptr, nullptr);
     const QWidgetList parts = findChildren<QWidget*>();
     for (QWidget* part : parts) {
         disconnect(part, nullptr, this, nullptr);
     }
-    // The session emits its last signals while all parts exist. It is destroyed last.
+    // The session is destroyed last, but must emit its last signals while all other parts exist.
     session_->shutDown();
     lessons_.reset();
     delete keyboard_;
     delete devices_;
     delete popup_;
-    // Unsaved changes are saved when the store is destroyed; this is not displayed.
+    // The store saves unsaved changes in its destructor. The window must not display this.
     disconnect(&files_->store(), nullptr, this, nullptr);
     disconnect(files_.get(), nullptr, this, nullptr);
     delete takeCentralWidget();
@@ -237,15 +239,16 @@ void MainWindow::buildDocks() {
     addDockWidget(Qt::LeftDockWidgetArea, jogDock);
 
     stage_ = new DockStage;
-    // Panels that need more space than available scroll instead of shrinking the jog column.
+    // If the panels need more space than available, they scroll. The jog column must not shrink.
     auto* area = new NoFocusScrollArea;
     area->setObjectName("stageArea");
     area->setFocusPolicy(Qt::NoFocus);
     area->setWidgetResizable(true);
     area->setWidget(stage_);
-    // The bar of a docked panel is part of the gap above it.
+    // The one-pixel bar of a docked panel is part of the gap above the panel.
     setCentralWidget(withMargins(area, {0, kGap - PanelDock::kDockedBar, kGap, kGap}));
-    // Reparenting a panel applies the style sheet to all its children again, so containers get their parent first.
+    // Reparenting a panel applies the style sheet to all its children again, so each container gets its
+    // parent first.
     stage_->add(*new PanelDock(*scene_, "viewDock", tr("View"), stage_));
     tabsDock_ =
         new PanelDock(*buildTabs(), "tabsDock", tr("Waypoints, Program, Frames, Tools, I/O, Log"), stage_);
@@ -269,7 +272,7 @@ void MainWindow::buildDocks() {
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
-    // Not restored earlier, because floating panels would be shown before the window.
+    // Restored only when the window is shown; otherwise floating panels would be shown before the window.
     if (!std::exchange(layoutRestored_, true)) {
         if (const int width = settings_.arrangement().jogWidth; width > 0) {
             resizeDocks({findChild<QDockWidget*>("jogDock")}, {std::min(width, this->width() / 2)},
@@ -297,7 +300,7 @@ Panel* MainWindow::buildTabs() {
     tabs_->setAccessibleName(tr("Waypoints, Program, Frames, Tools, I/O, Log"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
-    // The panel is at least as wide as all titles.
+    // The panel must be at least as wide as all tab titles.
     tabs_->setUsesScrollButtons(false);
     tabs_->setElideMode(Qt::ElideNone);
     for (const auto& [name, title] : {std::pair<QString, QString>{"waypoints", tr("Waypoints")},
@@ -322,7 +325,7 @@ void MainWindow::fillTabs() {
     connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
         stopMotion(control::StopCause::SelectionChanged);
         pages_->setCurrentIndex(index);
-        tabs_->updateGeometry();  // the title of the selected tab is bold, and wider
+        tabs_->updateGeometry();  // the title of the selected tab is bold and therefore wider
         showPaths();
     });
 }
@@ -373,7 +376,8 @@ void MainWindow::connectParts() {
     });
 
     const auto followView = [this] {
-        // In the scene Y is up and Z towards the viewer; in the jog frame Y is away from the viewer and Z up.
+        // In the scene, Y points up and Z points towards the viewer. In the jog frame, Y points away from the
+        // viewer and Z points up.
         const Eigen::Matrix3d R = scene_->view().viewRotation();
         Eigen::Matrix3d R_base_view;
         R_base_view << R.col(0), -R.col(2), R.col(1);
@@ -433,7 +437,7 @@ void MainWindow::connectProject() {
     connect(fit_.get(), &ProjectFit::noticeResolved, waypoints_, &WaypointsTab::resolveNotice);
 }
 
-/// Undo and redo may affect a tab that is not in front.
+/// Shows the tab that an undo or redo affects, because it may not be the current tab.
 void MainWindow::showStep(const ProjectStep& step) {
     Q_EMIT session_->message(
         Severity::Info, (step.undone ? tr("Undone: %1") : tr("Redone: %1")).arg(step.text), Origin::Operator);
@@ -519,8 +523,8 @@ void MainWindow::connectDevices(const Clock& clock) {
     devices_->setClock(clock);
     connect(devices_, &DeviceJog::stoppedReporting, this, [this](const QString& name) {
         Q_EMIT session_->message(Severity::Warning,
-                                 tr("%1 stopped sending data while moving the arm. The arm was stopped. "
-                                    "Release the device; if the problem persists, reconnect it.")
+                                 tr("%1 stopped sending data while it was moving the arm. The arm was "
+                                    "stopped. Release the device; if the problem persists, reconnect it.")
                                      .arg(name));
     });
     connect(devices_, &DeviceJog::tuned, this, [this](const QString& kind, const DeviceTuning& tuning) {
@@ -614,7 +618,7 @@ void MainWindow::connectSimulator() {
 }
 
 void MainWindow::simulateCell() {
-    // An empty cell only clears objects that were added by a project.
+    // With an empty cell, only objects that were added by a project must be removed.
     if (document_->cell().isEmpty() && !cellIsSimulated_) {
         return;
     }
@@ -633,7 +637,7 @@ void MainWindow::connectRobot(const RobotAddress& address) {
     session_->connectTo(address);
 }
 
-// Only robots that responded, so that mistyped addresses are not offered.
+// Stores only robots that responded, so that mistyped addresses are not offered.
 void MainWindow::rememberRobot(const SessionState& state) {
     if (toRemember_ && state.link == LinkState::Live) {
         settings_.rememberRobot(*std::exchange(toRemember_, std::nullopt));
@@ -804,8 +808,8 @@ void MainWindow::selectTab(const QString& name) {
     }
 }
 
-// ---- attention
-// -----------------------------------------------------------------------------------------------------
+// ---- operator attention
+// -------------------------------------------------------------------------------------
 
 void MainWindow::changeEvent(QEvent* event) {
     if ((event->type() == QEvent::ActivationChange && !isActiveWindow()) ||
@@ -817,7 +821,7 @@ void MainWindow::changeEvent(QEvent* event) {
     }
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::WindowStateChange) {
-        // A minimized window is not painted, even if the platform requests it.
+        // Do not paint a minimized window, even if the platform requests it.
         setUpdatesEnabled(!isMinimized());
     }
 }
@@ -832,14 +836,22 @@ void MainWindow::keepLayout() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
-    // The project is complete only when a path that is being recorded has become waypoints.
+    if (session_->state().recording.active && !endsRecording_) {
+        askToEndRecording();
+        event->ignore();
+        return;
+    }
+    // A path that is being recorded must first be converted to waypoints; before that, the project is
+    // incomplete.
     if (waypoints_->storePath()) {
-        // Until then everything works, STOP above all.
+        // The window closes after the path is stored. In the meantime all functions, including STOP, remain
+        // available.
         connect(waypoints_, &WaypointsTab::pathStored, this, &QWidget::close,
                 Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
         event->ignore();
         return;
     }
+    endsRecording_ = false;
     if (!files_->mayLeave(this)) {
         event->ignore();
         return;
@@ -847,12 +859,41 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     keepLayout();
     session_->disconnectFromRobot();
     QMainWindow::closeEvent(event);
-    // Floating panels on other screens are minimized as well.
+    // Also minimize floating panels on other screens.
     for (PanelDock* dock : stage_->docks()) {
         if (dock->isFloating()) {
             dock->hide();
         }
     }
+}
+
+/// Not modal: STOP and everything else remain usable, and nothing waits for the answer.
+void MainWindow::askToEndRecording() {
+    const QString name = QStringLiteral("recordingQuestion");
+    if (auto* open = findChild<QMessageBox*>(name)) {
+        open->raise();
+        open->activateWindow();
+        return;
+    }
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Close window"), tr("A recording is running."),
+                                     QMessageBox::NoButton, this);
+    question->setObjectName(name);
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(tr("Closing the window stops it."));
+    QPushButton* end = question->addButton(tr("Stop recording and close"), QMessageBox::DestructiveRole);
+    end->setObjectName(name + QStringLiteral(".end"));
+    end->setAutoDefault(false);
+    QPushButton* keep = question->addButton(tr("Keep recording"), QMessageBox::RejectRole);
+    keep->setObjectName(name + QStringLiteral(".keep"));
+    question->setDefaultButton(keep);
+    question->setEscapeButton(keep);
+    question->setModal(false);
+    connect(end, &QPushButton::clicked, this, [this] {
+        session_->recording().stop();
+        endsRecording_ = true;
+        close();
+    });
+    question->show();
 }
 
 // ---- commands -----------------------------------------------------------------------------------------------
@@ -865,6 +906,8 @@ void MainWindow::buildActions() {
                          .check = [this](const RobotAddress& robot) { showPreflight(robot); },
                          .showRecovery = [this] { showRecovery(); },
                          .askForProgram = [this] { askForProgram(); },
+                         .closePopup = [this] { popup_->closeNewest(); },
+                         .popupObstacle = [this] { return popup_->closeObstacle(); },
                          .stop = [this] { stopMotion(control::StopCause::StopButton); }});
     addProjectActions();
     JogActions::addTo(*actions_, *jog_, *keyboard_, [this] { showTrainer(this); });
@@ -875,7 +918,7 @@ void MainWindow::buildActions() {
     SceneActions::addTo(*actions_, scene_->view());
     for (QAction* action : waypoints_->commandActions()) {
         actions_->adopt("waypoint", action);
-        // One undo history for the whole project.
+        // The whole project has one common undo history.
         if (action->objectName() == "waypoint.action.undo" ||
             action->objectName() == "waypoint.action.redo") {
             frames_->addAction(action);
@@ -903,7 +946,7 @@ void MainWindow::buildActions() {
         menu->addActions(actions_->inMenu(id));
         menus_[id] = menu;
     }
-    // The menu of the robot is the main menu; it also contains the other menus.
+    // The menu of the robot is the main menu, and it also contains the other menus.
     QMenu* main = menus_["robot"];
     main->setObjectName("mainMenu");
     main->addSeparator();
@@ -944,14 +987,15 @@ void MainWindow::addProjectActions() {
                    }});
     actions_->add({"project.sample",
                    tr("Open sample project…"),
-                   tr("Opens a copy of one of three projects to try on the simulated robot."),
+                   tr("Opens a copy of a sample project to try on the simulated robot."),
                    {},
                    [this] { showSamples(); }});
-    actions_->add({"project.adapt",
-                   tr("Adapt project to this robot…"),
-                   tr("Converts a project of another robot model: keep the poses or the joints."),
-                   {},
-                   [this] { fit_->ask(); }});
+    actions_->add(
+        {"project.adapt",
+         tr("Adapt project to this robot…"),
+         tr("Converts a project of another robot model, keeping either the poses or the joint positions."),
+         {},
+         [this] { fit_->ask(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),
                    tr("Saves to this file now and saves all further changes automatically."),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {
@@ -991,7 +1035,7 @@ void MainWindow::addViewActions() {
          {std::pair<QString, QString>{"light", tr("Light colours")}, {"dark", tr("Dark colours")}}) {
         actions_->add({"view." + name,
                        title,
-                       tr("Changes the colour theme now and for the next start."),
+                       tr("Changes the colour theme now and for later starts."),
                        {},
                        [this, name = name] {
                            setTheme(name);
@@ -1023,7 +1067,7 @@ void MainWindow::addViewActions() {
                    }});
     actions_->add({"app.importSettings",
                    tr("Import settings…"),
-                   tr("Imports settings from a file after showing what will be replaced."),
+                   tr("Shows which settings a file will replace, then imports them."),
                    {},
                    [this] {
                        stopMotion(control::StopCause::DialogOpened);
@@ -1036,7 +1080,7 @@ void MainWindow::addViewActions() {
     new HelpKey(*help, *this);
     actions_->add({"app.report",
                    tr("Report a problem…"),
-                   tr("Saves versions, log and settings to one file for support, after showing its content."),
+                   tr("Shows versions, log and settings, then saves them to one file for support."),
                    {},
                    [this] { showReport(); }});
     actions_->add({"app.quit", tr("Quit"), tr("Stops the arm, ends the connection and closes the window."),
@@ -1053,7 +1097,7 @@ void MainWindow::showHelp() {
         open->close();
     }
     const QString about = manualPageOf(focus == tabs_ ? pages_->currentWidget() : focus);
-    // The children of a modal dialog remain usable.
+    // Use the modal dialog as the parent, because only its children remain usable.
     auto* over = focus == nullptr ? nullptr : qobject_cast<QDialog*>(focus->window());
     auto* page = new HelpPage(preferences_.longestHold, actions_->helpText(), manualFolder(),
                               over != nullptr ? static_cast<QWidget*>(over) : this);
@@ -1101,7 +1145,7 @@ void MainWindow::showRecovery() {
         open->activateWindow();
         return;
     }
-    // Not modal, because STOP and the state must remain accessible.
+    // The page is not modal, because STOP and the state must remain accessible.
     (new RecoveryPage(*session_, *stops_, this))->show();
 }
 
@@ -1142,7 +1186,7 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
     stopMotion(control::StopCause::DialogOpened);
     const SessionState& state = session_->state();
     const bool paused = state.runtimeState == RuntimeState::Paused;
-    // PolyScope's name for a program without a file, e.g. one sent by another client.
+    // PolyScope uses this name for a program without a file, e.g. a program sent by another client.
     const QString program =
         state.loadedProgram == QLatin1String("<unnamed>") ? QString() : state.loadedProgram;
     QWidget* front = QApplication::activeWindow();
@@ -1202,7 +1246,7 @@ void MainWindow::showSettings(bool atRecording) {
     connect(page, &SettingsPage::exportWanted, transfer_, [this, page] { transfer_->askToExport(page); });
     connect(page, &SettingsPage::importWanted, transfer_, [this, page] { transfer_->askToImport(page); });
     connect(page, &SettingsPage::newWindowWanted, this, [this, page] { reopenWindow(*page); });
-    // The page shows the previous settings.
+    // The page would still show the previous settings.
     connect(transfer_, &SettingsTransfer::imported, page, &QDialog::close);
     if (atRecording) {
         page->showRecording();
@@ -1264,7 +1308,7 @@ void MainWindow::offerCrashReport(const QString& path) {
     if (readCrashReport(path).isEmpty()) {
         return;
     }
-    // A copy, so that a second crash does not overwrite the first report.
+    // Read from a copy, so that a second crash does not overwrite the first report.
     const QString kept = path + QStringLiteral(".last");
     QFile::remove(kept);
     crashReport_ = QFile::rename(path, kept) ? kept : path;
@@ -1315,7 +1359,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
     session_->setMonitorOnly(preferences.monitorOnly || monitorOnlyLocked_);
     keyboard_->setLock(session_->isMonitorOnly() ? texts::monitorOnlyObstacle() : QString());
     holdPolicy_.longestNs = preferences.longestHold * kNsPerSecond;
-    // A copy: receivers of the signal may modify the original.
+    // Use a copy, because receivers of the signal may modify the original.
     const QMap<QString, DeviceTuning> tunings = preferences.devices;
     for (auto it = tunings.constBegin(); it != tunings.constEnd(); ++it) {
         devices_->tune(it.key(), *it);

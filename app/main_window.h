@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The main window: header at the top, jog column at the left, view, tabs and plots around it. It connects the parts
-// to the session and to each other, and stops the arm when the window loses the operator's attention.
+// The main window. The header is at the top, the jog column at the left, and the view, tabs and plots are
+// next to them. The window connects these parts to the session and to each other. It stops the arm when it
+// loses the operator's attention.
 
 #include <QMainWindow>
 #include <QMap>
@@ -62,7 +63,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    /// clock  clock of the session; replaced by tests
+    /// clock  clock of the session; tests replace it
     explicit MainWindow(const Settings& settings, const Clock& clock = SteadyClock::shared(),
                         QWidget* parent = nullptr);
     ~MainWindow() override;
@@ -83,32 +84,32 @@ public:
     /// Starts the simulated robot in this process unless it is running, and connects to it.
     void connectSimulator();
     void connectRobot(const RobotAddress& address);
-    /// Treats a simulated controller of this process as the simulated robot of the window, for the first
-    /// steps and the practice tasks. It must exist until null is passed.
+    /// Treats a simulated controller in this process as the simulated robot of the window, for the first
+    /// steps and the practice tasks. The controller must exist until null is passed.
     void practiseOn(simulator::Simulator* controller) { simulator_.borrow(controller); }
-    /// Shows the start dialog: simulator, robot or project.
+    /// Shows the start dialog for selecting the simulator, a robot or a project.
     void askForRobot();
-    /// Checks the connection to the robot, then connects if the user confirms.
+    /// Checks the connection to the robot. Connects if the user confirms.
     void showPreflight(const RobotAddress& robot);
-    /// All actions of the window.
     const ActionTable& actions() const { return *actions_; }
-    /// Export and import of the settings.
+    /// Exports and imports the settings.
     SettingsTransfer& transfer() { return *transfer_; }
-    /// "light" or "dark"; saved if selected by the user.
+    /// theme  "light" or "dark"; saved only if the user selected it
     void setTheme(const QString& theme);
     void openProject(const QString& path);
     /// Opens a recording in the plots, in the background.
     /// moment  position of cursor A on the time axis of the recording [s]; empty: none
     void openRecording(const QString& path, std::optional<double> moment = {});
-    /// Monitor only for the lifetime of the window, independent of the settings.
+    /// Enables monitor only for the lifetime of the window, independent of the settings.
     void lockMonitorOnly();
-    /// Writes an incident file for every safety stop to this folder, with a link in the log.
+    /// For every safety stop, writes an incident file to this folder and adds a log entry with a link to the
+    /// file.
     void keepIncidentsIn(const QString& folder);
-    /// Keeps unsaved changes in this folder, and offers those of earlier windows.
+    /// Keeps unsaved changes in this folder, and offers to restore those of earlier windows.
     void keepUnsavedWorkIn(const QString& folder);
     /// Creates a problem report with all available information.
     void showReport();
-    /// Offers the crash report in this file, if any; it becomes part of the next problem report.
+    /// Offers the crash report in this file, if it exists. The report is added to the next problem report.
     void offerCrashReport(const QString& path);
 
     /// Applies the values of the settings page immediately.
@@ -116,14 +117,14 @@ public:
 
     int waypointCount() const;
     void selectWaypoint(int row);
-    /// Shows a tab, for the demonstration and tests: "waypoints", "program", "frames", "tools", "io", "gripper" (a
-    /// page of "io"), "log".
+    /// Shows a tab, for the demonstration and tests.
+    /// name  "waypoints", "program", "frames", "tools", "io", "gripper" (a page of "io") or "log"
     void showTab(const QString& name);
     Perspectives& perspectives() { return *perspectives_; }
 
 Q_SIGNALS:
-    /// Request to replace this window by a new one in the selected language. This window has released the
-    /// robot and is closed.
+    /// The user requested to replace this window by a new one in the selected language. This window has
+    /// released the robot and is closed.
     /// before  the state before closing
     void closedForNewWindow(const tiller::SessionState& before);
 
@@ -149,12 +150,14 @@ private:
     void showSamples();
     void showHelp();
     void askForProgram();
-    /// A question before `accepted` ends a program of another client; the default answer keeps it.
-    /// name  of the dialog object
+    /// Asks for confirmation before `accepted` ends a program of another client. The default button does not
+    /// end the program.
+    /// name  object name of the dialog
     void askToEndProgram(const QString& name, const QString& title, const QString& effect,
                          const QString& accept, const std::function<void()>& accepted);
     void askToTakeControl();
     void askToPowerOff();
+    void askToEndRecording();
     void showSettings(bool atRecording = false);
     void reopenWindow(SettingsPage& page);
     void connectTransfer();
@@ -164,7 +167,7 @@ private:
     void publishIoNames();
     void connectParts();
     void connectReplay();
-    /// Updates the project stored with recordings and incidents.
+    /// Updates the copy of the project that is stored with recordings and incidents.
     void keepProject();
     void connectProject();
     void showStep(const ProjectStep& step);
@@ -185,17 +188,18 @@ private:
     ReportSources reportSources() const;
 
     Settings settings_;
-    Preferences preferences_;         ///< current values
-    QTimer layoutTimer_;              ///< saves the layout after it has not changed for some time
-    bool monitorOnlyLocked_ = false;  ///< set by the command line
+    Preferences preferences_;         ///< current settings
+    QTimer layoutTimer_;              ///< delays saving until the layout has not changed for some time
+    bool endsRecording_ = false;      ///< closing was confirmed; it may have to wait for a recorded path
+    bool monitorOnlyLocked_ = false;  ///< true if set by the command line
     LocalSimulator simulator_;
     bool cellIsSimulated_ = false;
-    std::optional<RobotAddress> toRemember_;  ///< stored as soon as the robot has responded
+    std::optional<RobotAddress> toRemember_;  ///< robot that is stored as soon as it has responded
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<KeyStateProbe> witness_;
     HoldPolicy holdPolicy_;
     std::unique_ptr<UndoableDocument> document_;
-    std::unique_ptr<ProjectFiles> files_;  ///< saves the document when it is destroyed
+    std::unique_ptr<ProjectFiles> files_;  ///< saves the document on destruction
     std::unique_ptr<ProjectFit> fit_;
     std::unique_ptr<Tutorial> lessons_;
 
@@ -227,8 +231,8 @@ private:
     PanelDock* tabsDock_ = nullptr;
     PanelDock* plotsDock_ = nullptr;
     Perspectives* perspectives_ = nullptr;
-    QString crashReport_;          ///< file with an unreported crash report; empty: none
-    bool layoutRestored_ = false;  ///< the layout of the last window was restored
+    QString crashReport_;          ///< file with a crash report that has not been reported; empty: none
+    bool layoutRestored_ = false;  ///< true after the last layout was restored
     QTabBar* tabs_ = nullptr;
     QStackedWidget* pages_ = nullptr;
 };

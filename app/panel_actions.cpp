@@ -47,7 +47,7 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                [&plots] { plots.searchSignals(); }});
     table.add({"plots.action.addPage",
                tr("New plot page"),
-               tr("Adds an empty page after the others. All pages share the time axis."),
+               tr("Adds an empty page at the end. All pages share the time axis."),
                {},
                [&plots] { plots.addPage(); }});
     table.add({"plots.action.fit",
@@ -93,7 +93,7 @@ void PanelActions::addIo(ActionTable& table, IoTab& io, const std::function<void
 void PanelActions::addLog(ActionTable& table, LogTab& log, const std::function<void()>& bringToFront) {
     table.add({"log.action.search",
                tr("Search the log"),
-               tr("Shows only entries that contain these words."),
+               tr("Shows only entries that contain the search text."),
                {},
                [&log, bringToFront] {
                    bringToFront();

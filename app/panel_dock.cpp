@@ -30,7 +30,7 @@ QToolButton* quietKey(const QString& text, const QString& name) {
 
 }  // namespace
 
-/// The bar of the dock: one pixel high when docked, a title bar when floating.
+/// The bar of the dock. It is one pixel high when docked, and a title bar when floating.
 class PanelDock::Bar : public QWidget {
 public:
     explicit Bar(PanelDock& dock) : QWidget(&dock), layout_(new QHBoxLayout(this)) {
@@ -64,7 +64,7 @@ private:
     QList<QWidget*> parts_;
 };
 
-/// The button in the title bar of the panel: a click opens the menu, a drag moves the panel.
+/// The button in the title bar of the panel. A click opens the menu, and a drag moves the panel.
 class PanelDock::Key : public QToolButton {
 public:
     explicit Key(PanelDock& dock) : dock_(dock) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A panel that can be moved, closed and floated to another screen. When docked, it is moved by the title bar of the
-// panel, and a small button in it offers commands. When floating, it has a bar with its name, "Put back" and
+// A panel that can be moved, closed, and floated to another screen. A docked panel is moved by its title bar,
+// and a small button in the title bar opens a menu. A floating panel has a bar with its name, "Put back" and
 // "Close".
 
 #include <QDockWidget>
@@ -22,14 +22,14 @@ class PanelDock : public QDockWidget {
     Q_OBJECT
 
 public:
-    /// panel  the content, which gets the move button
+    /// panel  the content; the move button is added to it
     /// name   objectName, used in saved layouts
     PanelDock(Panel& panel, const QString& name, const QString& title, QWidget* parent = nullptr);
 
-    /// Height of the bar of a docked panel [px]. Not 0, because Qt starts a drag only in the bar.
+    /// Height of the bar of a docked panel [px]. It is not 0, because Qt starts a drag only in the bar.
     static constexpr int kDockedBar = 1;
 
-    /// The menu of the panel button, to be filled with commands.
+    /// The menu of the panel button. The owner adds commands to it.
     QMenu& menu() { return *menu_; }
 
 Q_SIGNALS:

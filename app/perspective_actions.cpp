@@ -18,7 +18,7 @@
 namespace tiller::app {
 namespace {
 
-/// Width of the button that shows the current perspective, independent of the name [px].
+/// Width of the button that shows the current perspective [px]. It does not depend on the name.
 constexpr int kKeyWidth = 150;
 
 }  // namespace
@@ -79,7 +79,8 @@ void PerspectiveActions::addCommands() {
                 own(tr("This perspective is built in and cannot be deleted."))});
 }
 
-// Creates the commands again after a change of the list, because they contain the names of the perspectives.
+// Creates the commands again after a change of the list, because their texts contain the names of the
+// perspectives.
 void PerspectiveActions::list() {
     const QList<Perspectives::Entry> entries = perspectives_.all();
     if (entries != listed_) {
@@ -108,7 +109,7 @@ void PerspectiveActions::showCurrent() {
         action->setChecked(action->data().toString() == current.id);
     }
     if (key_ != nullptr) {
-        // Uses the font of the style sheet, which may not have been applied yet.
+        // Measure with the font of the style sheet, which may not have been applied yet.
         const QFontMetrics metrics(textFont(14));
         const QString arrow = QStringLiteral(" ▾");
         const int room = kKeyWidth - 16 - metrics.horizontalAdvance(arrow);
@@ -173,7 +174,7 @@ void PerspectiveActions::askForName(const QString& title, const QString& proposa
     hint->setObjectName("perspectiveHint");
     hint->setWordWrap(true);
     hint->setProperty("role", "secondary");
-    // Space for the longest hint, so that the layout does not change while typing.
+    // Reserve space for the longest hint, so that the layout does not change while the user types.
     hint->setMinimumHeight(2 * hint->fontMetrics().lineSpacing());
     auto* save = new QPushButton(tr("Save"));
     save->setObjectName("perspectiveSave");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The commands of the perspectives: select, save, rename, delete. They fill the menu of the perspectives and the
-// button that shows the current one.
+// The commands for perspectives: select, save, rename and delete. They are in the menu of the perspectives,
+// and in the menu of the button that shows the current perspective.
 
 #include <QList>
 #include <QObject>
@@ -35,9 +35,9 @@ public:
     /// window  parent of the dialogs
     PerspectiveActions(ActionTable& table, Perspectives& perspectives, Hooks hooks, QWidget& window);
 
-    /// menu  is updated automatically
+    /// Adds the commands to the menu and updates it after changes.
     void fill(QMenu& menu);
-    /// The button for the status bar; its new owner deletes it. Call after fill().
+    /// Returns the button for the status bar. The new parent deletes it. Call this after fill().
     QToolButton* key();
 
 private:

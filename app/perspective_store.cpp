@@ -19,7 +19,7 @@ QByteArray sealed(const QByteArray& panels) {
     return sealOf(panels) + panels;
 }
 
-/// Returns the layout without its checksum; empty if the checksum does not match.
+/// Returns the layout without its checksum; empty if the checksum is not correct.
 QByteArray unsealed(const QByteArray& kept) {
     const QByteArray panels = kept.mid(kSealLength);
     return !panels.isEmpty() && kept.startsWith(sealOf(panels)) ? panels : QByteArray();
@@ -84,11 +84,12 @@ QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& bef
             if (found != there.end()) {
                 *found = mine;
             } else {
-                there.append(mine);  // deleted in the other window and changed in this one
+                there.append(mine);  // deleted in the other window, but changed in this window
             }
             continue;
         }
-        // New in this window. The other window may have used its number or name for another perspective.
+        // The perspective was added in this window. The other window may have used its number or name for
+        // another perspective.
         while (withNumber(there, mine.number) != there.end()) {
             ++mine.number;
         }
@@ -110,7 +111,7 @@ LastArrangement readArrangement(const SettingsView& settings) {
     using Found = LastArrangement::Found;
     LastArrangement last;
     if (!settings.contains("arrangement/panels")) {
-        // Format of earlier versions, which had other panels.
+        // Format of earlier versions, which had different panels.
         last.found = settings.contains("window/state") ? Found::Older : Found::Nothing;
         return last;
     }

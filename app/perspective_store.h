@@ -2,7 +2,7 @@
 #pragma once
 
 // Stores the user's perspectives and the last arrangement of the panels in the settings. Every layout has a
-// checksum, because Qt can crash when reading damaged layouts.
+// checksum, because Qt can crash when it restores damaged layouts.
 
 #include <QByteArray>
 #include <QString>
@@ -18,9 +18,9 @@ constexpr int kMaxPerspectives = 30;
 
 /// A perspective saved by the user.
 struct SavedPerspective {
-    int number = 0;  ///< 1 or higher; not changed by renaming
+    int number = 0;  ///< 1 or higher; renaming does not change it
     QString name;
-    QString tab;        ///< name of the tab in front; empty: unchanged
+    QString tab;        ///< name of the current tab; empty: does not change the tab
     QByteArray panels;  ///< result of DockStage::state(); empty if damaged in the file
 
     bool operator==(const SavedPerspective&) const = default;
@@ -31,15 +31,16 @@ struct LastArrangement {
     enum class Found { Nothing, Usable, Older, Damaged };
     Found found = Found::Nothing;
     QString perspective;   ///< id of the last selected perspective
-    bool changed = false;  ///< true if changed since the perspective was selected
+    bool changed = false;  ///< true if the arrangement was changed after the perspective was selected
     QByteArray panels;     ///< result of DockStage::state()
     int jogWidth = 0;      ///< [px], 0: unknown
 };
 
 QVector<SavedPerspective> readPerspectives(const SettingsView& settings);
 void writePerspectives(SettingsEdit& settings, const QVector<SavedPerspective>& perspectives);
-/// Applies the changes of this window since it read `before` to the current settings, so that windows keep each
-/// other's perspectives. New perspectives with the same number or name are both kept; the later one is renamed.
+/// Applies the changes that this window has made since it read `before` to the current settings, so that the
+/// perspectives of other windows are kept. If two new perspectives have the same number or name, both are
+/// kept and the later one is renamed.
 QVector<SavedPerspective> mergePerspectives(const QVector<SavedPerspective>& before,
                                             const QVector<SavedPerspective>& ours,
                                             QVector<SavedPerspective> there);

@@ -16,7 +16,7 @@ struct BuiltIn {
     const char* id;
     const char* name;
     const char* help;
-    Qt::Key key;  ///< key that is combined with Shift
+    Qt::Key key;  ///< used in combination with Shift
     const char* tab;
     StagePlan plan;
 };
@@ -153,7 +153,7 @@ QString Perspectives::obstacle(const QString& name, const QString& except) const
     const bool taken = std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
         return entry.id != except && entry.name.compare(wanted, Qt::CaseInsensitive) == 0;
     });
-    return taken ? tr("A perspective with this name exists. Choose another name.") : QString();
+    return taken ? tr("A perspective with this name already exists. Choose another name.") : QString();
 }
 
 void Perspectives::saveAs(const QString& name) {
@@ -188,7 +188,7 @@ void Perspectives::remove(const QString& id) {
     saved_.removeIf([&id](const SavedPerspective& saved) { return idOf(saved) == id; });
     write();
     if (current_ == id) {
-        // Only the selection changes, not the arrangement.
+        // The selection changes. The arrangement does not.
         current_ = QString::fromLatin1(builtIns().front().id);
         changed_ = true;
         Q_EMIT currentChanged();

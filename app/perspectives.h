@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Named arrangements of the panels: three built-in ones, and those saved by the user. Selecting one always restores
-// its saved state; later changes are kept until the next selection, also over a restart. Header, jog column and
-// status bar are not affected.
+// Named arrangements of the panels: three built-in ones and those saved by the user. Selecting a perspective
+// always restores its saved state. Later changes are kept until the next selection, even after a restart.
+// Header, jog column and status bar are not affected.
 
 #include <QKeySequence>
 #include <QObject>
@@ -26,23 +26,23 @@ public:
         /// Ends a hold-to-run motion.
         std::function<void(control::StopCause)> stop;
         std::function<void(const QString&)> showTab;
-        std::function<QString()> tab;  ///< the name of the tab in front
+        std::function<QString()> tab;  ///< returns the name of the current tab
     };
     struct Entry {
         QString id;  ///< e.g. "teach" or "saved.3"
         QString name;
         QString help;           ///< one sentence
-        QKeySequence shortcut;  ///< only for built-in perspectives
+        QKeySequence shortcut;  ///< built-in perspectives only
         bool builtIn = true;
 
         bool operator==(const Entry&) const = default;
     };
 
-    /// stage     with all panels: shows the first perspective
+    /// stage     contains all panels; the first perspective is shown
     /// settings  must outlive the object
     Perspectives(DockStage& stage, Settings& settings, Hooks hooks, QObject* parent = nullptr);
 
-    /// The built-in perspectives, then the user's in the order of saving.
+    /// The built-in perspectives, followed by the user's perspectives in the order in which they were saved.
     QList<Entry> all() const;
     Entry current() const;
     bool isChanged() const { return changed_; }
@@ -51,14 +51,15 @@ public:
     void choose(const QString& id);
     void reset() { choose(current_); }
 
-    /// The reason why a perspective cannot have this name, as a sentence; empty if it can.
+    /// Returns the reason why a perspective cannot have this name, as a sentence; empty if the name is valid.
     /// except  id of the perspective to be renamed
     QString obstacle(const QString& name, const QString& except = {}) const;
-    /// Saves the current arrangement under a valid name, as the current perspective.
+    /// Saves the current arrangement under this name, which must be valid. It becomes the current
+    /// perspective.
     void saveAs(const QString& name);
     /// Saves the current arrangement in the current perspective, which must not be built-in.
     void save();
-    /// Only for the user's perspectives.
+    /// Renames a perspective of the user. Built-in perspectives cannot be renamed.
     void rename(const QString& id, const QString& name);
     void remove(const QString& id);
 

@@ -10,7 +10,7 @@
 namespace tiller::app {
 namespace {
 
-/// Index of the word in the list; 0 if it is not in the list.
+/// Returns the index of the word in the list; 0 if it is not in the list.
 template <class Choice, std::size_t N>
 Choice choiceOf(const QString& word, const char* const (&words)[N]) {
     for (std::size_t i = 0; i < N; ++i) {
@@ -25,7 +25,7 @@ constexpr const char* kDensities[] = {"compact", "mouse", "touch"};
 constexpr const char* kLengths[] = {"mm", "inch"};
 constexpr const char* kRotations[] = {"rpy", "vector"};
 
-/// Maps commands renamed since earlier versions, so that they keep the user's shortcut.
+/// Returns the current id of a command that was renamed, so that the command keeps the user's shortcut.
 QString currentName(const QString& id) {
     return id == QLatin1String("waypoint.action.open")     ? QStringLiteral("project.open")
            : id == QLatin1String("waypoint.action.saveAs") ? QStringLiteral("project.saveAs")
@@ -35,7 +35,7 @@ QString currentName(const QString& id) {
 }  // namespace
 
 bool stopsTheArm(const QKeySequence& keys) {
-    // The stop keys stop with any modifier, and a shortcut that contains them would disable them.
+    // The stop keys act with any modifier. A shortcut that contains a stop key would disable it.
     for (int i = 0; i < keys.count(); ++i) {
         const Qt::Key key = keys[static_cast<uint>(i)].key();
         if (key == Qt::Key_Space || key == Qt::Key_Escape) {
@@ -61,7 +61,7 @@ Preferences readPreferences(const SettingsView& settings) {
         choiceOf<RotationNotation>(settings.value("look/rotations").toString(), kRotations);
     const double cap = settings.value("motion/speedCap", Preferences::kOrdinaryCap).toDouble();
     if (std::isfinite(cap) && cap > 0) {
-        // A settings file cannot raise the speed cap; only the settings page can.
+        // Only the settings page can raise the speed cap. A settings file cannot.
         preferences.speedCap = std::clamp(cap, Preferences::kLowestCap, Preferences::kOrdinaryCap);
     }
     preferences.monitorOnly = settings.value("motion/monitorOnly", false).toBool();

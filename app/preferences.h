@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Values of the settings page, except for the colours. Values read from the file are validated.
+// Values of the settings page, except the theme. Values read from the file are validated.
 
 #include <QKeySequence>
 #include <QMap>
@@ -22,17 +22,18 @@ struct Preferences {
     /// Scale of the user interface [%]; takes effect at the next start.
     int interfaceSize = 100;
     Notation notation;
-    /// Speed limit of TCP and elbow [m/s]. A value above kOrdinaryCap is valid until the program ends and is not
-    /// saved.
+    /// Speed limit of TCP and elbow [m/s]. A value above kOrdinaryCap is not saved and is valid only until
+    /// the application ends.
     double speedCap = kOrdinaryCap;
-    /// Block all changes on the robot; only STOP works.
+    /// Blocks all changes on the robot. Only STOP works.
     bool monitorOnly = false;
     /// Maximum duration of a jog without a new press [s].
     int longestHold = kUsualLongestHold;
-    /// Shortcuts by action id; only differences from the defaults. Empty sequence: no shortcut.
+    /// Shortcuts by action id. Contains only differences from the defaults. An empty sequence means no
+    /// shortcut.
     QMap<QString, QKeySequence> shortcuts;
 
-    /// Settings by type of device; only changed values.
+    /// Settings by device type. Contains only changed values.
     QMap<QString, DeviceTuning> devices;
 
     RecordingChoice recording;
@@ -47,9 +48,9 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-/// True if the sequence contains a stop key, with any modifier, which must not have another function.
+/// True if the sequence contains a stop key, with any modifier. A stop key must not have another function.
 bool stopsTheArm(const QKeySequence& keys);
-/// Reads the only value that is needed before the application exists [%].
+/// Reads the interface size [%], which is the only value needed before the application object exists.
 /// file  the settings file; empty: the default location
 int readInterfaceSize(const QString& file);
 Preferences readPreferences(const SettingsView& settings);

@@ -26,7 +26,7 @@ struct ProblemReport {
     Q_DECLARE_TR_FUNCTIONS(ProblemReport)
 };
 
-/// Versions in English for the support, independent of the user's language.
+/// Returns the versions in English, for the support team, independent of the user's language.
 QString versionsText(const SessionState& state) {
     QStringList lines{QStringLiteral("Tiller     %1").arg(QStringLiteral(TILLER_VERSION)),
                       QStringLiteral("Qt         %1, built with %2")
@@ -56,7 +56,7 @@ QString versionsText(const SessionState& state) {
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-/// Data of the stop as CSV for spreadsheets.
+/// Returns the data of the stop as CSV, for spreadsheets.
 QByteArray stopTable(const StopRecord& stop) {
     QByteArray text = "time_s,force_N,tcp_speed_m_s";
     for (int joint = 1; joint <= 6; ++joint) {
@@ -93,7 +93,7 @@ void append(QByteArray& to, Number value) {
     to.append(reinterpret_cast<const char*>(&little), sizeof little);
 }
 
-/// Returns the fields common to the local header and the central directory.
+/// Returns the fields that the local header and the central directory have in common.
 QByteArray zipEntry(const ReportPart& part, const QByteArray& packed, const QDateTime& when) {
     QByteArray entry;
     append<std::uint16_t>(entry, 20);       // version needed to extract
@@ -118,7 +118,7 @@ QByteArray deflated(const QByteArray& content) {
     constexpr qsizetype kQtLength = 4;
     constexpr qsizetype kZlibHead = 2;
     constexpr qsizetype kZlibSum = 4;
-    // Qt returns nothing for empty input; use an empty deflate block.
+    // qCompress() returns no data for empty input, so use an empty deflate block.
     return content.isEmpty() ? QByteArray("\x03\x00", 2)
                              : qCompress(content).mid(kQtLength + kZlibHead).chopped(kZlibSum);
 }
@@ -127,7 +127,7 @@ QByteArray deflated(const QByteArray& content) {
 
 QString withoutNames(QString text, const QStringList& names) {
     QStringList sorted = names;
-    // The longest name is replaced first, because one name may be part of another.
+    // Replace the longest name first, because one name may be part of another.
     std::ranges::sort(sorted, [](const QString& a, const QString& b) { return a.size() > b.size(); });
     for (const QString& name : std::as_const(sorted)) {
         if (name.size() > 1) {
@@ -177,7 +177,7 @@ QByteArray zipped(const QVector<ReportPart>& parts) {
         const auto place = static_cast<std::uint32_t>(archive.size());
         archive += QByteArrayLiteral("PK\x03\x04") + entry + part.name.toUtf8() + packed;
         directory += QByteArrayLiteral("PK\x01\x02");
-        append<std::uint16_t>(directory, 20);  // version made by
+        append<std::uint16_t>(directory, 20);  // version that created the file
         directory += entry;
         directory += QByteArray(6, '\0');  // no comment, first disk, no attributes
         append<std::uint32_t>(directory, 0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A problem report for the support as one zip file: versions, log, settings, the last stop, a crash report. Names
-// and addresses are removed unless the user includes them.
+// A problem report for the support team as one zip file: versions, log, settings, the last stop, and a crash
+// report. Names and addresses are removed unless the user includes them.
 
 #include <QByteArray>
 #include <QString>
@@ -27,17 +27,18 @@ struct ReportPart {
 struct ReportSources {
     SettingsBundle settings;
     SessionState state;
-    QStringList knownNames;  ///< names of robots, inputs, outputs and files, and addresses to remove
+    /// Names of robots, inputs, outputs and files, and addresses that must be removed.
+    QStringList knownNames;
     QString log;
     std::optional<StopRecord> lastStop;
     QByteArray crash;
 };
 
-/// Replaces these names, all addresses and home folders by placeholders.
+/// Replaces these names and all addresses and home folders by placeholders.
 QString withoutNames(QString text, const QStringList& names);
 
 /// names  false: names and addresses are removed
-/// words  description by the user, unchanged
+/// words  description written by the user; not modified
 QVector<ReportPart> reportParts(const ReportSources& sources, bool names, const QString& words);
 
 /// Creates a zip archive of these files.

@@ -23,7 +23,7 @@ namespace tiller::app {
 
 namespace {
 
-constexpr double kPacketRate = 500;  // packet rate of an e-Series [Hz]; a quarter of it on a CB3
+constexpr double kPacketRate = 500;  // packet rate of an e-Series robot [Hz]; four times that of a CB3
 
 QLabel* namedSecondary(const QString& name) {
     auto* label = new QLabel;
@@ -176,8 +176,7 @@ void RecordingSettings::askForFolder() {
 void RecordingSettings::takeFolder() {
     RecordingChoice next = choice_;
     const QString typed = folder_->text().trimmed();
-    // Relative to the home folder: a path relative to the working directory would have no meaning for the
-    // user.
+    // Relative to the home folder, because the user does not know the working directory.
     next.folder =
         typed.isEmpty() ? QString() : QDir::home().absoluteFilePath(QDir::fromNativeSeparators(typed));
     folder_->setText(QDir::toNativeSeparators(next.folder));
@@ -186,7 +185,7 @@ void RecordingSettings::takeFolder() {
 
 void RecordingSettings::takePattern() {
     if (!patternProblem(pattern_->text()).isEmpty()) {
-        return;  // the error is shown below the field; the previous value remains
+        return;  // the error is shown below the field, and the previous value remains
     }
     RecordingChoice next = choice_;
     next.pattern = pattern_->text().trimmed();
@@ -201,7 +200,7 @@ void RecordingSettings::showExample() {
     const QString role = problem.isEmpty() ? QStringLiteral("secondary") : QStringLiteral("warning");
     if (example_->property("role") != role) {
         example_->setProperty("role", role);
-        // The style sheet evaluates the property only when the style is set.
+        // The change of the property takes effect only after the style sheet is set again.
         example_->setStyleSheet(example_->styleSheet());
     }
     const QString file =
@@ -225,7 +224,7 @@ void RecordingSettings::takeSignals() {
         }
     }
     if (next.fields.isEmpty()) {
-        // A recording must contain at least one signal: keep the last one.
+        // A recording must contain at least one signal, so the last one remains selected.
         const QSignalBlocker quiet(signals_);
         for (int row = 0; row < signals_->count(); ++row) {
             const bool recorded = choice_.fields.contains(signals_->item(row)->text());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The page "Recording" of the settings: folder, file name, signals, and packets per row. Changes apply to the next
-// recording.
+// The page "Recording" of the settings: folder, file name, signals, and packets per row. Changes take effect
+// with the next recording.
 
 #include <QWidget>
 

@@ -20,7 +20,7 @@
 namespace tiller::app {
 namespace {
 
-/// Displayed part of a file [characters]: enough to review, and fast to lay out.
+/// Maximum displayed length of a file [characters], which is enough for a review and fast to lay out.
 constexpr qsizetype kShown = 200'000;
 
 QLabel* line(const QString& text) {
@@ -45,7 +45,7 @@ ReportDialog::ReportDialog(ReportSources sources, QWidget* parent)
     resize(880, 640);
     words_->setObjectName("report.words");
     words_->setAccessibleName(tr("What happened"));
-    words_->setPlaceholderText(tr("What did you do, what did you expect, what happened?"));
+    words_->setPlaceholderText(tr("What did you do? What did you expect? What happened?"));
     words_->setTabChangesFocus(true);
     words_->setFixedHeight(5 * words_->fontMetrics().lineSpacing());
     names_->setObjectName("report.names");

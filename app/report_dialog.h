@@ -20,9 +20,9 @@ class ReportDialog : public QDialog {
 public:
     explicit ReportDialog(ReportSources sources, QWidget* parent = nullptr);
 
-    /// The files as they would be saved now.
+    /// The files in the form in which they would be saved.
     QVector<ReportPart> parts() const;
-    /// path  gets the extension .zip if it has none
+    /// path  file path; the extension .zip is added if there is no extension
     void saveTo(const QString& path);
 
 Q_SIGNALS:

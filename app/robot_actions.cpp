@@ -19,13 +19,13 @@ QString needsNormalSafety(const SessionState& state) {
                                           : safetyWords(state.safety()).advice;
 }
 
-/// A missing service is reported first, because no other action would help.
+/// Checks for a missing service first, because no other action would help.
 QString needsService(const SessionState& state, RobotCommand command) {
     const QString link = needsLink(state);
     return link.isEmpty() ? serviceObstacle(state, command) : link;
 }
 
-/// These commands apply to programs stored on the robot.
+/// Reason why a command for programs stored on the robot is disabled.
 QString needsForeignProgram(const SessionState& state, RobotCommand command, bool running) {
     if (const QString service = needsService(state, command); !service.isEmpty()) {
         return service;
@@ -36,7 +36,7 @@ QString needsForeignProgram(const SessionState& state, RobotCommand command, boo
     const bool runs =
         state.runtimeState == RuntimeState::Playing || state.runtimeState == RuntimeState::Resuming;
     return runs == running ? QString()
-           : running       ? RobotActions::tr("No program runs on the robot.")
+           : running       ? RobotActions::tr("No program is running on the robot.")
                            : RobotActions::tr("A program is already running.");
 }
 
@@ -131,7 +131,7 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                commandText(RobotCommand::RestartSafety),
                tr("Resets the safety system after a violation or fault. The arm stays powered off."),
                {},
-               // Through the page that asks the user to inspect the arm first.
+               // Shows the page that requires the user to inspect the arm first.
                hooks.showRecovery,
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::RestartSafety);
@@ -142,8 +142,11 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                commandText(RobotCommand::ClosePopups),
                tr("Closes the popups on the teach pendant."),
                {},
-               perform(RobotCommand::ClosePopups),
-               [](const SessionState& s) { return needsService(s, RobotCommand::ClosePopups); }});
+               hooks.closePopup,
+               [obstacle = hooks.popupObstacle](const SessionState& s) {
+                   const QString why = needsService(s, RobotCommand::ClosePopups);
+                   return why.isEmpty() ? obstacle() : why;
+               }});
 }
 
 void RobotActions::addControl(ActionTable& table, RobotSession& session, const RobotActionHooks& hooks) {
@@ -152,7 +155,8 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
     };
     table.add({"control.take",
                tr("Take control"),
-               tr("Starts the control program on the robot. Asks before it stops another program."),
+               tr("Starts the control program on the robot. Asks for confirmation before it stops another "
+                  "program."),
                {},
                [&session] { session.takeControl(); },
                [](const SessionState& s) {
@@ -204,10 +208,11 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
                perform(RobotCommand::StopProgram),
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::StopProgram);
-                   return !why.isEmpty()                            ? why
-                          : s.control == ControlState::InControl    ? tr("Give control back first.")
-                          : s.runtimeState == RuntimeState::Stopped ? tr("No program runs on the robot.")
-                                                                    : QString();
+                   return !why.isEmpty()                         ? why
+                          : s.control == ControlState::InControl ? tr("Give control back first.")
+                          : s.runtimeState == RuntimeState::Stopped
+                              ? tr("No program is running on the robot.")
+                              : QString();
                }});
 }
 

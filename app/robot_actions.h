@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The commands for the robot: connection, power, recovery, control and programs on the robot, each with the
-// reason why it is disabled.
+// The commands for the robot: connection, power, recovery, control, and programs on the robot. Each has a
+// reason if it is disabled.
 
 #include <QCoreApplication>
 #include <functional>
@@ -20,7 +20,10 @@ struct RobotActionHooks {
     std::function<void(const RobotAddress&)> check;
     std::function<void()> showRecovery;
     std::function<void()> askForProgram;
-    /// Stops any motion by software.
+    /// Closes the newest popup as its card in the window does, with the reason why that is not possible now.
+    std::function<void()> closePopup;
+    std::function<QString()> popupObstacle;
+    /// Stops all motion by software.
     std::function<void()> stop;
 };
 

@@ -29,12 +29,12 @@ QList<SampleProject> sampleProjects() {
                             "are defined in the frame of the tray and move with it."),
              path("pick-and-place")},
             {QStringLiteral("gluing"), SampleText::tr("Gluing along a path"),
-             SampleText::tr("Applies a bead around a lid with rounded corners, slowly and in straight lines. "
+             SampleText::tr("Applies a bead around a lid with rounded corners in slow, straight moves. "
                             "Blends keep the nozzle moving through the corners."),
              path("gluing")},
             {QStringLiteral("measuring-round"), SampleText::tr("Measuring"),
-             SampleText::tr("A probe touches a part from above and from four sides, each from an approach "
-                            "waypoint with a tilted tool."),
+             SampleText::tr("A probe touches a part from above and from four sides. Each touch starts at an "
+                            "approach waypoint with the tool tilted."),
              path("measuring-round")}};
 }
 
@@ -46,8 +46,8 @@ SampleDialog::SampleDialog(QWidget* parent) : QDialog(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 20, 24, 20);
     layout->setSpacing(14);
-    auto* about = new QLabel(tr("Each project is taught for a UR5e and runs on the simulated robot. You work "
-                                "on a copy: saving asks for a new file."),
+    auto* about = new QLabel(tr("Each project was taught with a UR5e and runs on the simulated robot. You "
+                                "work on a copy: choose a new file to save it."),
                              this);
     about->setObjectName(QStringLiteral("sampleAbout"));
     about->setProperty("role", QStringLiteral("secondary"));

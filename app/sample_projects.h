@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The sample projects of the program, and the dialog that offers them. A copy of the sample is opened.
+// The sample projects of the application, and the dialog that offers them. The application opens a copy of
+// the sample.
 
 #include <QDialog>
 #include <QList>
@@ -10,7 +11,7 @@
 namespace tiller::app {
 
 struct SampleProject {
-    QString id;     ///< base name of its file, e.g. "gluing"
+    QString id;     ///< base name of the file, e.g. "gluing"
     QString title;  ///< name of the copy until it is saved
     QString text;   ///< description in two sentences
     QString path;   ///< path of the embedded resource
@@ -25,7 +26,7 @@ public:
     explicit SampleDialog(QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    /// A sample was selected, and the dialog has closed.
+    /// The user selected a sample, and the dialog has closed.
     void chosen(const QString& path, const QString& title);
 
 protected:

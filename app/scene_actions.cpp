@@ -15,15 +15,16 @@ void SceneActions::addTo(ActionTable& table, SceneView& view) {
         StandardView from;
     };
     // Function keys: letters and digits are used for teaching and by the armed keyboard.
-    const Side sides[] = {{"view.look.home", tr("Default view, perspective"),
-                           tr("Look from between front and side, slightly above, with everything visible."),
-                           Qt::Key_F5, StandardView::Home},
-                          {"view.look.front", tr("Look from the front"), tr("Base X to the right, Z up."),
-                           Qt::Key_F6, StandardView::Front},
-                          {"view.look.side", tr("Look from the side"), tr("Base Y to the right, Z up."),
-                           Qt::Key_F7, StandardView::Side},
-                          {"view.look.top", tr("Look from above"), tr("Base X to the right, Y up."),
-                           Qt::Key_F8, StandardView::Top}};
+    const Side sides[] = {
+        {"view.look.home", tr("Default view (perspective)"),
+         tr("Look from between front and side, slightly from above, and fit everything in the view."),
+         Qt::Key_F5, StandardView::Home},
+        {"view.look.front", tr("Look from the front"), tr("Base X to the right, Z up."), Qt::Key_F6,
+         StandardView::Front},
+        {"view.look.side", tr("Look from the side"), tr("Base Y to the right, Z up."), Qt::Key_F7,
+         StandardView::Side},
+        {"view.look.top", tr("Look from above"), tr("Base X to the right, Y up."), Qt::Key_F8,
+         StandardView::Top}};
     for (const Side& side : sides) {
         table.add({QLatin1String(side.id), side.text, side.help, QKeySequence(side.key),
                    [&view, from = side.from] { view.lookFrom(from); }});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Passes the cell of the project to the view, the session and a simulated controller: floor, boxes and planes, the
-// safety distance, and the radius of the tool.
+// Passes the cell of the project to the view, the session and a simulated controller: floor, boxes and
+// planes, safety distance, and radius of the tool.
 
 namespace tiller {
 
@@ -17,10 +17,10 @@ class Simulator;
 
 namespace tiller::app {
 
-/// Updates the view and the session now and after each change, while both exist.
+/// Updates the view and the session immediately and after each change, as long as both exist.
 void followCell(SceneView& view, RobotSession& session, const ProjectDocument& document);
-/// Replaces the objects around the simulated arm: contact with its TCP is simulated, and a large force causes a
-/// protective stop.
+/// Replaces the objects around the simulated arm. Contact of its TCP with an object is simulated, and a large
+/// force causes a protective stop.
 /// Returns  the number of objects that exceeded the capacity
 int simulateCell(simulator::Simulator& robot, const ProjectDocument& document);
 

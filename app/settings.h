@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Values saved between two starts. The speed is not saved: every start begins at low speed.
+// Values that are saved between two starts. The speed is not saved, so that every start begins at low speed.
 
 #include <QByteArray>
 #include <QMap>
@@ -19,9 +19,9 @@
 
 namespace tiller::app {
 
-/// Progress of the tutorial, by names of steps and tasks.
+/// Progress of the tutorial, as names of steps and tasks.
 struct TutorialProgress {
-    bool dismissed = false;  ///< the checklist of the first steps was dismissed
+    bool dismissed = false;  ///< true if the user dismissed the checklist of the first steps
     QStringList firstSteps;
     QStringList practice;
 };
@@ -31,38 +31,39 @@ public:
     /// file  the settings file; empty: the default location
     explicit Settings(QString file = {});
 
-    /// Called after a failed write, once until writing works again.
+    /// Sets a function that is called after a failed write, and not again until a write has succeeded.
     void setWriteFailed(std::function<void(const Error&)> tell) { writeFailed_ = std::move(tell); }
 
-    /// Newest first, without the simulated robot.
+    /// Remembered robots, newest first, without the simulated robot.
     QVector<RobotAddress> rememberedRobots() const;
     void rememberRobot(const RobotAddress& robot);
     void forgetRobot(const RobotAddress& robot);
-    QString theme() const;  ///< "light" or "dark"; empty if never selected
+    QString theme() const;  ///< "light" or "dark"; empty if the user never selected a theme
     void setTheme(const QString& theme);
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
-    /// The user's names of inputs and outputs by terminal, e.g. "DI 0".
+    /// The user's names of inputs and outputs, by terminal, e.g. "DI 0".
     QMap<QString, QString> ioNames() const;
     void setIoNames(const QMap<QString, QString>& names);
-    /// The gripper of a robot by its address or "simulator", in the format of GripperChoice::toText(); empty: none.
+    /// The gripper of a robot in the format of GripperChoice::toText(); empty: none.
+    /// robot  address of the robot, or "simulator"
     QString gripper(const QString& robot) const;
     void setGripper(const QString& robot, const QString& choice);
-    /// Absolute paths, last used first. The files may no longer exist.
+    /// Absolute paths, most recently used first. The files may no longer exist.
     QStringList recentProjects() const;
     void rememberProject(const QString& path);
 
-    /// The plots in the format of PlotDock::arrangement(); empty if never changed.
+    /// The arrangement of the plots in the format of PlotDock::arrangement(); empty if it was never changed.
     QByteArray plots() const;
-    /// Memory limit of the plot history [bytes]; 0 if never selected.
+    /// Memory limit of the plot history [bytes]; 0 if it was never selected.
     std::size_t plotBudget() const;
     void setPlots(const QByteArray& arrangement, std::size_t budget);
 
     TutorialProgress learned() const;
     void setTutorialProgress(const TutorialProgress& learned);
 
-    // For the following values, each window writes only its own changes and keeps the other entries of the
-    // file.
+    // For the following values, each window writes only its own changes and preserves the other entries of
+    // the file.
 
     /// Values of the settings page.
     Preferences preferences() const;
@@ -70,12 +71,12 @@ public:
 
     /// All values that may be transferred to another computer.
     SettingsBundle bundle() const;
-    /// Replaces these parts completely. The current settings are first written to a backup file in the same
-    /// folder; if this fails, nothing is changed.
+    /// Replaces these parts completely. First writes the current settings to a backup file in the same
+    /// folder. If that fails, nothing is changed.
     /// Returns  the path of the backup
     /// Errors   FileNotWritable, DiskFull
     Result<QString> replace(const SettingsBundle& bundle, const QSet<SettingsPart>& parts);
-    /// The user's perspectives in the order of saving.
+    /// The user's perspectives in the order in which they were saved.
     QVector<SavedPerspective> perspectives() const;
     /// Returns  all perspectives, including those of other windows
     QVector<SavedPerspective> setPerspectives(const QVector<SavedPerspective>& all);
@@ -85,13 +86,13 @@ public:
 
 private:
     QString backupPath() const;
-    /// Changes the current settings while no other window writes.
+    /// Changes the current settings under a lock, so that no other window can write.
     Result<void> edit(const std::function<void(SettingsEdit&)>& change);
 
     QString file_;
     std::function<void(const Error&)> writeFailed_;
     bool failed_ = false;
-    // Values last read or written by this window, because only differences are written.
+    // Values that this window last read or wrote. They are needed because only differences are written.
     mutable std::optional<SettingsMap> knownPreferences_;
     mutable std::optional<SettingsMap> knownIoNames_;
     mutable std::optional<TutorialProgress> knownTutorial_;

@@ -46,7 +46,7 @@ bool isKey(const QString& key) {
            std::all_of(key.begin(), key.end(), [](QChar c) { return c.isPrint() || c.isSurrogate(); });
 }
 
-/// Empty for types that the format does not support.
+/// Returns an empty optional for types that the format does not support.
 std::optional<QJsonValue> toJson(const QVariant& value) {
     switch (value.typeId()) {
         case QMetaType::Bool:
@@ -104,7 +104,7 @@ std::optional<QVariant> fromJson(const QJsonValue& value) {
             if (!std::isfinite(number)) {
                 return std::nullopt;
             }
-            // Integers stay integers, because readers of an index expect "1", not "1.0".
+            // Keep integers, because readers of an index expect "1" instead of "1.0".
             const bool whole =
                 std::abs(number) <= std::numeric_limits<int>::max() && std::floor(number) == number;
             return whole ? QVariant(static_cast<int>(number)) : QVariant(number);
@@ -205,15 +205,16 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
     const double version = root.value(QLatin1String("version")).toDouble(0);
     if (version > kSettingsFormatVersion) {
         return Error{ErrorCode::VersionUnsupported,
-                     SettingsFile::tr("The file was written by a newer Tiller. Update Tiller to import it."),
+                     SettingsFile::tr(
+                         "The file was written by a newer version of Tiller. Update Tiller to import it."),
                      {}};
     }
     if (version != kSettingsFormatVersion) {
-        return corrupt(SettingsFile::tr("The file does not state its version."));
+        return corrupt(SettingsFile::tr("The file contains no version number."));
     }
     const QJsonValue values = root.value(QLatin1String("values"));
     if (!values.isObject() || values.toObject().size() > kMaxValues) {
-        return corrupt(SettingsFile::tr("The list of values is missing or too long."));
+        return corrupt(SettingsFile::tr("The list of settings is missing or too long."));
     }
     SettingsBundle bundle;
     bundle.writtenBy = root.value(QLatin1String("writtenBy")).toString().left(40);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings as one JSON file with a format version, for transfer and backup. This code validates the structure:
-// keys and values with plausible sizes and supported types. The individual values are validated where they are
-// used.
+// The settings as one JSON file with a format version, for transfer and backup. This module validates only
+// the structure: plausible sizes of keys and values, and supported types. The individual values are validated
+// where they are used.
 
 #include <QByteArray>
 #include <QMap>
@@ -15,33 +15,34 @@
 
 namespace tiller::app {
 
-/// A part that is replaced completely or not at all.
+/// A part of the settings. It is replaced completely or not at all.
 enum class SettingsPart { Look, Motion, Keys, Devices, Robots, IoNames, Layout, Other };
 inline constexpr SettingsPart kSettingsParts[] = {
     SettingsPart::Look,   SettingsPart::Motion,  SettingsPart::Keys,   SettingsPart::Devices,
     SettingsPart::Robots, SettingsPart::IoNames, SettingsPart::Layout, SettingsPart::Other};
 
-/// key  as in QSettings, e.g. "look/density"
+/// key  key in QSettings, e.g. "look/density"
 SettingsPart partOf(const QString& key);
-/// False for values that only apply to this computer: recent files, window position, the lock of a
+/// False for values that apply only to this computer: recent files, window position, the lock of a
 /// monitor-only PC.
 bool travels(const QString& key);
 
 struct SettingsBundle {
-    QString writtenBy;  ///< version of Tiller; may be empty
+    QString writtenBy;  ///< version of Tiller that wrote the file; may be empty
     /// Values by QSettings key: texts, numbers, booleans, byte arrays and lists of texts.
     QMap<QString, QVariant> values;
 
     QMap<QString, QVariant> part(SettingsPart which) const;
-    /// True if both have equal values in this part, regardless of numbers stored as text.
+    /// True if both have equal values in this part. Numbers stored as text are equal to the same numbers.
     bool hasSameValues(const SettingsBundle& other, SettingsPart which) const;
 };
 
 inline constexpr int kSettingsFormatVersion = 1;
 
-/// The content of the file. Values of unsupported types are omitted.
+/// Returns the content of the file. Values of unsupported types are omitted.
 QByteArray settingsToJson(const SettingsBundle& bundle);
-/// Errors  FileCorrupt with a complete sentence for users; VersionUnsupported for a file of a newer Tiller
+/// Errors  FileCorrupt with a complete sentence for users; VersionUnsupported for a file of a newer version
+/// of Tiller
 Result<SettingsBundle> settingsFromJson(const QByteArray& bytes);
 
 /// Errors  FileNotWritable, DiskFull

@@ -32,12 +32,12 @@
 namespace tiller::app {
 namespace {
 
-/// Height for an editor in each row.
+/// Row height that fits an editor [px].
 int keyRowHeight() {
     return std::max(40, keyHeight(currentDensity()) + 4);
 }
 
-/// With large rows the content exceeds the smallest screen.
+/// Makes the page scroll, because with large rows its content exceeds the smallest screen.
 QWidget* scrolling(QWidget* page, const QString& name) {
     auto* area = new NoFocusScrollArea;
     area->setAccessibleName(name);
@@ -53,7 +53,7 @@ QWidget* scrolling(QWidget* page, const QString& name) {
 QLabel* note(const QString& text, const char* role) {
     auto* label = new QLabel(text);
     label->setWordWrap(true);
-    // Aligned with its field, because a row of the form may be higher than the text.
+    // Aligned with the field, because a row of the form may be taller than the text.
     label->setAlignment(Qt::AlignLeading | Qt::AlignTop);
     label->setProperty("role", QLatin1String(role));
     return label;
@@ -86,7 +86,7 @@ SettingsPage::SettingsPage(const Preferences& preferences, const QString& theme,
                                tr("Save all settings to one file, for another computer or as a backup"),
                                &SettingsPage::exportWanted));
     buttons->addWidget(fileKey("settingsImport", tr("Import settings…"),
-                               tr("Import settings from a file after showing what will be replaced"),
+                               tr("Show which settings a file will replace, then import them"),
                                &SettingsPage::importWanted));
     buttons->addStretch(1);
     buttons->addWidget(close);
@@ -158,8 +158,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     longestHold_->setSuffix(tr(" s"));
     longestHold_->setValue(preferences_.longestHold);
     longestHold_->setToolTip(
-        tr("After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to "
-           "a position: its duration plus 5 s."));
+        tr("After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move "
+           "to a position: its duration plus 5 s."));
     holdNote_ = note({}, "secondary");
     holdNote_->setObjectName("settings.holdNote");
 
@@ -173,8 +173,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     form->addRow(tr("Interface size"), size_);
     form->addRow(QString(), sizeNote_);
     form->addRow(tr("Size of controls"), density_);
-    form->addRow(QString(), note(tr("Touch: large enough for fingers. In windows lower than %1 px, joint "
-                                    "keys, tabs and title bars remain smaller.")
+    form->addRow(QString(), note(tr("Touch: large enough for fingers. In windows less than %1 px high, joint "
+                                    "buttons, tabs and title bars remain smaller.")
                                      .arg(kRoomForTouch),
                                  "secondary"));
     form->addRow(tr("Lengths"), lengths_);
@@ -229,7 +229,8 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
 }
 
 QWidget* SettingsPage::buildLanguage() {
-    // Languages are listed by their native names, for users who cannot read the current language.
+    // Languages are listed by their native names, so that users who cannot read the current language find
+    // theirs.
     QStringList names{tr("System language: %1").arg(QString())};
     int current = 0;
     for (const Language& one : languages()) {
@@ -264,9 +265,8 @@ void SettingsPage::showLanguageNote() {
     const bool shown = languageFor(preferences_.language) == shownLanguage();
     anew_->setEnabled(!shown);
     languageNote_->setText(
-        shown
-            ? tr("Language of the window and of the connection check. Files and scripts do not depend on it.")
-            : tr("Takes effect at the next start of Tiller, or when the window is reopened."));
+        shown ? tr("Language of the window and of the connection check. Files and scripts are not affected.")
+              : tr("Takes effect at the next start of Tiller, or when the window is reopened."));
 }
 
 void SettingsPage::refuseNewWindow(const QString& reason) {
@@ -305,14 +305,14 @@ void SettingsPage::changeEvent(QEvent* event) {
 void SettingsPage::showCap() {
     const bool raised = preferences_.speedCap > Preferences::kOrdinaryCap;
     capNote_->setProperty("role", raised ? QStringLiteral("warning") : QStringLiteral("secondary"));
-    // The style sheet evaluates the property only when the style is set.
+    // The change of the property takes effect only after the style sheet is set again.
     capNote_->setStyleSheet(capNote_->styleSheet());
     capNote_->setText(raised ? tr("▲ Above %1. No other limit applies to jogging from a PC: neither manual "
                                   "mode nor the enabling device of the pendant. The header shows a warning. "
                                   "The cap resets when Tiller is closed.")
                                    .arg(format::speed(Preferences::kOrdinaryCap))
-                             : tr("Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at "
-                                  "once and stops running motion."));
+                             : tr("Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes "
+                                  "effect at once and stops running motion."));
 }
 
 QWidget* SettingsPage::buildDevices(DeviceJog& devices) {
@@ -372,10 +372,9 @@ QWidget* SettingsPage::buildShortcuts() {
     row->addWidget(defaults);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 12, 0, 0);
-    layout->addWidget(
-        note(tr("Press the new shortcut in the field; Backspace removes it. In control, Space and Esc "
-                "always stop the arm."),
-             "secondary"));
+    layout->addWidget(note(tr("Press the new shortcut in the field; Backspace removes it. While Tiller is in "
+                              "control, Space and Esc always stop the arm."),
+                           "secondary"));
     layout->addWidget(shortcuts_, 1);
     layout->addLayout(row);
     showShortcuts();
@@ -396,7 +395,8 @@ void SettingsPage::showShortcuts() {
         const QString id = action->objectName();
         connect(keys, &QKeySequenceEdit::editingFinished, this, [this, keys, id] {
             const QAction* edited = actions_.find(id);
-            // Only one key combination: a second key within a second would create a sequence of two.
+            // Use only the first key combination. A second key within a second would create a sequence of
+            // two.
             const QKeySequence chosen =
                 keys->keySequence().isEmpty() ? QKeySequence() : QKeySequence(keys->keySequence()[0]);
             if (edited != nullptr && chosen != edited->shortcut()) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings: colours, sizes, number format, speed cap, devices, and shortcuts. Changes take effect immediately.
+// The settings: theme, sizes, number format, speed cap, devices, and shortcuts. Changes take effect
+// immediately.
 
 #include <QDialog>
 
@@ -28,22 +29,23 @@ class SettingsPage : public QDialog {
 
 public:
     /// theme    "light" or "dark"
-    /// devices  the devices to be configured
+    /// devices  the devices that can be configured
     SettingsPage(const Preferences& preferences, const QString& theme, const ActionTable& actions,
                  DeviceJog& devices, QWidget* parent = nullptr);
 
     const Preferences& preferences() const { return preferences_; }
-    /// Assigns this shortcut to the command, like the shortcut editor; an empty sequence removes it.
-    /// Returns  false if the key is in use or reserved; hint() contains the reason
+    /// Assigns this shortcut to the command, like the shortcut editor. An empty sequence removes the
+    /// shortcut.
+    /// Returns  false if the key is in use or reserved; hint() then returns the reason
     bool setShortcut(const QString& id, const QKeySequence& keys);
     QString hint() const;
-    /// Sets the description of the key-state check in use, if any.
+    /// Sets the description of the active key-state check, if any.
     void setHoldNote(const QString& text);
-    /// Shows monitor only as fixed by the command line.
+    /// Shows that monitor only was set by the command line and cannot be changed.
     void lockMonitorOnly();
-    /// Shows the reason why the window cannot be replaced now.
+    /// Shows the reason why the window cannot be replaced at the moment.
     void refuseNewWindow(const QString& reason);
-    /// Shows the page about recordings.
+    /// Shows the page "Recording".
     void showRecording();
 
 protected:
@@ -52,11 +54,11 @@ protected:
 Q_SIGNALS:
     void preferencesChanged(const tiller::app::Preferences& preferences);
     void themeChosen(const QString& theme);
-    /// Request to replace the window by one in the selected language.
+    /// The user wants to replace the window by one in the selected language.
     void newWindowWanted();
-    /// Request to open the device test page in front of this one.
+    /// The user wants to open the device test page in front of this page.
     void trainerWanted();
-    /// Request to open the export dialog in front of this page.
+    /// The user wants to open the export dialog in front of this page.
     void exportWanted();
     void importWanted();
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings file in the INI format of QSettings. QSettings itself writes through QSaveFile, which on a full disk
-// replaces the settings by an empty file and reports success, and it cannot read, change and write atomically, so
-// that two windows lose each other's entries. Here an edit reads the current file, changes it and replaces it
-// atomically, while other windows cannot write.
+// The settings file in the INI format of QSettings. QSettings writes through QSaveFile. On a full disk, that
+// replaces the settings by an empty file and reports success. QSettings also cannot read, change and write
+// atomically, so that two windows lose each other's entries. SettingsEdit reads the current file, changes it
+// and replaces it atomically, while other windows cannot write.
 
 #include <QMap>
 #include <QString>
@@ -17,15 +17,16 @@
 
 namespace tiller::app {
 
-/// Keys are paths, e.g. "look/theme"; the list "robots" has the keys "robots/size", "robots/1/host" and so on.
+/// Keys are paths, e.g. "look/theme". The list "robots" has the keys "robots/size", "robots/1/host" and so
+/// on.
 using SettingsMap = QMap<QString, QVariant>;
 
-/// The INI text of QSettings. Values without a text format are omitted.
+/// Returns the settings in the INI format of QSettings. Values without a text format are omitted.
 QByteArray settingsToIni(const SettingsMap& values);
-/// Invalid lines are skipped.
+/// Reads the INI format of QSettings. Invalid lines are skipped.
 SettingsMap settingsFromIni(const QByteArray& text);
 
-/// file  an .ini file; empty: the user's settings file
+/// file  path of an .ini file; empty: the user's settings file
 QString settingsPath(const QString& file);
 
 /// The settings at the time of construction.
@@ -36,32 +37,32 @@ public:
 
     QVariant value(const QString& key, const QVariant& fallback = {}) const;
     bool contains(const QString& key) const;
-    /// The keys directly in this group, without the group name.
+    /// Returns the keys directly in this group, without the group name.
     QStringList childKeys(const QString& group) const;
-    /// System-wide settings, which apply where the user has none, are not included.
+    /// All values of the file. System-wide settings, which apply if the user has no value, are not included.
     const SettingsMap& values() const { return values_; }
 
 protected:
-    Error readError_;  ///< code None if the file was read or does not exist
+    Error readError_;  ///< its code is None if the file was read or does not exist
     SettingsMap values_;
 
 private:
     SettingsMap fallbacks_;
 };
 
-/// An edit of the settings. Other windows cannot write meanwhile, so keep it short.
+/// An edit of the settings. Other windows cannot write during the lifetime of the object, so keep it short.
 class SettingsEdit : public SettingsView {
 public:
     explicit SettingsEdit(const QString& file);
 
     void setValue(const QString& key, const QVariant& value);
-    /// Removes a key and the keys below it.
+    /// Removes a key and all keys below it.
     void remove(const QString& key);
-    /// Applies the difference between two states of a group; changes by other windows are kept.
+    /// Applies the difference between two states of a group. Changes by other windows are kept.
     /// before, after  keys without the group
     void merge(const QString& group, const SettingsMap& before, const SettingsMap& after);
-    /// Writes the file; no effect without changes.
-    /// Errors   FileNotWritable, DiskFull; the file is then unchanged
+    /// Writes the file if there are changes.
+    /// Errors   FileNotWritable, DiskFull; the file is then not changed
     Result<void> commit();
 
 private:

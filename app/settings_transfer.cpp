@@ -23,8 +23,8 @@ QString filter() {
 }
 
 QString textOf(const Error& error) {
-    // For files, the error is already a complete sentence, and the version is that of the file, not of the
-    // robot.
+    // For these codes the context is already a complete sentence. VersionUnsupported refers to the file
+    // instead of the robot software.
     return error.code == ErrorCode::FileCorrupt || error.code == ErrorCode::VersionUnsupported
                ? error.context
                : texts::errorText(error);
@@ -52,7 +52,7 @@ QString titleOf(SettingsPart part) {
     return {};
 }
 
-/// Number of entries in the list of a part; -1 if it is not a list.
+/// Returns the number of entries in the list of a part; -1 if the part is not a list.
 int countOf(const SettingsBundle& bundle, SettingsPart part) {
     switch (part) {
         case SettingsPart::Robots:
@@ -144,7 +144,7 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
                                                     .arg(count));
         box->setObjectName(QStringLiteral("importSettings.part.%1").arg(static_cast<int>(part)));
         box->setProperty(kPart, static_cast<int>(part));
-        // By default, a file with few settings must not delete the others.
+        // A file with few settings must not delete the other settings by default.
         box->setChecked(!same && !none);
         box->setEnabled(!same);
         connect(box, &QCheckBox::toggled, this, &ImportDialog::updateKey);
@@ -174,7 +174,7 @@ QSet<SettingsPart> ImportDialog::chosen() const {
 
 void ImportDialog::showFailure(const QString& text) {
     note_->setProperty("role", QStringLiteral("alarm"));
-    // The style sheet evaluates the property only when the style is set.
+    // The change of the property takes effect only after the style sheet is set again.
     note_->setStyleSheet(note_->styleSheet());
     note_->setText(text);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Export and import of the settings: asks for the file, shows what an import replaces before doing it, keeps a
-// backup, and reports errors in a file.
+// Export and import of the settings: prompts for the file, shows what an import would replace, keeps a
+// backup, and reports errors in the file.
 
 #include <QDialog>
 #include <QObject>
@@ -15,18 +15,18 @@ class QPushButton;
 
 namespace tiller::app {
 
-/// Shows the parts that the file would replace; nothing is replaced before confirmation.
+/// Shows the parts that the file would replace. Nothing is replaced without confirmation.
 class ImportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// found  content of the file, or the reason why it cannot be imported
+    /// found  content of the file, or the reason why the file cannot be imported
     ImportDialog(const QString& path, const Result<SettingsBundle>& found, const SettingsBundle& present,
                  QWidget* parent = nullptr);
 
     /// The selected parts.
     QSet<SettingsPart> chosen() const;
-    /// Shows an error; the dialog stays open.
+    /// Shows an error. The dialog remains open.
     void showFailure(const QString& text);
 
 Q_SIGNALS:
@@ -52,13 +52,13 @@ public:
     /// over  parent window of the dialog
     void askToExport(QWidget* over);
     void askToImport(QWidget* over);
-    /// path  gets the extension .json if it has none
+    /// path  file path; the extension .json is added if there is no extension
     void exportTo(const QString& path);
-    /// Shows the parts that the file would replace, and replaces them after confirmation.
+    /// Shows the parts that the file would replace. Replaces them after confirmation.
     void importFrom(const QString& path, QWidget* over);
 
 Q_SIGNALS:
-    /// Request to save all values of this session, as at its end.
+    /// All current values of the window must be saved, as when it closes.
     void upToDateWanted();
     /// The settings were replaced.
     void imported();

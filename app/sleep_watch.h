@@ -11,8 +11,8 @@ class SleepWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// Monitors the login manager and the screen saver, if available; on other systems the deactivation of the
-    /// window and the robot's timeout apply.
+    /// Monitors the login manager and the screen saver, if available. On other systems, the deactivation of
+    /// the window and the timeout of the robot stop the arm.
     explicit SleepWatch(QObject* parent = nullptr);
 
 public Q_SLOTS:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The project of a start without a project on the command line.
+// The project that is opened if no project is given on the command line.
 
 #include <QString>
 
@@ -10,12 +10,12 @@ namespace tiller::app {
 class Settings;
 
 struct StartProject {
-    QString path;     ///< file to open or create; it may be missing
-    QString missing;  ///< the last file if it no longer exists; otherwise empty
+    QString path;     ///< file to open or create; the file may not exist
+    QString missing;  ///< path of the last file if that file no longer exists; otherwise empty
 };
 
-/// Returns the last file. If there is none: the file that earlier versions kept in the application data
-/// folder, otherwise "cell.tiller" in projectFolder(), which is created.
+/// Returns the last file. If there is none, returns the file that earlier versions kept in the application
+/// data folder, otherwise "cell.tiller" in projectFolder(), which is created.
 StartProject startProject(const Settings& settings);
 
 /// Folder for unsaved changes.

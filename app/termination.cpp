@@ -14,7 +14,7 @@
 namespace tiller::app {
 
 #ifdef _WIN32
-// Written according to the console API's documentation; not run in this project's CI.
+// Written according to the documentation of the console API. Not tested in this project's CI.
 
 namespace {
 std::binary_semaphore ended{0};

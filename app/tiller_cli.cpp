@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// tiller-cli: what Tiller can do without a window. Links no widgets.
+// tiller-cli provides the functions of Tiller that do not need a window. It does not link any widgets.
 
 #include <QCoreApplication>
 
@@ -20,7 +20,7 @@ const QString kHelp = QStringLiteral(
     "\n"
     "Commands:\n"
     "  simulate             runs a simulated robot controller (see 'tiller-cli simulate --help')\n"
-    "  fault                triggers a fault on it (see 'tiller-cli fault --help')\n"
+    "  fault                triggers a fault on a simulated controller (see 'tiller-cli fault --help')\n"
     "  doctor ADDRESS       checks whether this PC can control a robot\n"
     "  record ADDRESS       records the data of a robot (see 'tiller-cli record --help')\n"
     "  project ACTION FILE  inspects, checks or converts a project (see 'tiller-cli project --help')\n"

@@ -15,7 +15,8 @@
 namespace tiller::app {
 namespace {
 
-// Force range for the task "record and measure" [N]: measurable, and far below a protective stop.
+// Force range for the task "record and measure" [N]. The forces are measurable and far below a protective
+// stop.
 constexpr int kMinHandForce = 25;
 constexpr int kMaxHandForce = 60;
 
@@ -62,7 +63,7 @@ Tutorial::~Tutorial() {
 
 void Tutorial::readAgain() {
     const TutorialProgress learned = settings_.learned();
-    // The practice tasks first: each step saves both when it changes.
+    // Restore the practice tasks first, because a change of the steps saves both.
     practice_.setDone(learned.practice);
     steps_.setDone(learned.firstSteps);
 }
@@ -70,12 +71,12 @@ void Tutorial::readAgain() {
 void Tutorial::addTo(ActionTable& table) {
     table.add({"app.firstSteps",
                tr("First steps"),
-               tr("Shows a checklist in the view, from power on to a recording."),
+               tr("Shows a checklist in the view, from powering on to recording."),
                {},
                [this] { showFirstSteps(); }});
     table.add({"app.practice",
                tr("Practice tasks"),
-               tr("Five tasks on the simulated robot, each with a check."),
+               tr("Five tasks on the simulated robot. Each task checks the result."),
                {},
                [this] { showPractice(); }});
 }
@@ -95,7 +96,7 @@ void Tutorial::showPractice() {
 
 void Tutorial::onState(const SessionState& state) {
     const bool here = simulator_.controllerOf(state) != nullptr;
-    // A gap between two packets does not count as a change of the robot.
+    // A gap between two packets is not a change of the robot.
     if (!here && state.link != LinkState::Disconnected && !state.hasData()) {
         return;
     }
@@ -130,7 +131,7 @@ PracticeHooks Tutorial::hooks() {
                 },
             .addWaypoint =
                 [this](const project::Waypoint& point) {
-                    steps_.setFollowing(false);  // this waypoint is not taught by the user
+                    steps_.setFollowing(false);  // the user does not teach this waypoint
                     document_.insertWaypoints(document_.waypoints().size(), {point},
                                               tr("Practice: add “%1”").arg(point.name));
                 }};

@@ -12,12 +12,12 @@
         <translation>Route</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie das angeschlossene Gerät und drücken Sie erneut.</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie das angeschlossene Gerät und drücken Sie erneut.</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -83,8 +83,8 @@
         <translation>Bereiche verschieben</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>Programm Tiller</translation>
+        <source>Application</source>
+        <translation>Anwendung</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -181,8 +181,8 @@
         <translation>Diese Projektdatei (.tiller) öffnen.</translation>
     </message>
     <message>
-        <source>Colours: light or dark.</source>
-        <translation>Farben: light (hell) oder dark (dunkel).</translation>
+        <source>Colour theme: light or dark.</source>
+        <translation>Farbschema: light (hell) oder dark (dunkel).</translation>
     </message>
     <message>
         <source>see tiller --help</source>
@@ -193,23 +193,23 @@
         <translation>unerwartetes Argument &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
-        <translation>--theme nimmt light oder dark, nicht &quot;%1&quot;</translation>
+        <source>--theme must be light or dark, not &quot;%1&quot;</source>
+        <translation>--theme muss light oder dark sein, nicht &quot;%1&quot;</translation>
     </message>
     <message>
         <source>--robot and --simulator cannot be combined</source>
         <translation>--robot und --simulator lassen sich nicht kombinieren</translation>
     </message>
     <message>
-        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
-        <translation>--demo läuft nur am simulierten Roboter und lässt sich nicht mit --robot kombinieren</translation>
+        <source>--demo works only on the simulated robot and cannot be combined with --robot</source>
+        <translation>--demo läuft nur mit dem simulierten Roboter und lässt sich nicht mit --robot kombinieren</translation>
     </message>
     <message>
-        <source>--demo needs a folder</source>
-        <translation>--demo braucht einen Ordner</translation>
+        <source>--demo requires a folder</source>
+        <translation>--demo benötigt einen Ordner</translation>
     </message>
     <message>
-        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
+        <source>--robot requires an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot benötigt eine Adresse, z. B. --robot 192.168.0.10</translation>
     </message>
     <message>
@@ -217,8 +217,8 @@
         <translation>es kann nur ein Projekt geöffnet werden; entfernen Sie &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
-        <translation>Nur beobachten: am Roboter nichts ändern; nur STOP wirkt. Lässt sich in den Einstellungen nicht ausschalten.</translation>
+        <source>Monitor only: do not change anything on the robot; STOP still works. Cannot be turned off in Settings.</source>
+        <translation>Nur beobachten: am Roboter nichts ändern; STOP wirkt weiterhin. Lässt sich in den Einstellungen nicht ausschalten.</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -301,7 +301,7 @@
         <translation>Kein Vergleich möglich: Der Arm war während der gesamten Aufzeichnung ausgeschaltet oder wurde von Hand geführt.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>Arm und Modell weichen ab dem ersten Messwert ab: Prüfen Sie die Nutzlast, das Robotermodell und ob etwas den Arm berührt.</translation>
     </message>
     <message>
@@ -340,11 +340,11 @@
         <translation>Nahe an einer Grenze der Werkzeugausrichtung</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
-        <translation>Das Werkzeug drehte sich bis nahe an die Grenze der Sicherheitskonfiguration.</translation>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
+        <translation>Die Werkzeugausrichtung kam der Grenze der Sicherheitskonfiguration nahe.</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>Drehen Sie das Werkzeug zurück oder ändern Sie den Wegpunkt.</translation>
     </message>
     <message>
@@ -380,15 +380,15 @@
         <translation>Die lineare Bewegung führt durch eine Singularität des Arms.</translation>
     </message>
     <message>
-        <source>Jog individual joints out of it; use MoveJ through this region.</source>
-        <translation>Fahren Sie einzelne Gelenke heraus; verwenden Sie in diesem Bereich MoveJ.</translation>
+        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <translation>Verfahren Sie einzelne Gelenke aus der Singularität heraus; durchfahren Sie diesen Bereich mit MoveJ.</translation>
     </message>
     <message>
         <source>Cannot hold position</source>
         <translation>Kann seine Position nicht halten</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed at standstill.</source>
+        <source>The arm sagged or was pushed while at standstill.</source>
         <translation>Der Arm ist im Stillstand abgesackt oder wurde geschoben.</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>Die gemessenen Kräfte passen nicht zur Nutzlast, oder der Arm wurde beim Start von Freedrive geschoben.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>Korrigieren Sie Nutzlast und Montage, lassen Sie den Arm los und versuchen Sie es erneut.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Ein Gelenk benötigte mehr Drehmoment, als die Bewegung erfordert.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>Entfernen Sie das Hindernis; war keines da, prüfen Sie die Nutzlast.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Plötzlicher Sprung der Sollposition</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>Ein Programm hat einen Positionssprung befohlen.</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>Plötzlicher Sprung der Sollgeschwindigkeit</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>Ein Programm hat einen Geschwindigkeitssprung befohlen.</translation>
     </message>
     <message>
@@ -492,7 +492,7 @@
         <translation>Der Roboter ist in lokaler Steuerung</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
+        <source>A script was sent, but the robot accepts commands only from its teach pendant.</source>
         <translation>Ein Skript wurde gesendet, aber der Roboter nimmt nur Befehle vom Teach-Pendant an.</translation>
     </message>
     <message>
@@ -569,12 +569,12 @@
         <translation>%1 und %2 weitere</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>Diese Software ist zu alt. Bringen Sie den Roboter auf %1.%2 oder neuer.</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>Die Software des Roboters ist zu alt. Aktualisieren Sie sie auf %1.%2 oder neuer.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
-        <translation>Einige Werte und die Register zum Steuern fehlen. Bringen Sie den Roboter auf %1.%2 oder neuer.</translation>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <translation>Einige Werte und die Register zum Steuern fehlen. Aktualisieren Sie die Software des Roboters auf %1.%2 oder neuer.</translation>
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
@@ -585,7 +585,7 @@
         <translation>Schalten Sie den Arm ein und lösen Sie die Bremsen mit der Schaltfläche in der Kopfzeile.</translation>
     </message>
     <message>
-        <source>the RTDE port accepts connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not respond</source>
         <translation>der RTDE-Port nimmt Verbindungen an, antwortet aber nicht</translation>
     </message>
     <message>
@@ -593,7 +593,7 @@
         <translation>der Dienst auf Port %1 verwendet kein RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>Zu viele RTDE-Clients, oder die Steuerung reagiert nicht: Schließen Sie andere Programme und starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
@@ -617,8 +617,8 @@
         <translation>diese Softwareversion hat keine Register 24 bis 47</translation>
     </message>
     <message>
-        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
-        <translation>Bringen Sie die Software des Roboters auf 3.9 oder 5.3.</translation>
+        <source>Update the robot&apos;s software to 3.9, 5.3 or newer.</source>
+        <translation>Aktualisieren Sie die Software des Roboters auf 3.9, 5.3 oder neuer.</translation>
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
@@ -649,7 +649,7 @@
         <translation>%1 von %2 Paketen je Sekunde</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
         <translation>Es fehlen Pakete: Verwenden Sie ein Kabel, keine Funkverbindung; schließen Sie andere Programme, die den Roboter oder diesen PC belasten.</translation>
     </message>
     <message>
@@ -661,12 +661,12 @@
         <translation>das System gewährt diesem Benutzer keine Echtzeitpriorität</translation>
     </message>
     <message>
-        <source>permitted; real-time loops request it</source>
-        <translation>erlaubt und von Echtzeitschleifen angefordert</translation>
+        <source>permitted; real-time loops use it</source>
+        <translation>erlaubt und von Echtzeitschleifen genutzt</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>CPUs können in tiefe Ruhezustände wechseln; das verzögert Regelschleifen</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>CPUs können in tiefe Ruhezustände wechseln; das verzögert Echtzeitschleifen</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -677,7 +677,7 @@
         <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive absacken.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
+        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
         <translation>&quot;%1&quot; ist keine Adresse, und es wurde kein Host mit diesem Namen gefunden</translation>
     </message>
     <message>
@@ -685,31 +685,31 @@
         <translation>Geben Sie die vier Zahlen ein, die das Teach-Pendant unter „Über“ anzeigt, oder fragen Sie Ihre Netzwerkadministration nach dem Namen.</translation>
     </message>
     <message>
-        <source>%1 does not answer</source>
+        <source>%1 does not respond</source>
         <translation>%1 antwortet nicht</translation>
     </message>
     <message>
-        <source>There is no route to %1</source>
-        <translation>Es gibt keine Route zu %1</translation>
+        <source>no network route to %1</source>
+        <translation>keine Netzwerkroute zu %1</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>Prüfen Sie, ob der Roboter eingeschaltet und das Kabel eingesteckt ist und keine Firewall die Verbindung blockiert.</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>Geben Sie diesem PC eine Adresse im Netz des Roboters (die gleichen ersten drei Zahlen) und prüfen Sie das Kabel.</translation>
     </message>
     <message>
-        <source>%1 answers, but provides no robot services</source>
+        <source>%1 responds, but provides no robot services</source>
         <translation>%1 antwortet, bietet aber keine Roboterdienste an</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Prüfen Sie, ob dies die Adresse des Roboters ist. Ein gerade eingeschalteter Roboter benötigt noch eine Minute.</translation>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
+        <translation>Prüfen Sie, ob dies die Adresse des Roboters ist. Ein gerade eingeschalteter Roboter benötigt eventuell noch eine Minute.</translation>
     </message>
     <message>
-        <source>%1 answers</source>
+        <source>%1 responds</source>
         <translation>%1 antwortet</translation>
     </message>
     <message>
@@ -725,7 +725,7 @@
         <translation>Port %1 ist geschlossen</translation>
     </message>
     <message>
-        <source>port %1 does not answer</source>
+        <source>port %1 does not respond</source>
         <translation>Port %1 antwortet nicht</translation>
     </message>
     <message>
@@ -741,7 +741,7 @@
         <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung. Bis dahin kann Tiller nur beobachten.</translation>
     </message>
     <message>
-        <source>the dashboard accepts connections but does not answer</source>
+        <source>the dashboard accepts connections but does not respond</source>
         <translation>das Dashboard nimmt Verbindungen an, antwortet aber nicht</translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist verfügbar</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>Aktivieren Sie den Dashboard-Server am Roboter: Einstellungen, Sicherheit, Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
     </message>
     <message>
@@ -781,8 +781,8 @@
         <translation>Robot API %1, Port %2; Popups müssen am Teach-Pendant geschlossen werden</translation>
     </message>
     <message>
-        <source>the primary interface does not describe the arm</source>
-        <translation>die primäre Schnittstelle beschreibt den Arm nicht</translation>
+        <source>the primary interface sends no data about the arm</source>
+        <translation>die primäre Schnittstelle sendet keine Daten über den Arm</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
@@ -793,7 +793,7 @@
         <translation>diese Version von Tiller kennt den Robotertyp %1 nicht</translation>
     </message>
     <message>
-        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions that the robot reports; jog slowly at first.</source>
         <translation>Beobachten ist möglich. Grenzen und Vorschau verwenden die vom Roboter gemeldeten Maße; verfahren Sie zuerst langsam.</translation>
     </message>
     <message>
@@ -801,7 +801,7 @@
         <translation>Adresse wird aufgelöst</translation>
     </message>
     <message>
-        <source>Host answers</source>
+        <source>Host responds</source>
         <translation>Host antwortet</translation>
     </message>
     <message>
@@ -853,7 +853,7 @@
         <translation>Register zum Steuern frei</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>Kein Feldbus verwendet Register</translation>
     </message>
     <message>
@@ -900,8 +900,8 @@
         <translation>Warten Sie auf Stillstand, bevor Sie Freedrive starten.</translation>
     </message>
     <message>
-        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>Der Arm misst %1 bei einer Nutzlast von %2 kg und würde wegdriften. Lassen Sie das Werkzeug los oder korrigieren Sie Nutzlast und TCP.</translation>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <translation>Der Arm würde wegdriften: Er misst %1 bei einer Nutzlast von %2 kg. Lassen Sie das Werkzeug los oder korrigieren Sie Nutzlast und TCP.</translation>
     </message>
 </context>
 <context>
@@ -918,8 +918,8 @@
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
-        <translation>Dieser Bildschirm hat eine hohe Auflösung. Erhöhen Sie „Oberflächengröße“ in den Einstellungen, um Text, Tasten und Diagramme zu vergrößern.</translation>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, controls and plots.</source>
+        <translation>Dieser Bildschirm hat eine hohe Auflösung. Erhöhen Sie „Oberflächengröße“ in den Einstellungen, um Text, Bedienelemente und Diagramme zu vergrößern.</translation>
     </message>
 </context>
 <context>
@@ -933,12 +933,12 @@
         <translation>Schrittweite %1, %2°</translation>
     </message>
     <message>
-        <source>Arm or disarm the keyboard</source>
-        <translation>Tastatur scharf schalten oder abschalten</translation>
+        <source>Arm or disarm keyboard jogging</source>
+        <translation>Tastatur-Verfahren scharf schalten oder abschalten</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
-        <translation>Im scharfen Zustand bewegen die Pfeiltasten den Arm, und ein Rahmen umgibt das Fenster. Endet nach 30 s ohne Bedienung.</translation>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <translation>Bei scharfer Tastatur bewegen die Pfeiltasten den Arm, und ein Rahmen umgibt das Fenster. Endet nach 30 s ohne Bedienung.</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -953,60 +953,60 @@
         <translation>Hier null</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
-        <translation>Misst die Verschiebung des TCP von hier aus. Noch einmal drücken: seit dem letzten Tastendruck.</translation>
+        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <translation>Zeigt die Verschiebung des TCP von dieser Position aus. Noch einmal drücken: seit Beginn der letzten Bewegung.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
         <translation>Stoppt den Arm; der nächste Druck hat diese Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Moves by this distance, only while the key is held.</source>
-        <translation>Bewegt um diesen Betrag, nur solange die Taste gehalten wird.</translation>
+        <source>Moves the arm by this distance while the button is held.</source>
+        <translation>Bewegt den Arm um diesen Betrag, solange die Taste gehalten wird.</translation>
     </message>
     <message>
-        <source>Moves by this distance at each press.</source>
-        <translation>Bewegt bei jedem Druck um diesen Betrag.</translation>
+        <source>Each press moves the arm by this distance.</source>
+        <translation>Jeder Druck bewegt den Arm um diesen Betrag.</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
         <translation>Verfahren bis Kontakt, %1 N</translation>
     </message>
     <message>
-        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>Fährt langsam, solange die Taste gehalten wird, und stoppt, wenn das Werkzeug diese Kraft erreicht.</translation>
+        <source>Moves slowly while the button is held and stops when the contact force reaches this value.</source>
+        <translation>Fährt langsam, solange die Taste gehalten wird, und stoppt, wenn die Kontaktkraft diesen Wert erreicht.</translation>
     </message>
     <message>
-        <source>Jog speed, other…</source>
+        <source>Other jog speed…</source>
         <translation>Andere Verfahrgeschwindigkeit…</translation>
     </message>
     <message>
-        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>Fragt nach der TCP-Geschwindigkeit. Dreh- und Gelenkgeschwindigkeiten ändern sich im gleichen Verhältnis.</translation>
+        <source>Sets the TCP speed. Rotation and joint speeds change in proportion.</source>
+        <translation>Legt die TCP-Geschwindigkeit fest. Dreh- und Gelenkgeschwindigkeiten ändern sich im gleichen Verhältnis.</translation>
     </message>
     <message>
-        <source>Jog step, other…</source>
+        <source>Other jog step…</source>
         <translation>Andere Schrittweite…</translation>
     </message>
     <message>
-        <source>Asks for the step length. The step angle does not change.</source>
-        <translation>Fragt nach der Schrittlänge. Der Schrittwinkel ändert sich nicht.</translation>
+        <source>Sets the step length. The step angle does not change.</source>
+        <translation>Legt die Schrittlänge fest. Der Schrittwinkel ändert sich nicht.</translation>
     </message>
     <message>
-        <source>Jog angle, other…</source>
+        <source>Other jog angle…</source>
         <translation>Anderer Drehschritt…</translation>
     </message>
     <message>
-        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>Fragt nach dem Schrittwinkel für Werkzeug- und Gelenkdrehungen. Die Schrittlänge ändert sich nicht.</translation>
+        <source>Sets the step angle of tool and joint rotations. The step length does not change.</source>
+        <translation>Legt den Schrittwinkel für Werkzeug- und Gelenkdrehungen fest. Die Schrittlänge ändert sich nicht.</translation>
     </message>
     <message>
-        <source>Jog until contact, other force…</source>
-        <translation>Verfahren bis Kontakt, andere Kraft…</translation>
+        <source>Other contact force for jogging…</source>
+        <translation>Andere Kontaktkraft für Verfahren…</translation>
     </message>
     <message>
-        <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>Fragt nach der Kontaktkraft in N, bei der die Bewegung endet.</translation>
+        <source>Sets the contact force in N that ends the motion.</source>
+        <translation>Legt die Kontaktkraft in N fest, bei der die Bewegung endet.</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1062,16 +1062,16 @@
 <context>
     <name>KeyStateProbe</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events to detect key releases.</source>
+        <translation>Tastenprüfung auf dieser Plattform nicht verfügbar (%1): Tiller erkennt das Loslassen von Tasten über Fensterereignisse.</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Tastenprüfung aktiv: Tiller fragt den Display-Server alle 10 ms, ob die Taste noch gedrückt ist.</translation>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Tastenprüfung aktiv: Tiller prüft alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist.</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Tiller verlässt sich bei gehaltenen Tasten auf Fensterereignisse.</translation>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <translation>Tastenprüfung nicht verfügbar: keine zweite Verbindung zum Display-Server. Tiller erkennt das Loslassen von Tasten über Fensterereignisse.</translation>
     </message>
 </context>
 <context>
@@ -1149,7 +1149,7 @@
         <translation>Ellbogen an der Geschwindigkeitsgrenze von %1</translation>
     </message>
     <message>
-        <source>move less sideways</source>
+        <source>reduce sideways motion</source>
         <translation>weniger seitwärts fahren</translation>
     </message>
     <message>
@@ -1203,8 +1203,8 @@
         <translation>BEWEGT SICH</translation>
     </message>
     <message>
-        <source>The robot confirms that the arm moves.</source>
-        <translation>Der Roboter bestätigt, dass der Arm sich bewegt.</translation>
+        <source>The robot reports that the arm is moving.</source>
+        <translation>Der Roboter meldet, dass sich der Arm bewegt.</translation>
     </message>
     <message>
         <source>Remote</source>
@@ -1267,12 +1267,12 @@
         <translation>Pakete kommen spät oder gehen verloren: Das Verfahren kann stoppen, und Diagramme haben Lücken. Verwenden Sie ein Kabel statt einer Funkverbindung und schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>Befehle dauern länger als 20 ms: Der Arm reagiert verzögert auf Tasten. Verfahren Sie langsam.</translation>
+        <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
+        <translation>Befehle dauern länger als 20 ms: Der Arm reagiert verzögert. Verfahren Sie langsam.</translation>
     </message>
     <message>
-        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>Gut: Der Arm reagiert sofort auf Tasten und stoppt innerhalb von 250 ms, wenn die Verbindung ausfällt.</translation>
+        <source>Good: the arm responds immediately and stops within 250 ms if the link fails.</source>
+        <translation>Gut: Der Arm reagiert sofort und stoppt innerhalb von 250 ms, wenn die Verbindung ausfällt.</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1356,7 +1356,7 @@
     </message>
     <message>
         <source>Powers the arm on. Brakes stay engaged.</source>
-        <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
+        <translation>Schaltet den Arm ein. Die Bremsen bleiben angezogen.</translation>
     </message>
     <message>
         <source>The arm may sag by a few millimetres. Keep clear.</source>
@@ -1371,7 +1371,7 @@
         <translation>Daten verspätet</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
     </message>
 </context>
@@ -1383,7 +1383,7 @@
     </message>
     <message>
         <source>The robot&apos;s controller is not running. Restart the control box.</source>
-        <translation>Die Steuerung des Roboters läuft nicht. Starten Sie den Steuerkasten neu.</translation>
+        <translation>Die Steuerung des Roboters läuft nicht. Starten Sie die Control-Box neu.</translation>
     </message>
     <message>
         <source>Arm disconnected</source>
@@ -1422,7 +1422,7 @@
         <translation>Eingeschaltet</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>Der Arm ist eingeschaltet und wird initialisiert. Warten Sie einen Moment.</translation>
     </message>
     <message>
@@ -1431,14 +1431,14 @@
     </message>
     <message>
         <source>The brakes are on. Release them.</source>
-        <translation>Die Bremsen sind zu. Lösen Sie sie.</translation>
+        <translation>Die Bremsen sind angezogen. Lösen Sie sie.</translation>
     </message>
     <message>
         <source>Backdrive</source>
         <translation>Zurückdrücken</translation>
     </message>
     <message>
-        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
+        <source>The arm is being moved by hand with its brakes released. Release the Freedrive button.</source>
         <translation>Der Arm wird mit gelösten Bremsen von Hand bewegt. Lassen Sie die Freedrive-Taste los.</translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation>Firmware-Update</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
         <translation>Die Firmware der Gelenke wird aktualisiert. Schalten Sie nicht aus, bis die Aktualisierung abgeschlossen ist.</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation>Schutzstopp</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
         <translation>Die Steuerung hat den Arm gestoppt. Finden Sie heraus, was ihn stoppte, dann entriegeln Sie (nach 5 s).</translation>
     </message>
     <message>
@@ -1566,7 +1566,7 @@
         <translation>Stopp Zustimmtaste Pendant</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
         <translation>Die Zustimmtaste des Pendants wird nicht gehalten. Halten Sie sie in ihrer Mittelstellung.</translation>
     </message>
     <message>
@@ -1598,23 +1598,23 @@
         <translation>PROFIsafe-Automatik-Stopp</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
-        <translation>Die PROFIsafe-Steuerung hält die Schutzeinrichtung des Automatikbetriebs offen. Schließen Sie sie dort.</translation>
+        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <translation>Die PROFIsafe-Steuerung fordert den Safeguard-Stopp des Automatikbetriebs an. Heben Sie die Anforderung dort auf.</translation>
     </message>
     <message>
         <source>PROFIsafe safeguard stop</source>
         <translation>PROFIsafe-Safeguard-Stopp</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
-        <translation>Die PROFIsafe-Steuerung hält eine Schutzeinrichtung offen. Schließen Sie sie dort.</translation>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <translation>Die PROFIsafe-Steuerung fordert einen Safeguard-Stopp an. Heben Sie die Anforderung dort auf.</translation>
     </message>
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>PROFIsafe-Not-Halt</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
         <translation>Die PROFIsafe-Steuerung fordert einen Not-Halt an. Heben Sie ihn dort auf, schalten Sie dann ein und lösen Sie die Bremsen.</translation>
     </message>
     <message>
@@ -1630,8 +1630,8 @@
         <translation>Stopp E/A-Ebene</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
-        <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang aktiviert. Fahren Sie es mit dem Teach-Pendant heraus oder schalten Sie den Eingang aus.</translation>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang aktiviert. Fahren Sie es mit dem Teach-Pendant zurück oder schalten Sie den Eingang aus.</translation>
     </message>
     <message>
         <source>Program stopping</source>
@@ -1646,7 +1646,7 @@
         <translation>Kein Programm</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>Auf dem Roboter läuft kein Programm.</translation>
     </message>
     <message>
@@ -1654,7 +1654,7 @@
         <translation>Programm läuft</translation>
     </message>
     <message>
-        <source>A program runs on the robot and may move the arm.</source>
+        <source>A program is running on the robot and may move the arm.</source>
         <translation>Auf dem Roboter läuft ein Programm und kann den Arm bewegen.</translation>
     </message>
     <message>
@@ -1670,8 +1670,8 @@
         <translation>Programm pausiert</translation>
     </message>
     <message>
-        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
-        <translation>„Abspielen“ setzt die unterbrochene Bewegung fort. Stoppen Sie das Programm, um sie zu verwerfen.</translation>
+        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <translation>Setzen Sie die unterbrochene Bewegung mit „Abspielen“ fort, oder stoppen Sie das Programm, um sie zu verwerfen.</translation>
     </message>
     <message>
         <source>Program resuming</source>
@@ -1828,8 +1828,8 @@
         <translation>Protokoll durchsuchen</translation>
     </message>
     <message>
-        <source>Shows only entries that contain these words.</source>
-        <translation>Zeigt nur Einträge, die diese Wörter enthalten.</translation>
+        <source>Shows only entries that contain the search text.</source>
+        <translation>Zeigt nur Einträge, die den Suchtext enthalten.</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1876,8 +1876,8 @@
         <translation>Neue Diagrammseite</translation>
     </message>
     <message>
-        <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>Fügt hinter den anderen eine leere Seite hinzu. Alle Seiten haben dieselbe Zeitachse.</translation>
+        <source>Adds an empty page at the end. All pages share the time axis.</source>
+        <translation>Fügt am Ende eine leere Seite hinzu. Alle Seiten haben dieselbe Zeitachse.</translation>
     </message>
     <message>
         <source>Show the entire history</source>
@@ -1974,7 +1974,7 @@
         <translation>Der Arm ist in einem Schutzstopp. Drücken Sie „Wiederherstellen…“ in der Kopfzeile.</translation>
     </message>
     <message>
-        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the steps on the recovery page.</source>
         <translation>Entriegelt. Der Arm läuft noch nicht: Folgen Sie den Schritten auf der Seite Wiederherstellung.</translation>
     </message>
     <message>
@@ -2006,8 +2006,8 @@
         <translation>„%1“ wurde nicht mit dem Arm geteacht: Der TCP war nie an seinem Ursprung.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>Der Wegpunkt wurde gelöscht. „Start“ fügt einen neuen hinzu.</translation>
+        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <translation>Der Wegpunkt wurde gelöscht. Drücken Sie „Start“, um einen neuen hinzuzufügen.</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
@@ -2042,7 +2042,7 @@
         <translation>Grenze erreicht. Fahren Sie nun zurück: %1 von %2.</translation>
     </message>
     <message>
-        <source>You reached the limit and moved out of it again.</source>
+        <source>You reached the limit and moved back.</source>
         <translation>Sie haben die Grenze erreicht und wieder verlassen.</translation>
     </message>
     <message>
@@ -2066,8 +2066,8 @@
         <translation>%1 stimmt nicht mit der Aufzeichnung überein. Betrachten Sie die Kurve Fz.</translation>
     </message>
     <message>
-        <source>Correct: it was %1.</source>
-        <translation>Richtig: %1.</translation>
+        <source>Correct: the force was %1.</source>
+        <translation>Richtig: Die Kraft betrug %1.</translation>
     </message>
     <message>
         <source>Recover from a protective stop</source>
@@ -2090,24 +2090,24 @@
         <translation>Aufzeichnen und messen</translation>
     </message>
     <message>
-        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
-        <translation>„Start“ simuliert eine Kollision, die einen Schutzstopp auslöst. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
+        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>Drücken Sie „Start“, um eine Kollision mit Schutzstopp zu simulieren. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Teachen Sie im Register Koordinatensysteme ein Koordinatensystem aus drei Punkten. Seine X-Achse muss entlang Y+ der Basis zeigen, seine Z-Achse nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter in Y+, dann einen Punkt weiter in X−.</translation>
     </message>
     <message>
-        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>„Start“ fügt an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzu. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
+        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>Drücken Sie „Start“, um an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzuzufügen. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>Fahren Sie nach außen, weg von der Basis, bis eine Grenze die Geschwindigkeit halbiert. Die Zeile unter dem Tastenfeld nennt die Grenze und wie Sie sie verlassen. Fahren Sie dann um %1 zurück.</translation>
     </message>
     <message>
-        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>„Start“ simuliert eine Hand, die von oben auf das Werkzeug drückt. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
+        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>Drücken Sie „Start“, um eine Hand zu simulieren, die von oben auf das Werkzeug drückt. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2144,16 +2144,16 @@
         <translation>„%1“ hat einen ungültigen Wert.</translation>
     </message>
     <message>
-        <source>“%1” is %2; it can be %3 to %4.</source>
-        <translation>„%1“ ist %2; erlaubt ist %3 bis %4.</translation>
+        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <translation>„%1“ ist %2; der Wert muss zwischen %3 und %4 liegen.</translation>
     </message>
     <message>
-        <source>No waypoint belongs to the group “%1”.</source>
-        <translation>Kein Wegpunkt gehört zur Gruppe „%1“.</translation>
+        <source>The group “%1” contains no waypoints.</source>
+        <translation>Die Gruppe „%1“ enthält keine Wegpunkte.</translation>
     </message>
     <message>
-        <source>“%1” refers to something that is no longer in the project.</source>
-        <translation>„%1“ verweist auf etwas, das nicht mehr im Projekt ist.</translation>
+        <source>“%1” refers to an item that was deleted from the project.</source>
+        <translation>„%1“ verweist auf ein Element, das aus dem Projekt gelöscht wurde.</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2172,20 +2172,20 @@
         <translation>„%1“ kann keine Schritte enthalten.</translation>
     </message>
     <message>
-        <source>This version of Tiller has no step “%1”.</source>
-        <translation>Diese Version von Tiller hat keinen Schritt „%1“.</translation>
+        <source>This version of Tiller does not support the step “%1”.</source>
+        <translation>Diese Version von Tiller unterstützt den Schritt „%1“ nicht.</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
         <translation>Ein Programm kann nur an einem Schritt der obersten Ebene beginnen, nicht zwischen Teilen wie „Wenn“ und „Sonst“.</translation>
     </message>
     <message>
-        <source>The project has no such program.</source>
-        <translation>Das Projekt enthält kein solches Programm.</translation>
+        <source>The project does not contain this program.</source>
+        <translation>Das Projekt enthält dieses Programm nicht.</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, and the robot is a %2.</source>
-        <translation>Das Projekt wurde mit einem %1 geteacht, der Roboter ist ein %2.</translation>
+        <source>The project was taught with a %1, but the robot is a %2.</source>
+        <translation>Das Projekt wurde mit einem %1 geteacht, aber der Roboter ist ein %2.</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2196,7 +2196,7 @@
         <translation>Das Programm hat keine Schritte.</translation>
     </message>
     <message>
-        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program.</source>
         <translation>Die Variable „%1“ hat an anderer Stelle im Programm einen anderen Typ.</translation>
     </message>
     <message>
@@ -2208,7 +2208,7 @@
         <translation>Die Aufrufe sind zu tief verschachtelt.</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>„%1“ wurde mit einem anderen TCP geteacht als die vorherigen Wegpunkte. Setzen Sie den aktiven TCP, oder setzen Sie den Schritt in einen TCP-Abschnitt.</translation>
     </message>
     <message>
@@ -2348,7 +2348,7 @@
         <translation>Werte</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
         <translation>Das Programm „%1“ benötigt %2 durch Kommas getrennte Werte, angegeben sind %3.</translation>
     </message>
     <message>
@@ -2428,7 +2428,7 @@
         <translation>Basis</translation>
     </message>
     <message>
-        <source>Frame of section</source>
+        <source>Section frame</source>
         <translation>Koordinatensystem des Abschnitts</translation>
     </message>
     <message>
@@ -2488,12 +2488,12 @@
         <translation>Wenn der Eingang aus ist</translation>
     </message>
     <message>
-        <source>Opening and closing need different outputs.</source>
-        <translation>Öffnen und Schließen benötigen verschiedene Ausgänge.</translation>
+        <source>Select different outputs for opening and closing.</source>
+        <translation>Wählen Sie für Öffnen und Schließen verschiedene Ausgänge.</translation>
     </message>
     <message>
-        <source>The gripper is not holding a part.</source>
-        <translation>Der Greifer hält kein Teil.</translation>
+        <source>The gripper is not holding an object.</source>
+        <translation>Der Greifer hält kein Objekt.</translation>
     </message>
     <message>
         <source>If</source>
@@ -2728,8 +2728,8 @@
         <translation>Frage</translation>
     </message>
     <message>
-        <source>Questions need software 5.6 or newer.</source>
-        <translation>Fragen benötigen Software 5.6 oder neuer.</translation>
+        <source>Questions require robot software 5.6 or newer.</source>
+        <translation>Fragen benötigen Robotersoftware 5.6 oder neuer.</translation>
     </message>
     <message>
         <source>URScript</source>
@@ -2772,8 +2772,8 @@
         <translation>Register</translation>
     </message>
     <message>
-        <source>The last register that a program can set is %1.</source>
-        <translation>Das letzte Register, das ein Programm setzen kann, ist %1.</translation>
+        <source>Programs can set registers up to %1.</source>
+        <translation>Programme können Register bis %1 setzen.</translation>
     </message>
     <message>
         <source>Speed section</source>
@@ -2784,8 +2784,8 @@
         <translation>Auswahl</translation>
     </message>
     <message>
-        <source>A Switch needs at least one Case.</source>
-        <translation>Eine Auswahl benötigt mindestens einen Fall.</translation>
+        <source>A Switch must contain at least one Case.</source>
+        <translation>Eine Auswahl muss mindestens einen Fall enthalten.</translation>
     </message>
     <message>
         <source>A Switch can directly contain only Case and Default.</source>
@@ -2800,7 +2800,7 @@
         <translation>Versuchen</translation>
     </message>
     <message>
-        <source>“Try” needs “On error” directly after it.</source>
+        <source>“Try” must be followed directly by “On error”.</source>
         <translation>Nach „Versuchen“ muss direkt „Bei Fehler“ folgen.</translation>
     </message>
     <message>
@@ -2916,12 +2916,12 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>Die Sicherheit ist wieder normal</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>Sicherheitsmodus wieder „Normal“</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>Der Arm kann bewegt werden. Bewegungen von vor dem Stopp werden nicht fortgesetzt: Jede Bewegung erfordert einen neuen Tastendruck.</translation>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <translation>Der Arm kann bewegt werden. Durch den Stopp unterbrochene Bewegungen werden nicht fortgesetzt: Jede Bewegung erfordert einen neuen Tastendruck.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -2944,7 +2944,7 @@
         <translation>Ich habe den Arm geprüft: Niemand berührt ihn, und nichts ist eingeklemmt.</translation>
     </message>
     <message>
-        <source>The cause of the stop is known and removed.</source>
+        <source>The cause of the stop is known and has been removed.</source>
         <translation>Die Ursache des Stopps ist bekannt und beseitigt.</translation>
     </message>
     <message>
@@ -2960,7 +2960,7 @@
         <translation>Ich habe den Arm und das Protokoll des Roboters geprüft: Die Ursache ist bekannt.</translation>
     </message>
     <message>
-        <source>The cause is removed, and no one is within reach of the arm.</source>
+        <source>The cause has been removed, and no one is within reach of the arm.</source>
         <translation>Die Ursache ist beseitigt, und niemand befindet sich im Arbeitsbereich des Arms.</translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>zurückfahren: keine aufgezeichnete Bewegung mehr vorhanden</translation>
     </message>
 </context>
@@ -3029,7 +3029,7 @@
         <translation>Geben Sie zuerst die Steuerung ab.</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>Auf dem Roboter läuft kein Programm.</translation>
     </message>
     <message>
@@ -3078,7 +3078,7 @@
     </message>
     <message>
         <source>Powers the arm on. Brakes stay engaged.</source>
-        <translation>Schaltet den Arm ein. Die Bremsen bleiben zu.</translation>
+        <translation>Schaltet den Arm ein. Die Bremsen bleiben angezogen.</translation>
     </message>
     <message>
         <source>The arm is powered on or powering on.</source>
@@ -3169,7 +3169,7 @@
         <translation>Stoppt das Programm auf dem Roboter.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
     </message>
 </context>
@@ -3220,8 +3220,8 @@
         <translation>%1: %2 s lang aus</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
-        <translation>Impulse werden vom Roboter getaktet und brauchen die Steuerung. Übernehmen Sie zuerst die Steuerung, oder schalten Sie den Ausgang ein und aus.</translation>
+        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
+        <translation>Impulse werden vom Roboter getaktet und erfordern die Steuerung. Übernehmen Sie zuerst die Steuerung, oder schalten Sie den Ausgang ein und aus.</translation>
     </message>
     <message>
         <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
@@ -3333,27 +3333,27 @@
         <translation>Kleben entlang einer Bahn</translation>
     </message>
     <message>
-        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
-        <translation>Trägt langsam und in geraden Linien eine Raupe um einen Deckel mit runden Ecken auf. Überschleifen hält die Düse in den Ecken in Bewegung.</translation>
+        <source>Applies a bead around a lid with rounded corners in slow, straight moves. Blends keep the nozzle moving through the corners.</source>
+        <translation>Trägt in langsamen, geraden Bewegungen eine Raupe um einen Deckel mit runden Ecken auf. Überschleifen hält die Düse in den Ecken in Bewegung.</translation>
     </message>
     <message>
         <source>Measuring</source>
         <translation>Messen</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
-        <translation>Ein Taster berührt ein Teil von oben und von vier Seiten, jeweils von einem Anfahrpunkt und mit geneigtem Werkzeug.</translation>
+        <source>A probe touches a part from above and from four sides. Each touch starts at an approach waypoint with the tool tilted.</source>
+        <translation>Ein Taster berührt ein Teil von oben und von vier Seiten. Jede Berührung beginnt an einem Anfahrpunkt mit geneigtem Werkzeug.</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Default view, perspective</source>
-        <translation>Standardansicht, perspektivisch</translation>
+        <source>Default view (perspective)</source>
+        <translation>Standardansicht (perspektivisch)</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly above, with everything visible.</source>
-        <translation>Blick zwischen vorn und Seite, leicht von oben, alles sichtbar.</translation>
+        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <translation>Blick zwischen vorn und Seite, leicht von oben; passt alles in die Ansicht ein.</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -3429,16 +3429,16 @@
         <translation>Die Datei enthält keine Tiller-Einstellungen.</translation>
     </message>
     <message>
-        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
-        <translation>Die Datei wurde von einem neueren Tiller geschrieben. Aktualisieren Sie Tiller, um sie zu importieren.</translation>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <translation>Die Datei wurde von einer neueren Version von Tiller geschrieben. Aktualisieren Sie Tiller, um sie zu importieren.</translation>
     </message>
     <message>
-        <source>The file does not state its version.</source>
+        <source>The file contains no version number.</source>
         <translation>Die Datei enthält keine Versionsangabe.</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>Die Liste der Werte fehlt oder ist zu lang.</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>Die Liste der Einstellungen fehlt oder ist zu lang.</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -3843,7 +3843,7 @@
 <context>
     <name>SpaceMouse</name>
     <message>
-        <source>left key</source>
+        <source>left button</source>
         <translation>linke Taste</translation>
     </message>
     <message>
@@ -3979,7 +3979,7 @@
         <translation>Der Roboter hat die Verbindung geschlossen: Er startet eventuell neu oder wurde zwischen Lokal und Fernsteuerung umgeschaltet.</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and the address.</source>
+        <source>The robot does not respond. Check the cable and the address.</source>
         <translation>Der Roboter antwortet nicht. Prüfen Sie Kabel und Adresse.</translation>
     </message>
     <message>
@@ -3991,8 +3991,8 @@
         <translation>Die Antwort verletzt das RTDE-Protokoll. Prüfen Sie Adresse und Port.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this.</source>
-        <translation>Die Software des Roboters ist dafür zu alt.</translation>
+        <source>The robot&apos;s software is too old for this function.</source>
+        <translation>Die Software des Roboters ist für diese Funktion zu alt.</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
@@ -4011,15 +4011,15 @@
         <translation>Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
-        <source>Bring the robot to Running and its safety to Normal first.</source>
-        <translation>Bringen Sie zuerst den Roboter auf „Läuft“ und seine Sicherheit auf „Normal“.</translation>
+        <source>First bring the robot to mode Running and safety mode Normal.</source>
+        <translation>Bringen Sie den Roboter zuerst in den Modus „Läuft“ und den Sicherheitsmodus „Normal“.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>Wählen Sie ein Ziel im Bewegungsbereich des Arms und eine Geschwindigkeit innerhalb der Grenze.</translation>
     </message>
     <message>
@@ -4027,7 +4027,7 @@
         <translation>Der Arm kann diese Pose nicht erreichen: Verschieben Sie den Punkt näher heran oder drehen Sie das Werkzeug.</translation>
     </message>
     <message>
-        <source>The robot could not run the program. See the log for the message of the controller.</source>
+        <source>The robot could not run the program. See the log for the controller&apos;s message.</source>
         <translation>Der Roboter konnte das Programm nicht ausführen. Die Meldung der Steuerung steht im Protokoll.</translation>
     </message>
     <message>
@@ -4159,7 +4159,7 @@
         <translation>losgelassen</translation>
     </message>
     <message>
-        <source>pointer left the key</source>
+        <source>pointer left the button</source>
         <translation>Zeiger hat die Taste verlassen</translation>
     </message>
     <message>
@@ -4176,7 +4176,7 @@
     </message>
     <message>
         <source>a dialog or menu opened</source>
-        <translation>ein Dialog oder Menü ging auf</translation>
+        <translation>Dialog oder Menü geöffnet</translation>
     </message>
     <message>
         <source>selection changed</source>
@@ -4216,7 +4216,7 @@
     </message>
     <message>
         <source>PC going to sleep</source>
-        <translation>PC geht schlafen</translation>
+        <translation>PC wechselt in den Ruhezustand</translation>
     </message>
     <message>
         <source>connection lost</source>
@@ -4291,8 +4291,8 @@
         <translation>Die Verbindung wurde unterbrochen. Übernehmen Sie erneut die Steuerung.</translation>
     </message>
     <message>
-        <source>Your script is running. Control returns when it ends.</source>
-        <translation>Ihr Skript läuft. Die Steuerung kehrt zurück, wenn es endet.</translation>
+        <source>Your script is running. Tiller regains control when it ends.</source>
+        <translation>Ihr Skript läuft. Tiller erhält die Steuerung zurück, wenn es endet.</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -4367,8 +4367,8 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
-        <translation>Aktionen laufen in dieser Reihenfolge ab, wenn „Route“ den Wegpunkt erreicht und solange die Taste gehalten wird.</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <translation>Aktionen laufen in dieser Reihenfolge ab, wenn „Route“ den Wegpunkt erreicht und die Taste gehalten wird.</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
@@ -4443,7 +4443,7 @@
         <translation>Zeitlimit in Sekunden</translation>
     </message>
     <message>
-        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
+        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
         <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde</translation>
     </message>
 </context>
@@ -4475,7 +4475,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or F2 to rename and scale.</source>
+Right-click or press F2 to rename or scale.</source>
         <translation>%1: %2
 Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
     </message>
@@ -4496,7 +4496,7 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Skala von %1</translation>
     </message>
     <message>
-        <source>e.g. bar; empty: not scaled</source>
+        <source>e.g. bar; empty: no scaling</source>
         <translation>z. B. bar; leer: nicht skaliert</translation>
     </message>
     <message>
@@ -4523,12 +4523,12 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Tastatur scharf schalten</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation>Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen. Zum Entschärfen klicken oder 30 s warten.</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>Im scharfen Zustand bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen umgibt das Fenster.</translation>
+        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <translation>Bei scharfer Tastatur bewegen die Pfeiltasten den Arm, solange sie gehalten werden. Ein Rahmen umgibt das Fenster.</translation>
     </message>
 </context>
 <context>
@@ -4538,16 +4538,16 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
         <translation>Größe %1</translation>
     </message>
     <message>
-        <source>Drawn and checked</source>
-        <translation>Gezeichnet und geprüft</translation>
+        <source>Shown and checked for collisions</source>
+        <translation>Angezeigt und auf Kollisionen geprüft</translation>
     </message>
     <message>
         <source>Plane</source>
         <translation>Ebene</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>Ein Quader oder eine Ebene braucht einen Namen.</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>Geben Sie einen Namen für den Quader oder die Ebene ein.</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -4612,7 +4612,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Ebene</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>Erste Ecke übernommen.</translation>
     </message>
     <message>
@@ -4688,16 +4688,16 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Länge entlang Z</translation>
     </message>
     <message>
-        <source>Point on the plane X</source>
-        <translation>Punkt auf der Ebene X</translation>
+        <source>Point on the plane, X</source>
+        <translation>Punkt auf der Ebene, X</translation>
     </message>
     <message>
-        <source>Point on the plane Y</source>
-        <translation>Punkt auf der Ebene Y</translation>
+        <source>Point on the plane, Y</source>
+        <translation>Punkt auf der Ebene, Y</translation>
     </message>
     <message>
-        <source>Point on the plane Z</source>
-        <translation>Punkt auf der Ebene Z</translation>
+        <source>Point on the plane, Z</source>
+        <translation>Punkt auf der Ebene, Z</translation>
     </message>
     <message>
         <source>Normal X, towards the arm</source>
@@ -4716,8 +4716,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Boden</translation>
     </message>
     <message>
-        <source>When off, it is neither drawn nor checked.</source>
-        <translation>Ausgeschaltet wird er weder gezeichnet noch geprüft.</translation>
+        <source>When off, the floor is neither shown nor checked for collisions.</source>
+        <translation>Ausgeschaltet wird der Boden weder angezeigt noch auf Kollisionen geprüft.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
@@ -4732,8 +4732,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Sicherheitsabstand</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
-        <translation>Das Verfahren endet in diesem Abstand zur Zelle und zwischen Teilen des Arms. Bewegungen, die näher kommen, werden abgelehnt.</translation>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>Das Verfahren endet in diesem Abstand zu Objekten der Zelle und zwischen Teilen des Arms. Bewegungen, die näher kommen, werden abgelehnt.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4834,16 +4834,16 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Vergleichen…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model, with different limits</source>
-        <translation>Diese Aufzeichnung mit dem Modell des Arms vergleichen, mit anderen Grenzen</translation>
+        <source>Compare this recording with the arm model using other limits</source>
+        <translation>Diese Aufzeichnung mit anderen Grenzen mit dem Modell des Arms vergleichen</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Go there</source>
-        <translation>Dorthin</translation>
+        <source>Go to time</source>
+        <translation>Zur Stelle</translation>
     </message>
     <message>
         <source>Stop comparing</source>
@@ -4861,8 +4861,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Mit dem Modell des Arms vergleichen</translation>
     </message>
     <message>
-        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>Der simulierte Arm folgt den aufgezeichneten Gelenksollwerten, und seine Bewegung wird mit der aufgezeichneten verglichen. Das Modell kennt weder Kontakt noch Reibung.</translation>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model includes neither contact nor friction.</source>
+        <translation>Der simulierte Arm folgt den aufgezeichneten Gelenksollwerten, und seine Bewegung wird mit der aufgezeichneten verglichen. Das Modell enthält weder Kontakt noch Reibung.</translation>
     </message>
     <message>
         <source>Arm model</source>
@@ -4915,8 +4915,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Bewegt den Arm (bis Tiller geschlossen wird)</translation>
+        <source>Enable motion (until Tiller is closed)</source>
+        <translation>Bewegung freigeben (bis Tiller geschlossen wird)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
@@ -4935,16 +4935,16 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Richtung, in die sich der Arm bewegen würde</translation>
     </message>
     <message>
-        <source>Dead-man</source>
+        <source>Hold-to-run</source>
         <translation>Zustimmtaste</translation>
     </message>
     <message>
-        <source>Would move</source>
-        <translation>Würde bewegen</translation>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>Tastatur, wenn scharf (Strg+J): Pfeiltasten: X und Y; Bild auf, Bild ab: Z; mit Alt: Drehung; 1 bis 6 mit + und −: Gelenke; Pos1: Home; Ende: Ausrichten; Rücktaste: Zurück; F: Freedrive; Strg: langsamer; Umschalt: schneller. Leertaste und Esc stoppen.</translation>
+        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>Scharfe Tastatur (Strg+J): Pfeiltasten: X und Y; Bild auf, Bild ab: Z; mit Alt: Drehung; 1 bis 6 mit + und −: Gelenke; Pos1: Home; Ende: Ausrichten; Rücktaste: Zurück; F: Freedrive; Strg: langsamer; Umschalt: schneller. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4963,8 +4963,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>○ nicht gehalten: Halten Sie %1</translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
-        <translation>nichts: neutral</translation>
+        <source>none (neutral)</source>
+        <translation>keine (neutral)</translation>
     </message>
 </context>
 <context>
@@ -4995,8 +4995,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Bremsen lösen (Kopfzeile)</translation>
     </message>
     <message>
-        <source>Take control, hold a pad key</source>
-        <translation>Steuerung übernehmen, Taste im Feld halten</translation>
+        <source>Take control, hold a jog button</source>
+        <translation>Steuerung übernehmen, Verfahrtaste halten</translation>
     </message>
     <message>
         <source>Teach here (T)</source>
@@ -5026,8 +5026,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>Die Liste erscheint nicht wieder. Mit dem Befehl „Erste Schritte“ können Sie sie anzeigen.</translation>
+        <source>The list will not appear again. Use the command “First steps” to reopen it.</source>
+        <translation>Die Liste erscheint nicht wieder. Mit dem Befehl „Erste Schritte“ öffnen Sie sie erneut.</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -5045,8 +5045,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ursprung</translation>
     </message>
     <message>
-        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>In Basis. Mit Enter übernehmen. Nur das Koordinatensystem ändert sich; der Roboter bewegt sich nicht.</translation>
+        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <translation>Im Basis-Koordinatensystem. Mit Enter übernehmen. Nur das Koordinatensystem ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
@@ -5154,8 +5154,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>Ein Koordinatensystem braucht einen Namen.</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>Geben Sie einen Namen für das Koordinatensystem ein.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -5174,8 +5174,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>„%1“ ist ein vordefiniertes Koordinatensystem. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>Another frame is named “%1”. Choose another name.</source>
-        <translation>Ein anderes Koordinatensystem heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+        <source>A frame named “%1” already exists. Choose another name.</source>
+        <translation>Ein Koordinatensystem mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -5222,8 +5222,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>TCP %1</translation>
     </message>
     <message>
-        <source>Distance of the TCP, %1</source>
-        <translation>Abstand des TCP, %1</translation>
+        <source>Distance from the TCP, %1</source>
+        <translation>Abstand vom TCP, %1</translation>
     </message>
 </context>
 <context>
@@ -5260,19 +5260,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Richtung +Y</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>Den Ursprung hier nehmen</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>Den Punkt auf +X hier nehmen</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>Den Punkt Richtung +Y hier nehmen</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Nehmen</translation>
     </message>
     <message>
@@ -5280,19 +5280,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Koordinatensystem erstellen</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie den Punkt erneut.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Der Punkt auf +X ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn mindestens %2 entfernt erneut. Ein größerer Abstand ergibt genauere Achsen.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>Der dritte Punkt ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn erneut, mindestens %2 entfernt.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>Die drei Punkte liegen auf einer Linie: Der dritte ist nur %1 von der X-Achse entfernt. Nehmen Sie ihn mindestens %2 in Richtung +Y erneut.</translation>
     </message>
     <message>
@@ -5300,7 +5300,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Bereit: Der Punkt auf +X ist %1 vom Ursprung entfernt, der dritte %2 von der X-Achse.</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>Fahren Sie die Spitze zum Ursprung des Koordinatensystems und nehmen Sie den Punkt (P).</translation>
     </message>
     <message>
@@ -5312,12 +5312,12 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Fahren Sie nun in Richtung +Y: %1 von der X-Achse, mindestens %2.</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>Nehmen  P</translation>
     </message>
     <message>
-        <source>Again</source>
-        <translation>Noch einmal</translation>
+        <source>Redo</source>
+        <translation>Neu nehmen</translation>
     </message>
 </context>
 <context>
@@ -5356,7 +5356,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>Noch keine Koordinatensysteme.
 Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP“ oder „3 Punkte“, um Ursprung, +X und +Y zu nehmen.</translation>
     </message>
@@ -5377,8 +5377,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Koordinatensystem am TCP mit den Achsen des Werkzeugs erstellen (Umschalt+T)</translation>
     </message>
     <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
-        <translation>Ursprung, ein Punkt auf +X, ein Punkt Richtung +Y (Strg+Umschalt+T)</translation>
+        <source>Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>Koordinatensystem aus Ursprung, einem Punkt auf +X und einem Punkt Richtung +Y anlegen (Strg+Umschalt+T)</translation>
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
@@ -5397,7 +5397,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Koordinatensystem aus drei Punkten teachen</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>Den nächsten Punkt des Koordinatensystems nehmen</translation>
     </message>
     <message>
@@ -5476,7 +5476,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Voriger Wegpunkt, halten</translation>
     </message>
     <message>
-        <source>Moves to the previous waypoint while the key is held</source>
+        <source>Moves to the previous waypoint while the button is held</source>
         <translation>Fährt zum vorigen Wegpunkt, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -5484,7 +5484,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Nächster Wegpunkt, halten</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, and stops there</source>
         <translation>Fährt zum nächsten Wegpunkt, solange die Taste gehalten wird, und stoppt dort</translation>
     </message>
     <message>
@@ -5512,7 +5512,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Alle</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one while the button is held</source>
         <translation>Beginnt nach dem letzten wieder beim ersten Wegpunkt, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -5547,7 +5547,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
+        <source>Moves from waypoint to waypoint while the button is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation>Fährt von Wegpunkt zu Wegpunkt, solange die Taste gehalten wird, höchstens mit der Verfahrgeschwindigkeit, und führt die Aktionen jedes Wegpunkts aus. Loslassen pausiert; der nächste Druck fährt zum nächsten Wegpunkt weiter.</translation>
     </message>
     <message>
@@ -5566,8 +5566,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Anfahren, halten</translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
-        <translation>Bewegt den Arm zum gewählten Wegpunkt, solange die Taste gehalten wird (G), nicht schneller als die Verfahrgeschwindigkeit</translation>
+        <source>Moves the arm to the selected waypoint while the button or G is held, no faster than the jog speed</source>
+        <translation>Bewegt den Arm zum gewählten Wegpunkt, solange die Taste oder G gehalten wird, nicht schneller als die Verfahrgeschwindigkeit</translation>
     </message>
 </context>
 <context>
@@ -5629,8 +5629,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Greifer: schließen</translation>
     </message>
     <message>
-        <source>Gripper: to %1</source>
-        <translation>Greifer: auf %1</translation>
+        <source>Gripper: move to %1</source>
+        <translation>Greifer: auf %1 fahren</translation>
     </message>
     <message>
         <source>Gripper type</source>
@@ -5733,8 +5733,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 (Geschwindigkeit %2, Kraft %3)</translation>
     </message>
     <message>
-        <source>Connect to a robot first: each robot remembers its gripper.</source>
-        <translation>Verbinden Sie sich zuerst mit einem Roboter: Jeder Roboter merkt sich seinen Greifer.</translation>
+        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <translation>Verbinden Sie sich zuerst mit einem Roboter: Der Greifer wird für jeden Roboter gespeichert.</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
@@ -5793,8 +5793,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>nichts</translation>
     </message>
     <message>
-        <source>The gripper cannot be reached with this port offset.</source>
-        <translation>Der Greifer ist mit diesem Port-Versatz nicht erreichbar.</translation>
+        <source>The gripper is not available with this port offset.</source>
+        <translation>Der Greifer ist mit diesem Port-Versatz nicht verfügbar.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5900,7 +5900,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>Gemessen vom Stoppbefehl bis zum Stillstand. Ursache: %1</translation>
     </message>
     <message>
@@ -5935,12 +5935,12 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Ein Dialog oder Menü ist offen. Schließen Sie es zuerst.</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
+        <source>Another button or key is already held.</source>
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>Der Display-Server antwortet nicht: Das Loslassen der Taste könnte nicht erkannt werden.</translation>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
+        <translation>Der Display-Server antwortet nicht: Das Loslassen einer Taste kann nicht erkannt werden.</translation>
     </message>
 </context>
 <context>
@@ -5950,7 +5950,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>halten</translation>
     </message>
     <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
+        <source>Hold this button: the arm moves only while it is held.</source>
         <translation>Halten Sie diese Taste: Der Arm bewegt sich nur, solange sie gehalten wird.</translation>
     </message>
 </context>
@@ -6009,15 +6009,15 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
     </message>
     <message>
         <source>
-Cannot be switched while the robot sends no data.</source>
+The output cannot be switched while the robot sends no data.</source>
         <translation>
-Kann nicht geschaltet werden, solange der Roboter keine Daten sendet.</translation>
+Der Ausgang kann nicht geschaltet werden, solange der Roboter keine Daten sendet.</translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
-Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
+Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -6047,8 +6047,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Greifer</translation>
     </message>
     <message>
-        <source>Page of I/O</source>
-        <translation>Seite von E/A</translation>
+        <source>I/O page</source>
+        <translation>E/A-Seite</translation>
     </message>
 </context>
 <context>
@@ -6169,16 +6169,16 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Home</translation>
     </message>
     <message>
-        <source>Moves every joint to the home position while held</source>
-        <translation>Bewegt jedes Gelenk zur Home-Stellung, solange gehalten</translation>
+        <source>Moves all joints to the home position while held</source>
+        <translation>Bewegt alle Gelenke zur Home-Position, solange gehalten</translation>
     </message>
     <message>
         <source>Align</source>
         <translation>Ausrichten</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>Dreht das Werkzeug zur nächsten Achse des gewählten Systems, solange gehalten</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>Richtet das Werkzeug an der nächsten Achse des gewählten Koordinatensystems aus, solange gehalten</translation>
     </message>
     <message>
         <source>Back</source>
@@ -6201,7 +6201,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Endet in %1 s</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
+        <source>Another button or key is already held.</source>
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
@@ -6209,7 +6209,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Letzter Stopp: %1, Stillstand nach %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
         <translation>Bewegen Sie den Arm von Hand, solange diese Taste gehalten wird: %1. Rechtsklick wählt Achsen</translation>
     </message>
     <message>
@@ -6221,8 +6221,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Freedrive…</translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
-        <translation>Nutzlast zuerst prüfen (bis zur nächsten Verbindung)</translation>
+        <source>Check the payload before Freedrive (until the next connection)</source>
+        <translation>Nutzlast vor Freedrive prüfen (bis zur nächsten Verbindung)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6239,7 +6239,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
 <context>
     <name>tiller::JogPad</name>
     <message>
-        <source>Jog keys</source>
+        <source>Jog buttons</source>
         <translation>Verfahrtasten</translation>
     </message>
     <message>
@@ -6274,7 +6274,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Moves while the key is held</source>
+        <source>Moves while the button is held</source>
         <translation>Bewegt, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -6282,7 +6282,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>Rotates while the key is held</source>
+        <source>Rotates while the button is held</source>
         <translation>Dreht, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -6294,7 +6294,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Achsen der Ansicht: X rechts, Y von Ihnen weg, Z nach oben</translation>
     </message>
     <message>
-        <source>Needs the 3D view</source>
+        <source>Requires the 3D view</source>
         <translation>Braucht die 3D-Ansicht</translation>
     </message>
     <message>
@@ -6342,8 +6342,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Bis Kontakt, %1 N</translation>
     </message>
     <message>
-        <source>Until contact, other force…</source>
-        <translation>Bis Kontakt, andere Kraft…</translation>
+        <source>Other contact force…</source>
+        <translation>Andere Kontaktkraft…</translation>
     </message>
     <message>
         <source>Other speed…</source>
@@ -6449,8 +6449,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Schwere</translation>
     </message>
     <message>
-        <source>What happened</source>
-        <translation>Was geschah</translation>
+        <source>Event</source>
+        <translation>Ereignis</translation>
     </message>
     <message>
         <source>Open</source>
@@ -6555,7 +6555,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Handgelenk-Singularität</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>Langsam nahe der Handgelenk-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Ellbogen-Singularität</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>Langsam nahe der Ellbogen-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
@@ -6571,7 +6571,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Schulter-Singularität</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>Langsam nahe der Schulter-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
@@ -6619,12 +6619,12 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Werkzeug</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
-        <translation>%1 berührt %2, und die Bewegung führt näher heran</translation>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
+        <translation>%1 berührt %2, und die Bewegung verringert den Abstand</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
-        <translation>%1 ist nur %2 von %3 entfernt, und die Bewegung führt näher heran</translation>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
+        <translation>%1 ist nur %2 von %3 entfernt, und die Bewegung verringert den Abstand</translation>
     </message>
     <message>
         <source>%1 comes within %2 of %3 after %4 of the path</source>
@@ -6727,8 +6727,8 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Beendet die Aufzeichnung und speichert die Bahn als Wegpunkte</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>Zeichnet die Bahn des Arms bei Freedrive oder Verfahren auf, bis erneut gedrückt wird, und speichert sie als Wegpunkte. Der Roboter bewegt sich nicht.</translation>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <translation>Zeichnet die Bahn des Arms bei Freedrive oder Verfahren auf und speichert sie als Wegpunkte. Zum Beenden erneut drücken. Der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6773,12 +6773,12 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Der Roboter sendet keine Daten: Es gibt nichts aufzuzeichnen.</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop that recording first.</source>
+        <source>Import refused: a path is being recorded. Stop recording first.</source>
         <translation>Import abgelehnt: Es wird gerade eine Bahn aufgezeichnet. Beenden Sie diese Aufzeichnung zuerst.</translation>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
-        <translation>Die Demonstration konnte nicht importiert werden.</translation>
+        <translation>Die Vorführung konnte nicht importiert werden.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6891,16 +6891,16 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Anwenden</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>Ein Muster braucht einen Namen.</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>Geben Sie einen Namen für das Muster ein.</translation>
     </message>
     <message>
-        <source>A pattern with this name exists. Choose another name.</source>
+        <source>A pattern with this name already exists. Choose another name.</source>
         <translation>Ein Muster mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>Wählen Sie für jede Ecke einen Wegpunkt. Teachen Sie zuerst die drei Ecken.</translation>
+        <source>Teach the three corners first, then select a waypoint for each corner.</source>
+        <translation>Teachen Sie zuerst die drei Ecken und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
@@ -6983,7 +6983,7 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Nächste Pose, halten</translation>
     </message>
     <message>
-        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
+        <source>Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>Dreht das Handgelenk zur nächsten Pose, solange die Taste gehalten wird, höchstens mit der Verfahrgeschwindigkeit. Achten Sie darauf, dass das Werkzeug genug Platz zum Drehen hat.</translation>
     </message>
     <message>
@@ -6999,12 +6999,12 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>Tiller hat nicht die Steuerung. Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose erneut.</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>Der Roboter sendet keine Kräfte. Geben Sie stattdessen Masse und Schwerpunkt ein.</translation>
+        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <translation>Der Roboter sendet keine Kraftdaten. Geben Sie stattdessen Masse und Schwerpunkt ein.</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
@@ -7015,11 +7015,11 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>%1 kg, Schwerpunkt %2 vom Flansch entfernt. Die Posen stimmen innerhalb von %3 und %4 überein.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 Die Genauigkeit ist gering: Pose %2 weicht am stärksten ab. Entfernen Sie sie und nehmen Sie eine andere Pose.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose mit anders gedrehtem Werkzeug.</translation>
     </message>
     <message>
@@ -7027,18 +7027,18 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>%1 kg: zu leicht, um den Schwerpunkt zu messen. Geben Sie ihn manuell ein.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation>Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose. Drehen Sie dann das Handgelenk durch Verfahren oder mit „Nächste Pose“ und nehmen Sie drei weitere Posen.</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
             <numerusform>Drehen Sie das Handgelenk in eine andere Richtung und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Pose %1 nehmen</translation>
     </message>
     <message>
@@ -7081,12 +7081,12 @@ Klicken schaltet: %1. P: pulsen. Rechtsklick: pulsen, umbenennen.</translation>
         <translation>In Gebrauch</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>Eine Nutzlast braucht einen Namen.</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>Geben Sie einen Namen für die Nutzlast ein.</translation>
     </message>
     <message>
-        <source>Another payload is named “%1”. Choose another name.</source>
-        <translation>Eine andere Nutzlast heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+        <source>A payload named “%1” already exists. Choose another name.</source>
+        <translation>Eine Nutzlast mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -7239,12 +7239,12 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und prüfen Sie erneut.</translation>
     </message>
     <message>
-        <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>Der Roboter sendet keine Kräfte: Die Nutzlast kann nicht geprüft werden.</translation>
+        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <translation>Der Roboter sendet keine Kraftdaten: Die Nutzlast kann nicht geprüft werden.</translation>
     </message>
     <message>
-        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
-        <translation>Mit einer Nutzlast von %1 kg misst der Arm %2 und %3.</translation>
+        <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
+        <translation>Mit einer Nutzlast von %1 kg misst der Arm eine Kraft von %2 und ein Drehmoment von %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7446,8 +7446,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Diagramme anhalten</translation>
     </message>
     <message>
-        <source>Zero the force shown</source>
-        <translation>Gezeigte Kraft auf null setzen</translation>
+        <source>Zero the displayed force</source>
+        <translation>Angezeigte Kraft auf null setzen</translation>
     </message>
     <message>
         <source>Zero</source>
@@ -7470,16 +7470,16 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>In eine CSV-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Die Pfeiltaste legt Signale und Ordner fest</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
+        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>Die Kraft kann nicht auf null gesetzt werden: Die Diagramme zeigen keine Messwerte. Verbinden Sie sich mit einem Roboter oder blättern Sie zu einer Zeit mit Messwerten.</translation>
     </message>
     <message>
-        <source>Paused · %1 s back</source>
-        <translation>Angehalten · %1 s zurück</translation>
+        <source>Paused · %1 s ago</source>
+        <translation>Angehalten · vor %1 s</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -7656,8 +7656,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Standard-Diagramme</translation>
     </message>
     <message>
-        <source>Open a recording…</source>
-        <translation>Eine Aufzeichnung öffnen…</translation>
+        <source>Open recording…</source>
+        <translation>Aufzeichnung öffnen…</translation>
     </message>
     <message>
         <source>Close recordings</source>
@@ -7688,8 +7688,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Aufzeichnung %1 geöffnet</translation>
     </message>
     <message>
-        <source>Open a recording</source>
-        <translation>Eine Aufzeichnung öffnen</translation>
+        <source>Open recording</source>
+        <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
         <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
@@ -7780,8 +7780,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>In eine MCAP-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Die Pfeiltaste legt Signale und Ordner fest</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
+        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7811,8 +7811,8 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Werte zwischen den Cursorn A und B (*%1)</translation>
     </message>
     <message>
-        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
-        <translation>Die Seite zeigt mehrere Aufzeichnungen oder eine Aufzeichnung und Live-Signale. Zeigen Sie nur eine davon auf der Seite.</translation>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
+        <translation>Die Seite zeigt mehrere Aufzeichnungen oder eine Aufzeichnung und Live-Signale. Zeigen Sie nur eine davon auf der Seite und exportieren Sie dann erneut.</translation>
     </message>
     <message>
         <source>Live signals can only be exported as .csv. Record them first.</source>
@@ -7826,11 +7826,11 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
+        <source>%1 is above %2</source>
         <translation>%1 über %2</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
+        <source>%1 is below %2</source>
         <translation>%1 unter %2</translation>
     </message>
 </context>
@@ -8029,12 +8029,12 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>TCP-Pose in %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
-        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick: Verschiebung seit dem letzten Tastendruck</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
+        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick zeigt die Verschiebung seit Beginn der letzten Bewegung</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
-        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit dem letzten Tastendruck. Klick: hier null</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
+        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit Beginn der letzten Bewegung. Klick setzt hier null</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8052,12 +8052,12 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
         <translation>Home</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>Eine Stellung braucht einen Namen.</translation>
+        <source>Enter a name for the position.</source>
+        <translation>Geben Sie einen Namen für die Position ein.</translation>
     </message>
     <message>
-        <source>Another position is named “%1”. Choose another name.</source>
-        <translation>Eine andere Position heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+        <source>A position named “%1” already exists. Choose another name.</source>
+        <translation>Eine Position mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8065,7 +8065,7 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
     </message>
     <message>
         <source>Positions</source>
-        <translation>Stellungen</translation>
+        <translation>Positionen</translation>
     </message>
     <message>
         <source>No positions yet.
@@ -8082,7 +8082,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>%1. Mit Enter übernehmen. Nur die gespeicherte Position ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
+        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
         <translation>Höhe im Basis-Koordinatensystem, über der es keine Hindernisse gibt: Darüber darf sich der TCP seitwärts bewegen.</translation>
     </message>
     <message>
@@ -8111,11 +8111,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>Use the selected position as home</source>
-        <translation>Die gewählte Stellung als Home verwenden</translation>
+        <translation>Die gewählte Position als Home verwenden</translation>
     </message>
     <message>
         <source>Touch up the position</source>
-        <translation>Die Stellung nachteachen</translation>
+        <translation>Die Position nachteachen</translation>
     </message>
     <message>
         <source>Reset to default home</source>
@@ -8123,11 +8123,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>Rename position</source>
-        <translation>Stellung umbenennen</translation>
+        <translation>Position umbenennen</translation>
     </message>
     <message>
         <source>Delete position</source>
-        <translation>Stellung löschen</translation>
+        <translation>Position löschen</translation>
     </message>
     <message>
         <source>Robot data are out of date. Wait for new data.</source>
@@ -8142,7 +8142,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>„%1“ auf die aktuelle Position des Arms setzen?</translation>
     </message>
     <message>
-        <source>The Home key will move the arm there.</source>
+        <source>The Home button will move the arm there.</source>
         <translation>Die Taste Home fährt den Arm dann dorthin.</translation>
     </message>
     <message>
@@ -8151,15 +8151,15 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>position</source>
-        <translation>Stellung</translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Add the position “%1”</source>
-        <translation>Die Stellung „%1“ hinzufügen</translation>
+        <translation>Die Position „%1“ hinzufügen</translation>
     </message>
     <message>
         <source>Select a position to touch up.</source>
-        <translation>Wählen Sie eine Stellung zum Nachteachen.</translation>
+        <translation>Wählen Sie eine Position zum Nachteachen.</translation>
     </message>
     <message>
         <source>Touch up “%1”?</source>
@@ -8183,7 +8183,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>Select a position to use as home.</source>
-        <translation>Wählen Sie eine Stellung als Home.</translation>
+        <translation>Wählen Sie eine Position als Home.</translation>
     </message>
     <message>
         <source>Delete “%1”</source>
@@ -8202,11 +8202,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Keine sichere Höhe</translation>
     </message>
     <message>
-        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>Die Taste Home fährt zur Standard-Home-Position: Arm aufrecht, ohne Selbstkollision.</translation>
+        <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
+        <translation>Die Taste Home fährt den Arm zur Standard-Home-Position: aufrecht, ohne Selbstkollision.</translation>
     </message>
     <message>
-        <source>%1: target of the Home key</source>
+        <source>%1: target of the Home button</source>
         <translation>%1: Ziel der Taste Home</translation>
     </message>
     <message>
@@ -8226,7 +8226,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>Der Arm wurde vom Sicherheitssystem gestoppt. Stellen Sie ihn zuerst wieder her.</translation>
+        <translation>Der Arm wurde vom Sicherheitssystem gestoppt. Stellen Sie zuerst den Betrieb wieder her.</translation>
     </message>
     <message>
         <source>Done. Press Start to repeat the task.</source>
@@ -8256,7 +8256,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Kraft Fz in Newton</translation>
     </message>
     <message>
-        <source>enter value, press Return</source>
+        <source>Enter value, press Return</source>
         <translation>Wert eingeben, Enter drücken</translation>
     </message>
     <message>
@@ -8295,8 +8295,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Gut</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Prüfen</translation>
+        <source>Warning</source>
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -8332,10 +8332,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
     </message>
     <message>
         <source>Keep everyone out of reach of the arm.
-Keep the emergency stop at hand: STOP in this window is a software stop.
+Keep the emergency stop within reach: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
-Watch the arm, not the screen, while you hold a key.
-Release the key to stop the arm.</source>
+Watch the arm, not the screen, while you hold a button.
+Release the button to stop the arm.</source>
         <translation>Halten Sie alle Personen aus dem Arbeitsbereich des Arms fern.
 Halten Sie den Not-Halt griffbereit: STOP in diesem Fenster ist ein Software-Stopp.
 Beginnen Sie langsam: Die Anfangsgeschwindigkeit ist %1.
@@ -8556,8 +8556,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>URScript (*.script)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <source>Exported to %1</source>
+        <translation>Exportiert nach %1</translation>
     </message>
 </context>
 <context>
@@ -8644,7 +8644,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>%1 wird wieder gespeichert</translation>
     </message>
     <message>
@@ -8733,7 +8733,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
-        <translation>Nicht lesbare Boxen und Ebenen der Zelle: %1. Kollisionen mit ihnen werden nicht verhindert.</translation>
+        <translation>Nicht lesbare Quader und Ebenen der Zelle: %1. Kollisionen mit ihnen werden nicht verhindert.</translation>
     </message>
 </context>
 <context>
@@ -9017,7 +9017,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Keine Daten vom Roboter: Schließen Sie es am Teach-Pendant.</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>%n weiteres am Roboter.</numerusform>
             <numerusform>%n weitere am Roboter.</numerusform>
@@ -9071,8 +9071,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Mit %1 verbunden</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>Die Sicherheit ist wieder normal</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>Sicherheitsmodus wieder „Normal“</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -9087,7 +9087,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Meldungsfenster am Roboter: %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>Das Programm auf dem Roboter wartet auf eine Antwort am Teach-Pendant: %1</translation>
     </message>
     <message>
@@ -9161,7 +9161,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer sendet keine Werte. Schalten Sie den Arm ein; wenn das Problem bleibt, prüfen Sie das Greiferkabel am Handgelenk.</translation>
     </message>
     <message>
-        <source>The gripper answers again</source>
+        <source>The gripper responds again</source>
         <translation>Der Greifer antwortet wieder</translation>
     </message>
     <message>
@@ -9189,11 +9189,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 ist fehlgeschlagen. %2</translation>
     </message>
     <message>
-        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>Unter %1:%2 antwortet kein Greiferdienst. Installieren Sie die URCap von Robotiq auf dem Roboter und wählen Sie den Greifer in der Installation.</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>Der Greifer antwortet nicht. Prüfen Sie sein Kabel am Handgelenk und seine Seite in der Installation des Roboters; wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
     </message>
     <message>
@@ -9268,7 +9268,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>„%1“: %2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Eine Schleife benötigt mindestens zwei Wegpunkte. Wählen Sie weitere Wegpunkte oder schalten Sie die Schleife aus.</translation>
     </message>
 </context>
@@ -9286,8 +9286,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Default view, perspective</source>
-        <translation>Standardansicht, perspektivisch</translation>
+        <source>Default view (perspective)</source>
+        <translation>Standardansicht (perspektivisch)</translation>
     </message>
     <message>
         <source>Front</source>
@@ -9350,13 +9350,13 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>1 name hidden: zoom in</source>
-        <translation>1 Name verborgen: Kommen Sie näher</translation>
+        <translation>1 Name verborgen: Zoomen Sie heran</translation>
     </message>
     <message numerus="yes">
         <source>%n names hidden: zoom in</source>
         <translation>
-            <numerusform>%n Name verborgen: Kommen Sie näher</numerusform>
-            <numerusform>%n Namen verborgen: Kommen Sie näher</numerusform>
+            <numerusform>%n Name verborgen: Zoomen Sie heran</numerusform>
+            <numerusform>%n Namen verborgen: Zoomen Sie heran</numerusform>
         </translation>
     </message>
     <message>
@@ -9399,7 +9399,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Abgeleitet</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>Der Roboter kann nicht so viele Signale auf einmal senden: Entfernen Sie zuerst andere Signale.</translation>
     </message>
     <message>
@@ -9408,7 +9408,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>The recording is empty.</source>
-        <translation>In dieser Aufzeichnung ist keine Zeile.</translation>
+        <translation>Die Aufzeichnung ist leer.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9543,8 +9543,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Software-Stopp. Kein Not-Halt. Die Stromversorgung bleibt an.</translation>
     </message>
     <message>
-        <source>Space and Esc stop as well.</source>
-        <translation>Leertaste und Esc halten ebenfalls an.</translation>
+        <source>Space and Esc also stop the arm.</source>
+        <translation>Leertaste und Esc stoppen den Arm ebenfalls.</translation>
     </message>
     <message>
         <source>Click to stop. Space and Esc stop only while this window is in control.</source>
@@ -9566,8 +9566,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
 <context>
     <name>tiller::StopPlot</name>
     <message>
-        <source>Highest value %1 in the last five seconds</source>
-        <translation>Höchster Wert %1 in den letzten fünf Sekunden</translation>
+        <source>Maximum in the last five seconds: %1</source>
+        <translation>Höchstwert der letzten fünf Sekunden: %1</translation>
     </message>
     <message>
         <source>max %1</source>
@@ -9581,12 +9581,12 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>In Gebrauch</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>Ein TCP braucht einen Namen.</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>Geben Sie einen Namen für den TCP ein.</translation>
     </message>
     <message>
-        <source>Another TCP is named “%1”. Choose another name.</source>
-        <translation>Ein anderer TCP heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
+        <source>A TCP named “%1” already exists. Choose another name.</source>
+        <translation>Ein TCP mit dem Namen „%1“ ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9632,7 +9632,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Store the active TCP of the robot</source>
-        <translation>Den TCP behalten, den der Roboter hat</translation>
+        <translation>Aktiven TCP des Roboters speichern</translation>
     </message>
     <message>
         <source>Teach the selected TCP again…</source>
@@ -9640,7 +9640,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Enter new TCP</source>
-        <translation>Neuer TCP in Zahlen</translation>
+        <translation>Neuen TCP eingeben</translation>
     </message>
     <message>
         <source>tool</source>
@@ -9716,7 +9716,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>The robot&apos;s TCP differs from “%1”</source>
-        <translation>Der Roboter hat einen anderen TCP als „%1“</translation>
+        <translation>Der TCP des Roboters weicht von „%1“ ab</translation>
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
@@ -9734,15 +9734,15 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>Pose nehmen</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
-        <translation>Die schlechteste erneut nehmen</translation>
+        <source>Redo least accurate pose</source>
+        <translation>Ungenaueste Pose neu nehmen</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Nehmen</translation>
     </message>
     <message>
@@ -9754,8 +9754,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Den TCP teachen</translation>
     </message>
     <message>
-        <source>Take a pose for the rotation</source>
-        <translation>Eine Pose für die Drehung nehmen</translation>
+        <source>Record pose for the rotation</source>
+        <translation>Pose für die Drehung nehmen</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9763,7 +9763,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Keep current rotation</source>
-        <translation>Drehung wie sie ist</translation>
+        <translation>Aktuelle Drehung behalten</translation>
     </message>
     <message>
         <source>Rotation from one pose: tool straight down</source>
@@ -9782,19 +9782,19 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 weicht mit %4 am stärksten ab.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose, um 30° oder mehr in eine andere Richtung geneigt.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie die Posen erneut.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Fahren Sie die Spitze an einen festen, spitzen Punkt und nehmen Sie die Pose. Nehmen Sie insgesamt vier Posen, jeweils mit der Spitze am selben Punkt und dem Werkzeug in eine andere Richtung geneigt.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
             <numerusform>Neigen Sie das Werkzeug in eine andere Richtung, bringen Sie die Spitze wieder an denselben Punkt und nehmen Sie die Pose. Noch benötigte Posen: %n</numerusform>
@@ -9805,55 +9805,55 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Das Werkzeug behält seine aktuelle Drehung.</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und seine X-Achse parallel zur X-Achse der Basis ist, und nehmen Sie dann die Pose.</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>Drehung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Nehmen Sie die Pose an der aktuellen Position. Drehen Sie das Werkzeug ab jetzt nicht: Verfahren Sie nur X, Y und Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>Bewegen Sie das Werkzeug entlang seiner +Z-Richtung um mindestens %1 vom Flansch weg und nehmen Sie die Pose.</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>Bewegen Sie das Werkzeug nun um mindestens %1 entlang seiner +X-Richtung und nehmen Sie die Pose.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Drehung genommen: %1 entlang +Z, %2 entlang +X; größte Flanschdrehung %3 bei Pose %4.</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>Der Flansch hat sich um bis zu %1 gedreht (Pose %2). Nehmen Sie die drei Posen erneut, ohne das Werkzeug zu drehen.</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>Der Abstand entlang +Z beträgt nur %1. Nehmen Sie die drei Posen mindestens %2 auseinander erneut.</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>Der Abstand entlang +X beträgt nur %1. Nehmen Sie die drei Posen mindestens %2 auseinander erneut.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>Die drei Posen liegen auf einer Linie: Die dritte ist nur %1 von der Linie entfernt. Nehmen Sie die drei Posen erneut.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie die drei Posen erneut.</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>Letzte Pose erneut nehmen</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Pose %1 nehmen</translation>
     </message>
     <message>
@@ -9865,7 +9865,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>  ◀ am ungenauesten</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>Posen können nur genommen werden, solange der Roboter Daten sendet.</translation>
     </message>
 </context>
@@ -9881,7 +9881,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>Positions</source>
-        <translation>Stellungen</translation>
+        <translation>Positionen</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -9903,8 +9903,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>%1: noch %2 bis zur Grenze von %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the end of reach or a singularity</source>
-        <translation>%1: noch %2 bis zum Ende der Reichweite oder einer Singularität</translation>
+        <source>%1: %2 left to the reach limit or a singularity</source>
+        <translation>%1: noch %2 bis zur Reichweitengrenze oder einer Singularität</translation>
     </message>
     <message>
         <source>%1: %2 left, then %3 is %4 from %5</source>
@@ -9960,8 +9960,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Koordinatensysteme</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>Bezugs-Koordinatensystem des Wegpunkts. Die Position im Raum ändert sich nicht. —: Gelenkpositionen haben Vorrang</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>Bezugs-Koordinatensystem des Wegpunkts. Die Position im Raum ändert sich nicht. „—“: kein Koordinatensystem, Gelenkpositionen haben Vorrang</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -9996,7 +9996,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>position “%1”</source>
-        <translation>Stellung „%1“</translation>
+        <translation>Position „%1“</translation>
     </message>
     <message>
         <source>Run route</source>
@@ -10249,7 +10249,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Überschleifen: %1, jetzt %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another TCP</source>
+        <source>TCP: taught with a different TCP</source>
         <translation>TCP: mit einem anderen TCP geteacht</translation>
     </message>
     <message>
@@ -10273,8 +10273,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Seit dem Teachen nicht geändert.</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
-        <translation>Die Version vor dieser Änderung gleicht der aktuellen.</translation>
+        <source>The version before this change is identical to the current version.</source>
+        <translation>Die Version vor dieser Änderung ist mit der aktuellen identisch.</translation>
     </message>
     <message>
         <source>Before this change:</source>
@@ -10368,11 +10368,11 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Reichweite</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>Ein Wegpunkt braucht einen Namen.</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>Geben Sie einen Namen für den Wegpunkt ein.</translation>
     </message>
     <message>
-        <source>Waypoint %2 is named “%1”. Choose another name.</source>
+        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
         <translation>Wegpunkt %2 heißt bereits „%1“. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -10648,8 +10648,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
-        <translation>Gespiegelt an der Ebene durch den Ursprung senkrecht zur Achse. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
+        <source>Mirrors across the plane through the origin that is perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <translation>Spiegelt an der Ebene durch den Ursprung senkrecht zur Achse. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
     </message>
     <message>
         <source>All remain within reach.</source>
@@ -10898,7 +10898,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Bevor Sie einen echten Arm bewegen: Halten Sie alle Personen aus seinem Arbeitsbereich fern, halten Sie den Not-Halt griffbereit, prüfen Sie Nutzlast und TCP und beginnen Sie langsam. STOP in diesem Fenster ist kein Not-Halt.</translation>
     </message>
     <message>
@@ -10906,12 +10906,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Open a project…</source>
-        <translation>Ein Projekt öffnen…</translation>
+        <source>Open project…</source>
+        <translation>Projekt öffnen…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>Wegpunkte aus einer Datei, ohne Roboter: Alles außer Bewegung ist möglich.</translation>
+        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
+        <translation>Öffnet Wegpunkte aus einer Datei ohne Roboter: Alles außer Bewegung funktioniert.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -10934,8 +10934,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Adresse oder Hostname des Roboters</translation>
     </message>
     <message>
-        <source>Name shown for the robot</source>
-        <translation>Gezeigter Name des Roboters</translation>
+        <source>Display name of the robot</source>
+        <translation>Anzeigename des Roboters</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -10950,8 +10950,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Name</translation>
     </message>
     <message>
-        <source>Robots connected to before</source>
-        <translation>Früher verbundene Roboter</translation>
+        <source>Recently connected robots</source>
+        <translation>Zuletzt verbundene Roboter</translation>
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
@@ -11037,7 +11037,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>der Roboter hat keinen Grund gemeldet</translation>
     </message>
     <message>
-        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
+        <source>pressed again        %1 times: the motion had stopped before the button was released</source>
         <translation>erneut gedrückt      %1-mal: Die Bewegung hatte vor dem Loslassen gestoppt</translation>
     </message>
     <message>
@@ -11079,8 +11079,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dateien                </translation>
     </message>
     <message>
-        <source>there is no key “%1” in the window</source>
-        <translation>im Fenster gibt es keine Taste „%1“</translation>
+        <source>the window has no button “%1”</source>
+        <translation>das Fenster enthält keine Taste „%1“</translation>
     </message>
 </context>
 <context>
@@ -11130,7 +11130,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Exponent </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1: linear. Höher: feiner nahe der Mitte, schneller bei voller Auslenkung.</translation>
     </message>
     <message>
@@ -11158,7 +11158,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Kein Gamepad und keine SpaceMouse gefunden. Schließen Sie ein Gerät an; es wird automatisch erkannt.</translation>
     </message>
     <message>
-        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
+        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
         <translation>Bewegt den Arm nur, solange die Zustimmtaste gehalten wird. Wird nicht gespeichert: Nach einem Neustart bewegt kein Gerät den Arm.</translation>
     </message>
 </context>
@@ -11200,8 +11200,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>&lt;h2&gt;Das Handbuch ist auf diesem Rechner nicht installiert&lt;/h2&gt;&lt;p&gt;Das Debian-Paket von Tiller enthält es. Für einen eigenen Build installieren Sie das Paket python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Sie können die Seiten auch als Text im Ordner packaging/manual des Quelltexts lesen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange eine Taste des Felds gehalten wird, und stoppt, wenn sie losgelassen wird. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine zweite Maustaste gedrückt wird oder eine andere Hand dazukommt;&lt;/li&gt;&lt;li&gt;neben einer gehaltenen Taste der Tastatur eine Umschalttaste oder eine widersprechende Taste gedrückt wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, etwas darüber aufgeht oder ein anderes Koordinatensystem, Tempo, eine andere Schrittweite oder ein anderes Register gewählt wird;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter spät sind, dieses Programm hängt oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC schlafen geht oder das Gerät abgezogen wird oder verstummt;&lt;/li&gt;&lt;li&gt;niemand beweisen kann, dass die Taste noch gehalten wird: Unter X11 wird der Display-Server hundertmal je Sekunde gefragt, ob der Knopf oder die Taste gedrückt ist, und ein „Nein“ oder 100 ms ohne Antwort beenden die Bewegung. Wo niemand gefragt werden kann, sagen es Kopfzeile und Einstellungen;&lt;/li&gt;&lt;li&gt;sie lange gehalten wurde: eine Verfahrtaste %1 s (Einstellungen), Freedrive fünf Minuten, eine Bewegung zu einem Ort 5 s länger, als sie braucht. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Eine gestoppte Bewegung braucht einen neuen Druck. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; von jedem Fenster, Dialog und Textfeld aus. Ohne Steuerung gehören sie dem fokussierten Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Strg&lt;/b&gt; macht einen Druck zehnmal feiner, &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, nie über die Grenze. Auf einer Tastatur ohne lateinische Buchstaben meint ein Buchstabe unten seinen Platz auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange Sie eine Verfahrtaste halten, und stoppt, wenn Sie sie loslassen. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine zweite Maustaste gedrückt oder ein zweites Eingabegerät benutzt wird;&lt;/li&gt;&lt;li&gt;eine Umschalttaste oder eine entgegengesetzte Taste gedrückt wird, während eine Taste der Tastatur gehalten wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, ein Dialog oder Menü sich öffnet oder sich Koordinatensystem, Geschwindigkeit, Schrittweite oder Register ändern;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter verspätet sind, dieses Programm nicht reagiert oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC in den Ruhezustand wechselt oder das Eingabegerät getrennt wird oder keine Daten mehr sendet;&lt;/li&gt;&lt;li&gt;die Tastenprüfung fehlschlägt: Unter X11 prüft Tiller alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist. Ist sie es nicht oder antwortet der Server 100 ms lang nicht, endet die Bewegung. Ist die Prüfung nicht verfügbar, zeigen es die Kopfzeile und die Einstellungen;&lt;/li&gt;&lt;li&gt;die maximale Haltezeit erreicht ist: %1 s beim Verfahren (Einstellungen), fünf Minuten bei Freedrive, die Dauer der Bewegung plus 5 s bei einer Bewegung zu einer Position. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Nach einem Stopp muss die Taste erneut gedrückt werden. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; den Arm aus jedem Fenster, Dialog und Textfeld. Hat Tiller die Steuerung nicht, wirken sie auf das fokussierte Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;Mit &lt;b&gt;Strg&lt;/b&gt; bewegt ein Druck zehnmal feiner, mit &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, aber nie über der Grenze. Auf einer Tastatur ohne lateinische Buchstaben bezeichnet ein Buchstabe unten seine Position auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>
@@ -11294,7 +11294,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>Tastatur-Verfahren scharf: Pfeiltasten bewegen X und Y, Bild auf und Bild ab bewegen Z; mit Alt drehen sie. 1 bis 6 mit + und − bewegen ein Gelenk. Leertaste und Esc stoppen.</translation>
     </message>
     <message>
@@ -11334,7 +11334,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>%1 getrennt. Der Arm wurde gestoppt.</translation>
     </message>
     <message>
-        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
+        <source>%1 stopped sending data while it was moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 hat während der Bewegung des Arms keine Daten mehr gesendet. Der Arm wurde gestoppt. Lassen Sie das Gerät los; wenn das Problem bleibt, schließen Sie es neu an.</translation>
     </message>
     <message>
@@ -11358,8 +11358,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Beispielprojekt öffnen…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Öffnet eine Kopie eines von drei Projekten zum Ausprobieren am simulierten Roboter.</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>Öffnet eine Kopie eines Beispielprojekts zum Ausprobieren am simulierten Roboter.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11414,8 +11414,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dunkle Farben</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for the next start.</source>
-        <translation>Wechselt das Farbschema sofort und für den nächsten Start.</translation>
+        <source>Changes the colour theme now and for later starts.</source>
+        <translation>Wechselt das Farbschema sofort und für spätere Starts.</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11454,8 +11454,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Einstellungen importieren…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Importiert Einstellungen aus einer Datei und zeigt vorher, was ersetzt wird.</translation>
+        <source>Shows which settings a file will replace, then imports them.</source>
+        <translation>Zeigt, welche Einstellungen eine Datei ersetzt, und importiert sie dann.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11537,8 +11537,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Problem melden…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Speichert Versionen, Protokoll und Einstellungen in eine Datei für den Support und zeigt vorher ihren Inhalt.</translation>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
+        <translation>Zeigt Versionen, Protokoll und Einstellungen und speichert sie dann in einer Datei für den Support.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -11573,8 +11573,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt an diesen Roboter anpassen…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
-        <translation>Rechnet ein Projekt eines anderen Robotermodells um: Posen oder Gelenke beibehalten.</translation>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Rechnet ein Projekt eines anderen Robotermodells um und behält die Posen oder die Gelenkpositionen bei.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11798,7 +11798,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Die maximale Zahl an Arbeitsansichten ist erreicht. Löschen Sie zuerst eine.</translation>
     </message>
     <message>
-        <source>A perspective with this name exists. Choose another name.</source>
+        <source>A perspective with this name already exists. Choose another name.</source>
         <translation>Eine Arbeitsansicht mit diesem Namen ist bereits vorhanden. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
@@ -11931,8 +11931,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Was geschah</translation>
     </message>
     <message>
-        <source>What did you do, what did you expect, what happened?</source>
-        <translation>Was haben Sie getan, was haben Sie erwartet, was ist geschehen?</translation>
+        <source>What did you do? What did you expect? What happened?</source>
+        <translation>Was haben Sie getan? Was haben Sie erwartet? Was ist geschehen?</translation>
     </message>
     <message>
         <source>Files of the report</source>
@@ -11974,8 +11974,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Beispielprojekt öffnen</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>Jedes Projekt ist für einen UR5e geteacht und läuft auf dem simulierten Roboter. Sie arbeiten an einer Kopie: Speichern fragt nach einer neuen Datei.</translation>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>Jedes Projekt wurde mit einem UR5e geteacht und läuft auf dem simulierten Roboter. Sie arbeiten an einer Kopie: Wählen Sie zum Speichern eine neue Datei.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -12025,8 +12025,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Einstellungen importieren…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Einstellungen aus einer Datei importieren; vorher wird angezeigt, was ersetzt wird</translation>
+        <source>Show which settings a file will replace, then import them</source>
+        <translation>Zeigen, welche Einstellungen eine Datei ersetzt, und sie dann importieren</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -12101,11 +12101,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation>Nach dieser Zeit stoppt das Verfahren, und die Taste muss erneut gedrückt werden. Freedrive: fünf Minuten. Bewegung zu einer Position: ihre Dauer plus 5 s.</translation>
     </message>
     <message>
-        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
+        <source>Touch: large enough for fingers. In windows less than %1 px high, joint buttons, tabs and title bars remain smaller.</source>
         <translation>Touch: groß genug für Finger. In Fenstern niedriger als %1 px bleiben Gelenktasten, Register und Titelleisten kleiner.</translation>
     </message>
     <message>
@@ -12133,8 +12133,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>▲ Über %1. Keine andere Grenze gilt beim Verfahren vom PC: weder der manuelle Modus noch die Zustimmeinrichtung des Teach-Pendants. Die Kopfzeile zeigt eine Warnung. Die Grenze wird beim Schließen von Tiller zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle Bewegungen von Tiller. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle von Tiller befohlenen Bewegungen. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -12181,8 +12181,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Stoppt den Arm, gibt die Steuerung ab und verbindet sich neu. Die Diagramme beginnen neu. Das Projekt wird gespeichert.</translation>
     </message>
     <message>
-        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>Sprache des Fensters und der Verbindungsprüfung. Dateien und Skripte hängen nicht davon ab.</translation>
+        <source>Language of the window and of the connection check. Files and scripts are not affected.</source>
+        <translation>Sprache des Fensters und der Verbindungsprüfung. Dateien und Skripte sind nicht betroffen.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
@@ -12205,8 +12205,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Nur beobachten (auf der Befehlszeile gesetzt)</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
-        <translation>Drücken Sie das neue Tastenkürzel im Feld; die Rücktaste entfernt es. Mit Steuerung halten Leertaste und Esc den Arm immer an.</translation>
+        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <translation>Drücken Sie das neue Tastenkürzel im Feld; die Rücktaste entfernt es. Solange Tiller die Steuerung hat, stoppen Leertaste und Esc den Arm immer.</translation>
     </message>
 </context>
 <context>
@@ -12243,7 +12243,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Erste Schritte</translation>
     </message>
     <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <source>Shows a checklist in the view, from powering on to recording.</source>
         <translation>Zeigt in der Ansicht eine Checkliste vom Einschalten bis zur Aufzeichnung.</translation>
     </message>
     <message>
@@ -12251,8 +12251,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Übungsaufgaben</translation>
     </message>
     <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Fünf Aufgaben am simulierten Roboter, jede mit Prüfung.</translation>
+        <source>Five tasks on the simulated robot. Each task checks the result.</source>
+        <translation>Fünf Aufgaben am simulierten Roboter. Jede Aufgabe prüft das Ergebnis.</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>

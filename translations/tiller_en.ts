@@ -12,11 +12,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
+        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
+        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -63,7 +63,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Program Tiller</source>
+        <source>Application</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -181,7 +181,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Colours: light or dark.</source>
+        <source>Colour theme: light or dark.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -193,7 +193,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <source>--theme must be light or dark, not &quot;%1&quot;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -201,15 +201,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
+        <source>--demo works only on the simulated robot and cannot be combined with --robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--demo needs a folder</source>
+        <source>--demo requires a folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
+        <source>--robot requires an address, e.g. --robot 192.168.0.10</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -217,7 +217,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
+        <source>Monitor only: do not change anything on the robot; STOP still works. Cannot be turned off in Settings.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -301,7 +301,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -340,11 +340,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog individual joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed at standstill.</source>
+        <source>The arm sagged or was pushed while at standstill.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -492,7 +492,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
+        <source>A script was sent, but the robot accepts commands only from its teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -569,7 +569,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the RTDE port accepts connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not respond</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -577,7 +577,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -601,7 +601,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
+        <source>Update the robot&apos;s software to 3.9, 5.3 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -621,11 +621,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -649,7 +649,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -669,7 +669,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
+        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -677,11 +677,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 does not answer</source>
+        <source>%1 does not respond</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no route to %1</source>
+        <source>no network route to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -689,19 +689,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 answers, but provides no robot services</source>
+        <source>%1 responds, but provides no robot services</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 answers</source>
+        <source>%1 responds</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -717,7 +717,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>port %1 does not answer</source>
+        <source>port %1 does not respond</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -733,7 +733,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the dashboard accepts connections but does not answer</source>
+        <source>the dashboard accepts connections but does not respond</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -765,7 +765,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the primary interface does not describe the arm</source>
+        <source>the primary interface sends no data about the arm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -785,7 +785,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions that the robot reports; jog slowly at first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -793,7 +793,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Host answers</source>
+        <source>Host responds</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -845,7 +845,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -861,11 +861,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>permitted; real-time loops request it</source>
+        <source>permitted; real-time loops use it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -918,7 +918,7 @@
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, controls and plots.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -933,11 +933,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arm or disarm the keyboard</source>
+        <source>Arm or disarm keyboard jogging</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -953,7 +953,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
+        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -961,11 +961,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves by this distance, only while the key is held.</source>
+        <source>Moves the arm by this distance while the button is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves by this distance at each press.</source>
+        <source>Each press moves the arm by this distance.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -973,27 +973,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
+        <source>Moves slowly while the button is held and stops when the contact force reaches this value.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog speed, other…</source>
+        <source>Other jog speed…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
+        <source>Sets the TCP speed. Rotation and joint speeds change in proportion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog step, other…</source>
+        <source>Other jog step…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog until contact, other force…</source>
+        <source>Other contact force for jogging…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the contact force in N that ends the motion.</source>
+        <source>Sets the contact force in N that ends the motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1005,15 +1005,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the step length. The step angle does not change.</source>
+        <source>Sets the step length. The step angle does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog angle, other…</source>
+        <source>Other jog angle…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
+        <source>Sets the step angle of tool and joint rotations. The step length does not change.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1062,15 +1062,15 @@
 <context>
     <name>KeyStateProbe</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events to detect key releases.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1149,7 +1149,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>move less sideways</source>
+        <source>reduce sideways motion</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1195,7 +1195,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot confirms that the arm moves.</source>
+        <source>The robot reports that the arm is moving.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1251,11 +1251,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
+        <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
+        <source>Good: the arm responds immediately and stops within 250 ms if the link fails.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1371,7 +1371,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1422,7 +1422,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1438,7 +1438,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
+        <source>The arm is being moved by hand with its brakes released. Release the Freedrive button.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1566,7 +1566,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
+        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1598,7 +1598,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
+        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1606,7 +1606,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1614,7 +1614,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1630,7 +1630,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1646,7 +1646,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1654,7 +1654,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program runs on the robot and may move the arm.</source>
+        <source>A program is running on the robot and may move the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1670,7 +1670,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
+        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1828,7 +1828,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows only entries that contain these words.</source>
+        <source>Shows only entries that contain the search text.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1876,7 +1876,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Adds an empty page after the others. All pages share the time axis.</source>
+        <source>Adds an empty page at the end. All pages share the time axis.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
+        <source>Unlocked. The arm is not running yet: follow the steps on the recovery page.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2006,7 +2006,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Start adds a new one.</source>
+        <source>The waypoint was deleted. Press Start to add a new one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2042,7 +2042,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>You reached the limit and moved out of it again.</source>
+        <source>You reached the limit and moved back.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2066,7 +2066,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Correct: it was %1.</source>
+        <source>Correct: the force was %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2090,15 +2090,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2106,7 +2106,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2144,15 +2144,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is %2; it can be %3 to %4.</source>
+        <source>“%1” is %2; it must be between %3 and %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No waypoint belongs to the group “%1”.</source>
+        <source>The group “%1” contains no waypoints.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” refers to something that is no longer in the project.</source>
+        <source>“%1” refers to an item that was deleted from the project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2172,7 +2172,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This version of Tiller has no step “%1”.</source>
+        <source>This version of Tiller does not support the step “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2180,11 +2180,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project has no such program.</source>
+        <source>The project does not contain this program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <source>The project was taught with a %1, but the robot is a %2.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2196,7 +2196,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2208,7 +2208,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2348,7 +2348,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2428,7 +2428,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frame of section</source>
+        <source>Section frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2488,11 +2488,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opening and closing need different outputs.</source>
+        <source>Select different outputs for opening and closing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper is not holding a part.</source>
+        <source>The gripper is not holding an object.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2728,7 +2728,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Questions need software 5.6 or newer.</source>
+        <source>Questions require robot software 5.6 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2772,7 +2772,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The last register that a program can set is %1.</source>
+        <source>Programs can set registers up to %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2784,7 +2784,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A Switch needs at least one Case.</source>
+        <source>A Switch must contain at least one Case.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2800,7 +2800,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“Try” needs “On error” directly after it.</source>
+        <source>“Try” must be followed directly by “On error”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2916,11 +2916,11 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
+        <source>Safety mode is Normal again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2944,7 +2944,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The cause of the stop is known and removed.</source>
+        <source>The cause of the stop is known and has been removed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2960,7 +2960,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The cause is removed, and no one is within reach of the arm.</source>
+        <source>The cause has been removed, and no one is within reach of the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3029,7 +3029,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3169,7 +3169,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3220,7 +3220,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3333,7 +3333,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners in slow, straight moves. Blends keep the nozzle moving through the corners.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3341,18 +3341,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
+        <source>A probe touches a part from above and from four sides. Each touch starts at an approach waypoint with the tool tilted.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Default view, perspective</source>
+        <source>Default view (perspective)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly above, with everything visible.</source>
+        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3429,15 +3429,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file does not state its version.</source>
+        <source>The file contains no version number.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
+        <source>The list of settings is missing or too long.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3843,7 +3843,7 @@
 <context>
     <name>SpaceMouse</name>
     <message>
-        <source>left key</source>
+        <source>left button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3979,7 +3979,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and the address.</source>
+        <source>The robot does not respond. Check the cable and the address.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3991,7 +3991,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this.</source>
+        <source>The robot&apos;s software is too old for this function.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4011,7 +4011,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Bring the robot to Running and its safety to Normal first.</source>
+        <source>First bring the robot to mode Running and safety mode Normal.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4019,7 +4019,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4027,7 +4027,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot could not run the program. See the log for the message of the controller.</source>
+        <source>The robot could not run the program. See the log for the controller&apos;s message.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4159,7 +4159,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>pointer left the key</source>
+        <source>pointer left the button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4291,7 +4291,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Your script is running. Control returns when it ends.</source>
+        <source>Your script is running. Tiller regains control when it ends.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4367,7 +4367,7 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
+        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4443,7 +4443,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
+        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4475,7 +4475,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or F2 to rename and scale.</source>
+Right-click or press F2 to rename or scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4495,7 +4495,7 @@ Right-click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>e.g. bar; empty: not scaled</source>
+        <source>e.g. bar; empty: no scaling</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4522,11 +4522,11 @@ Right-click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4537,7 +4537,7 @@ Right-click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drawn and checked</source>
+        <source>Shown and checked for collisions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4545,7 +4545,7 @@ Right-click or F2 to rename and scale.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
+        <source>Enter a name for the box or plane.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4610,7 +4610,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4686,15 +4686,15 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point on the plane X</source>
+        <source>Point on the plane, X</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point on the plane Y</source>
+        <source>Point on the plane, Y</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Point on the plane Z</source>
+        <source>Point on the plane, Z</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4714,7 +4714,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>When off, it is neither drawn nor checked.</source>
+        <source>When off, the floor is neither shown nor checked for collisions.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4730,7 +4730,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4832,7 +4832,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model, with different limits</source>
+        <source>Compare this recording with the arm model using other limits</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4840,7 +4840,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Go there</source>
+        <source>Go to time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4859,7 +4859,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model includes neither contact nor friction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4913,7 +4913,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
+        <source>Enable motion (until Tiller is closed)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4933,15 +4933,15 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dead-man</source>
+        <source>Hold-to-run</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Would move</source>
+        <source>Motion</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4961,7 +4961,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
+        <source>none (neutral)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4992,7 +4992,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take control, hold a pad key</source>
+        <source>Take control, hold a jog button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5023,7 +5023,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The list will not appear again. Use the command “First steps” to show it.</source>
+        <source>The list will not appear again. Use the command “First steps” to reopen it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5057,7 +5057,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5151,7 +5151,7 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
+        <source>Enter a name for the frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5171,7 +5171,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another frame is named “%1”. Choose another name.</source>
+        <source>A frame named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5219,7 +5219,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Distance of the TCP, %1</source>
+        <source>Distance from the TCP, %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5257,19 +5257,19 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5277,19 +5277,19 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5297,7 +5297,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5309,11 +5309,11 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Again</source>
+        <source>Redo</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5353,7 +5353,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5373,7 +5373,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
+        <source>Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5393,7 +5393,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5479,7 +5479,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves to the previous waypoint while the key is held</source>
+        <source>Moves to the previous waypoint while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5487,7 +5487,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, and stops there</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5515,7 +5515,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
+        <source>Restarts at the first waypoint after the last one while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5543,7 +5543,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
+        <source>Moves from waypoint to waypoint while the button is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5562,7 +5562,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
+        <source>Moves the arm to the selected waypoint while the button or G is held, no faster than the jog speed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5625,7 +5625,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Gripper: to %1</source>
+        <source>Gripper: move to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5729,7 +5729,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <source>Connect to a robot first: the gripper is stored for each robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5789,7 +5789,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper cannot be reached with this port offset.</source>
+        <source>The gripper is not available with this port offset.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5884,7 +5884,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5931,11 +5931,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
+        <source>Another button or key is already held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5946,7 +5946,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
+        <source>Hold this button: the arm moves only while it is held.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6005,12 +6005,12 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>
-Cannot be switched while the robot sends no data.</source>
+The output cannot be switched while the robot sends no data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6041,7 +6041,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Page of I/O</source>
+        <source>I/O page</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6155,7 +6155,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves every joint to the home position while held</source>
+        <source>Moves all joints to the home position while held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6163,7 +6163,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6183,7 +6183,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
+        <source>Another button or key is already held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6191,7 +6191,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6203,7 +6203,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
+        <source>Check the payload before Freedrive (until the next connection)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6233,7 +6233,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
 <context>
     <name>tiller::JogPad</name>
     <message>
-        <source>Jog keys</source>
+        <source>Jog buttons</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6268,7 +6268,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves while the key is held</source>
+        <source>Moves while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6280,7 +6280,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Needs the 3D view</source>
+        <source>Requires the 3D view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6316,7 +6316,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Until contact, other force…</source>
+        <source>Other contact force…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6336,7 +6336,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotates while the key is held</source>
+        <source>Rotates while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6439,7 +6439,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What happened</source>
+        <source>Event</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6549,7 +6549,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6557,7 +6557,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6565,7 +6565,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6613,11 +6613,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6728,7 +6728,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6774,7 +6774,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop that recording first.</source>
+        <source>Import refused: a path is being recorded. Stop recording first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6885,15 +6885,15 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
+        <source>Enter a name for the pattern.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A pattern with this name exists. Choose another name.</source>
+        <source>A pattern with this name already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select a waypoint for each corner. Teach the three corners first.</source>
+        <source>Teach the three corners first, then select a waypoint for each corner.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6977,7 +6977,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
+        <source>Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6993,11 +6993,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
+        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7009,11 +7009,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7021,18 +7021,18 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Rotate the wrist in another direction and take the pose. Poses still needed: %n</numerusform>
-            <numerusform>Rotate the wrist in another direction and take the pose. Poses still needed: %n</numerusform>
+            <numerusform>Rotate the wrist in another direction and record the pose. Poses still needed: %n</numerusform>
+            <numerusform>Rotate the wrist in another direction and record the pose. Poses still needed: %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7075,11 +7075,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
+        <source>Enter a name for the payload.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another payload is named “%1”. Choose another name.</source>
+        <source>A payload named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7232,11 +7232,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no forces: the payload cannot be verified.</source>
+        <source>The robot sends no force data: the payload cannot be verified.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
+        <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7455,7 +7455,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paused · %1 s back</source>
+        <source>Paused · %1 s ago</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7543,11 +7543,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Zero the force shown</source>
+        <source>Zero the displayed force</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
+        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7649,7 +7649,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a recording…</source>
+        <source>Open recording…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7681,7 +7681,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a recording</source>
+        <source>Open recording</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7773,7 +7773,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
+        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -7804,7 +7804,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7819,11 +7819,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
+        <source>%1 is above %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 below %2</source>
+        <source>%1 is below %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8022,11 +8022,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8045,11 +8045,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
+        <source>Enter a name for the position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another position is named “%1”. Choose another name.</source>
+        <source>A position named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8074,7 +8074,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
+        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8134,7 +8134,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The Home key will move the arm there.</source>
+        <source>The Home button will move the arm there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8194,11 +8194,11 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
+        <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: target of the Home key</source>
+        <source>%1: target of the Home button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8248,7 +8248,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>enter value, press Return</source>
+        <source>Enter value, press Return</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8287,7 +8287,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check</source>
+        <source>Warning</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8320,10 +8320,10 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Keep everyone out of reach of the arm.
-Keep the emergency stop at hand: STOP in this window is a software stop.
+Keep the emergency stop within reach: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
-Watch the arm, not the screen, while you hold a key.
-Release the key to stop the arm.</source>
+Watch the arm, not the screen, while you hold a button.
+Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8544,7 +8544,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Written: %1</source>
+        <source>Exported to %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8632,7 +8632,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9005,10 +9005,10 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
-            <numerusform>%n more on the robot.</numerusform>
-            <numerusform>%n more on the robot.</numerusform>
+            <numerusform>%n more popup on the robot.</numerusform>
+            <numerusform>%n more popups on the robot.</numerusform>
         </translation>
     </message>
     <message>
@@ -9055,7 +9055,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
+        <source>Safety mode is Normal again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9099,7 +9099,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9149,7 +9149,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper answers again</source>
+        <source>The gripper responds again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9177,11 +9177,11 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9256,7 +9256,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9274,7 +9274,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Default view, perspective</source>
+        <source>Default view (perspective)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9387,7 +9387,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9531,7 +9531,7 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Space and Esc stop as well.</source>
+        <source>Space and Esc also stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9554,7 +9554,7 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::StopPlot</name>
     <message>
-        <source>Highest value %1 in the last five seconds</source>
+        <source>Maximum in the last five seconds: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9569,11 +9569,11 @@ Release the key to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
+        <source>Enter a name for the TCP.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another TCP is named “%1”. Choose another name.</source>
+        <source>A TCP named “%1” already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9721,15 +9721,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
+        <source>Redo least accurate pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9741,7 +9741,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take a pose for the rotation</source>
+        <source>Record pose for the rotation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9769,22 +9769,22 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</numerusform>
-            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</numerusform>
+            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</numerusform>
+            <numerusform>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</numerusform>
         </translation>
     </message>
     <message>
@@ -9792,55 +9792,55 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9852,7 +9852,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9890,7 +9890,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 left to the end of reach or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9939,7 +9939,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -10236,7 +10236,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP: taught with another TCP</source>
+        <source>TCP: taught with a different TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10260,7 +10260,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
+        <source>The version before this change is identical to the current version.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10355,11 +10355,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
+        <source>Enter a name for the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoint %2 is named “%1”. Choose another name.</source>
+        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10635,7 +10635,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrors across the plane through the origin that is perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10892,7 +10892,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name shown for the robot</source>
+        <source>Display name of the robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10908,11 +10908,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robots connected to before</source>
+        <source>Recently connected robots</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10920,11 +10920,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a project…</source>
+        <source>Open project…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything works except motion.</source>
+        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11023,7 +11023,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
+        <source>pressed again        %1 times: the motion had stopped before the button was released</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11064,7 +11064,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no key “%1” in the window</source>
+        <source>the window has no button “%1”</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11115,7 +11115,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11143,7 +11143,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
+        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11185,7 +11185,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11279,7 +11279,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11315,7 +11315,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
+        <source>%1 stopped sending data while it was moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11383,7 +11383,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for the next start.</source>
+        <source>Changes the colour theme now and for later starts.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11439,7 +11439,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11475,7 +11475,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
+        <source>Shows which settings a file will replace, then imports them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11522,7 +11522,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11558,7 +11558,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11783,7 +11783,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A perspective with this name exists. Choose another name.</source>
+        <source>A perspective with this name already exists. Choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11916,7 +11916,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What did you do, what did you expect, what happened?</source>
+        <source>What did you do? What did you expect? What happened?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11959,7 +11959,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12062,7 +12062,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12102,7 +12102,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12122,7 +12122,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
+        <source>Show which settings a file will replace, then import them</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12134,7 +12134,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
+        <source>Touch: large enough for fingers. In windows less than %1 px high, joint buttons, tabs and title bars remain smaller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12166,7 +12166,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
+        <source>Language of the window and of the connection check. Files and scripts are not affected.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12190,7 +12190,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
+        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12228,7 +12228,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <source>Shows a checklist in the view, from powering on to recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12236,7 +12236,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
+        <source>Five tasks on the simulated robot. Each task checks the result.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

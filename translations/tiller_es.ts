@@ -12,16 +12,16 @@
         <translation>Ruta</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 no se activó en %2 s. Compruebe el dispositivo conectado y pulse de nuevo.</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 no se activó en %2 s. Compruebe el dispositivo conectado e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 no se desactivó en %2 s. Compruebe el dispositivo conectado y pulse de nuevo.</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 no se desactivó en %2 s. Compruebe el dispositivo conectado e inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
-        <translation>%1 no se hizo. %2</translation>
+        <translation>%1 no se completó. %2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s.</source>
@@ -83,8 +83,8 @@
         <translation>Mover paneles</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>Programa Tiller</translation>
+        <source>Application</source>
+        <translation>Aplicación</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -143,7 +143,7 @@
     </message>
     <message>
         <source>Set an output</source>
-        <translation>Poner una salida</translation>
+        <translation>Fijar una salida</translation>
     </message>
     <message>
         <source>Pulse an output</source>
@@ -181,8 +181,8 @@
         <translation>Abrir este archivo de proyecto (.tiller).</translation>
     </message>
     <message>
-        <source>Colours: light or dark.</source>
-        <translation>Colores: light (claro) o dark (oscuro).</translation>
+        <source>Colour theme: light or dark.</source>
+        <translation>Tema de colores: light (claro) o dark (oscuro).</translation>
     </message>
     <message>
         <source>see tiller --help</source>
@@ -193,7 +193,7 @@
         <translation>argumento inesperado &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <source>--theme must be light or dark, not &quot;%1&quot;</source>
         <translation>--theme admite light o dark, no &quot;%1&quot;</translation>
     </message>
     <message>
@@ -201,15 +201,15 @@
         <translation>--robot y --simulator no se pueden combinar</translation>
     </message>
     <message>
-        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
+        <source>--demo works only on the simulated robot and cannot be combined with --robot</source>
         <translation>--demo solo funciona con el robot simulado y no se puede combinar con --robot</translation>
     </message>
     <message>
-        <source>--demo needs a folder</source>
+        <source>--demo requires a folder</source>
         <translation>--demo necesita una carpeta</translation>
     </message>
     <message>
-        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
+        <source>--robot requires an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot necesita una dirección, p. ej. --robot 192.168.0.10</translation>
     </message>
     <message>
@@ -217,8 +217,8 @@
         <translation>solo se puede abrir un proyecto; quite &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
-        <translation>Solo supervisión: no cambiar nada en el robot; solo funciona STOP. No se puede desactivar en los ajustes.</translation>
+        <source>Monitor only: do not change anything on the robot; STOP still works. Cannot be turned off in Settings.</source>
+        <translation>Solo supervisión: no cambiar nada en el robot; STOP sigue funcionando. No se puede desactivar en los ajustes.</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -301,7 +301,7 @@
         <translation>Nada que comparar: el brazo estuvo apagado o guiado a mano durante toda la grabación.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>El brazo y el modelo difieren desde la primera muestra: compruebe la carga útil, el modelo de robot y si algo toca el brazo.</translation>
     </message>
     <message>
@@ -340,11 +340,11 @@
         <translation>Cerca del límite de orientación de la herramienta</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
-        <translation>La herramienta giró hasta cerca del límite de la configuración de seguridad.</translation>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
+        <translation>La orientación de la herramienta se acercó al límite de la configuración de seguridad.</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>Gire la herramienta hacia atrás o cambie el punto de paso.</translation>
     </message>
     <message>
@@ -380,15 +380,15 @@
         <translation>El movimiento lineal atraviesa una singularidad del brazo.</translation>
     </message>
     <message>
-        <source>Jog individual joints out of it; use MoveJ through this region.</source>
-        <translation>Salga moviendo articulaciones sueltas; use MoveJ en esta zona.</translation>
+        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <translation>Salga de ella moviendo articulaciones una a una; use MoveJ para pasar por esta zona.</translation>
     </message>
     <message>
         <source>Cannot hold position</source>
         <translation>No puede mantener su posición</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed at standstill.</source>
+        <source>The arm sagged or was pushed while at standstill.</source>
         <translation>El brazo cedió o fue empujado estando en reposo.</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>Las fuerzas medidas no corresponden a la carga útil, o el brazo fue empujado al iniciar el movimiento libre.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>Corrija la carga útil y el montaje, suelte el brazo e inténtelo de nuevo.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Una articulación necesitó más par del que requiere el movimiento.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>Quite el obstáculo; si no lo había, compruebe la carga útil.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Cambio brusco de la posición objetivo</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>Un programa ordenó un salto de posición.</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>Cambio brusco de la velocidad objetivo</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>Un programa ordenó un salto de velocidad.</translation>
     </message>
     <message>
@@ -492,7 +492,7 @@
         <translation>El robot está en control local</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
+        <source>A script was sent, but the robot accepts commands only from its teach pendant.</source>
         <translation>Se envió un script, pero el robot solo acepta órdenes de su consola portátil.</translation>
     </message>
     <message>
@@ -569,12 +569,12 @@
         <translation>%1 y %2 más</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>Este software es demasiado antiguo. Actualice el robot a %1.%2 o posterior.</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>El software del robot es demasiado antiguo. Actualícelo a %1.%2 o posterior.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
-        <translation>Faltan algunos valores y los registros para el control. Actualice el robot a %1.%2 o posterior.</translation>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <translation>Faltan algunos valores y los registros para el control. Actualice el software del robot a %1.%2 o posterior.</translation>
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
@@ -585,7 +585,7 @@
         <translation>Encienda el brazo y libere los frenos con el botón de la cabecera.</translation>
     </message>
     <message>
-        <source>the RTDE port accepts connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not respond</source>
         <translation>el puerto RTDE acepta conexiones pero no responde</translation>
     </message>
     <message>
@@ -593,7 +593,7 @@
         <translation>el servicio del puerto %1 no usa RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>Demasiados clientes RTDE, o el controlador no responde: cierre otros programas y reinicie el controlador.</translation>
     </message>
     <message>
@@ -617,8 +617,8 @@
         <translation>esta versión de software no tiene registros 24 a 47</translation>
     </message>
     <message>
-        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
-        <translation>Actualice el software del robot a 3.9 o 5.3.</translation>
+        <source>Update the robot&apos;s software to 3.9, 5.3 or newer.</source>
+        <translation>Actualice el software del robot a 3.9, 5.3 o posterior.</translation>
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
@@ -649,7 +649,7 @@
         <translation>%1 de %2 paquetes por segundo</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
         <translation>Faltan paquetes: use un cable, no un enlace por radio; cierre otros programas que cargan el robot o este PC.</translation>
     </message>
     <message>
@@ -661,12 +661,12 @@
         <translation>el sistema no concede a este usuario prioridad de tiempo real</translation>
     </message>
     <message>
-        <source>permitted; real-time loops request it</source>
-        <translation>permitida, y solicitada por los bucles de tiempo real</translation>
+        <source>permitted; real-time loops use it</source>
+        <translation>permitida, y usada por los bucles de tiempo real</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>las CPU pueden entrar en reposo profundo, lo que retrasa los bucles</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>las CPU pueden entrar en reposo profundo, lo que retrasa los bucles de tiempo real</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -677,7 +677,7 @@
         <translation>Si hay una herramienta montada, ajuste TCP y carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace ceder el brazo en movimiento libre.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
+        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
         <translation>&quot;%1&quot; no es una dirección y no se encontró ningún host con ese nombre</translation>
     </message>
     <message>
@@ -685,31 +685,31 @@
         <translation>Introduzca los cuatro números que muestra la consola portátil en «Acerca de», o pida el nombre al administrador de la red.</translation>
     </message>
     <message>
-        <source>%1 does not answer</source>
+        <source>%1 does not respond</source>
         <translation>%1 no responde</translation>
     </message>
     <message>
-        <source>There is no route to %1</source>
-        <translation>No hay ruta hasta %1</translation>
+        <source>no network route to %1</source>
+        <translation>no hay ruta de red hasta %1</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>Compruebe que el robot está encendido, que el cable está conectado y que ningún cortafuegos bloquea la conexión.</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>Dé a este PC una dirección en la red del robot (los mismos tres primeros números) y compruebe el cable.</translation>
     </message>
     <message>
-        <source>%1 answers, but provides no robot services</source>
+        <source>%1 responds, but provides no robot services</source>
         <translation>%1 responde, pero no ofrece servicios de robot</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Compruebe que es la dirección del robot. Un robot recién encendido necesita un minuto más.</translation>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
+        <translation>Compruebe que es la dirección del robot. Un robot recién encendido puede necesitar un minuto más.</translation>
     </message>
     <message>
-        <source>%1 answers</source>
+        <source>%1 responds</source>
         <translation>%1 responde</translation>
     </message>
     <message>
@@ -725,7 +725,7 @@
         <translation>el puerto %1 está cerrado</translation>
     </message>
     <message>
-        <source>port %1 does not answer</source>
+        <source>port %1 does not respond</source>
         <translation>el puerto %1 no responde</translation>
     </message>
     <message>
@@ -741,7 +741,7 @@
         <translation>Cambie el robot a Control remoto arriba a la derecha en la consola portátil. Hasta entonces, Tiller solo puede observar.</translation>
     </message>
     <message>
-        <source>the dashboard accepts connections but does not answer</source>
+        <source>the dashboard accepts connections but does not respond</source>
         <translation>el dashboard acepta conexiones pero no responde</translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         <translation>ni el Dashboard (puerto %1) ni la Robot API (puerto %2) están disponibles</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>Active el servidor Dashboard en el robot: Ajustes, Seguridad, Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
     </message>
     <message>
@@ -781,8 +781,8 @@
         <translation>Robot API %1, puerto %2; las ventanas emergentes se cierran en la consola portátil</translation>
     </message>
     <message>
-        <source>the primary interface does not describe the arm</source>
-        <translation>la interfaz primaria no describe el brazo</translation>
+        <source>the primary interface sends no data about the arm</source>
+        <translation>la interfaz primaria no envía datos del brazo</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
@@ -793,7 +793,7 @@
         <translation>esta versión de Tiller no conoce el tipo de robot %1</translation>
     </message>
     <message>
-        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions that the robot reports; jog slowly at first.</source>
         <translation>La observación funciona. Los límites y las vistas previas usan las dimensiones que comunica el robot; al principio mueva despacio.</translation>
     </message>
     <message>
@@ -801,7 +801,7 @@
         <translation>La dirección se resuelve</translation>
     </message>
     <message>
-        <source>Host answers</source>
+        <source>Host responds</source>
         <translation>El host responde</translation>
     </message>
     <message>
@@ -853,7 +853,7 @@
         <translation>Registros para el control libres</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>Ningún bus de campo usa registros</translation>
     </message>
     <message>
@@ -900,8 +900,8 @@
         <translation>Espere al reposo antes de iniciar el movimiento libre.</translation>
     </message>
     <message>
-        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>El brazo mide %1 con una carga útil de %2 kg y se desplazaría. Suelte la herramienta o corrija la carga útil y el TCP.</translation>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <translation>El brazo se desplazaría solo: mide %1 con una carga útil de %2 kg. Suelte la herramienta o corrija la carga útil y el TCP.</translation>
     </message>
 </context>
 <context>
@@ -918,8 +918,8 @@
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
-        <translation>Esta pantalla tiene alta resolución. Aumente «Tamaño de la interfaz» en Ajustes para agrandar texto, teclas y gráficos.</translation>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, controls and plots.</source>
+        <translation>Esta pantalla tiene alta resolución. Aumente «Tamaño de la interfaz» en Ajustes para agrandar texto, controles y gráficos.</translation>
     </message>
 </context>
 <context>
@@ -933,11 +933,11 @@
         <translation>Paso manual %1, %2°</translation>
     </message>
     <message>
-        <source>Arm or disarm the keyboard</source>
-        <translation>Armar o desarmar el teclado</translation>
+        <source>Arm or disarm keyboard jogging</source>
+        <translation>Armar o desarmar el movimiento con teclado</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
         <translation>Con el teclado armado, las flechas mueven el brazo y un marco rodea la ventana. Se desarma tras 30 s sin uso.</translation>
     </message>
     <message>
@@ -953,60 +953,60 @@
         <translation>Cero aquí</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
-        <translation>Mide el desplazamiento del TCP desde aquí. Pulse de nuevo para medir desde la última pulsación de tecla.</translation>
+        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <translation>Muestra el desplazamiento del TCP desde esta posición. Pulse de nuevo para mostrarlo desde el inicio del último movimiento.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
         <translation>Detiene el brazo. La siguiente pulsación usa esta velocidad.</translation>
     </message>
     <message>
-        <source>Moves by this distance, only while the key is held.</source>
-        <translation>Mueve esta distancia, solo mientras se mantiene la tecla.</translation>
+        <source>Moves the arm by this distance while the button is held.</source>
+        <translation>Mueve el brazo esta distancia mientras se mantiene el botón.</translation>
     </message>
     <message>
-        <source>Moves by this distance at each press.</source>
-        <translation>Mueve esta distancia en cada pulsación.</translation>
+        <source>Each press moves the arm by this distance.</source>
+        <translation>Cada pulsación mueve el brazo esta distancia.</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
         <translation>Mover hasta contacto (%1 N)</translation>
     </message>
     <message>
-        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>Mueve despacio mientras se mantiene la tecla y se detiene cuando la herramienta alcanza esta fuerza.</translation>
+        <source>Moves slowly while the button is held and stops when the contact force reaches this value.</source>
+        <translation>Mueve despacio mientras se mantiene el botón y se detiene cuando la fuerza de contacto alcanza este valor.</translation>
     </message>
     <message>
-        <source>Jog speed, other…</source>
+        <source>Other jog speed…</source>
         <translation>Otra velocidad manual…</translation>
     </message>
     <message>
-        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>Pide la velocidad del TCP. Las velocidades de giro y de las articulaciones cambian en proporción.</translation>
+        <source>Sets the TCP speed. Rotation and joint speeds change in proportion.</source>
+        <translation>Define la velocidad del TCP. Las velocidades de giro y de las articulaciones cambian en proporción.</translation>
     </message>
     <message>
-        <source>Jog step, other…</source>
+        <source>Other jog step…</source>
         <translation>Otro paso manual…</translation>
     </message>
     <message>
-        <source>Asks for the step length. The step angle does not change.</source>
-        <translation>Pide la longitud del paso. El ángulo del paso no cambia.</translation>
+        <source>Sets the step length. The step angle does not change.</source>
+        <translation>Define la longitud del paso. El ángulo del paso no cambia.</translation>
     </message>
     <message>
-        <source>Jog angle, other…</source>
+        <source>Other jog angle…</source>
         <translation>Otro giro manual…</translation>
     </message>
     <message>
-        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>Pide el ángulo del paso para giros de la herramienta y de las articulaciones. La longitud no cambia.</translation>
+        <source>Sets the step angle of tool and joint rotations. The step length does not change.</source>
+        <translation>Define el ángulo del paso para giros de la herramienta y de las articulaciones. La longitud no cambia.</translation>
     </message>
     <message>
-        <source>Jog until contact, other force…</source>
-        <translation>Mover hasta contacto, otra fuerza…</translation>
+        <source>Other contact force for jogging…</source>
+        <translation>Otra fuerza de contacto manual…</translation>
     </message>
     <message>
-        <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>Pide la fuerza de contacto en N que termina el movimiento.</translation>
+        <source>Sets the contact force in N that ends the motion.</source>
+        <translation>Define la fuerza de contacto en N que termina el movimiento.</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1062,16 +1062,16 @@
 <context>
     <name>KeyStateProbe</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>Comprobación de teclas no disponible en esta plataforma (%1): Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events to detect key releases.</source>
+        <translation>Comprobación de teclas no disponible en esta plataforma (%1): Tiller detecta que se sueltan las teclas mediante eventos de la ventana.</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Comprobación de teclas activa: Tiller pregunta al servidor gráfico cada 10 ms si el botón o la tecla sigue pulsado.</translation>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Comprobación de teclas activa: Tiller comprueba cada 10 ms en el servidor gráfico si el botón o la tecla sigue pulsado.</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>Comprobación de teclas no disponible: no hay segunda conexión con el servidor gráfico. Tiller depende de los eventos de la ventana para las teclas pulsadas.</translation>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <translation>Comprobación de teclas no disponible: no hay segunda conexión con el servidor gráfico. Tiller detecta que se sueltan las teclas mediante eventos de la ventana.</translation>
     </message>
 </context>
 <context>
@@ -1149,8 +1149,8 @@
         <translation>Codo en el límite de velocidad de %1</translation>
     </message>
     <message>
-        <source>move less sideways</source>
-        <translation>mueva menos de lado</translation>
+        <source>reduce sideways motion</source>
+        <translation>reduzca el movimiento lateral</translation>
     </message>
     <message>
         <source>Rotation at its cap of %1</source>
@@ -1203,8 +1203,8 @@
         <translation>EN MOVIMIENTO</translation>
     </message>
     <message>
-        <source>The robot confirms that the arm moves.</source>
-        <translation>El robot confirma que el brazo se mueve.</translation>
+        <source>The robot reports that the arm is moving.</source>
+        <translation>El robot indica que el brazo se mueve.</translation>
     </message>
     <message>
         <source>Remote</source>
@@ -1267,12 +1267,12 @@
         <translation>Los paquetes llegan tarde o se pierden: el movimiento puede detenerse y los gráficos tienen huecos. Use un cable en vez de un enlace inalámbrico y cierre otros programas.</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>Las órdenes tardan más de 20 ms: el brazo responde a las teclas con retraso. Mueva despacio.</translation>
+        <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
+        <translation>Las órdenes tardan más de 20 ms: el brazo responde con retraso. Mueva despacio.</translation>
     </message>
     <message>
-        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>Bien: el brazo responde a las teclas al instante y se detiene en 250 ms si falla el enlace.</translation>
+        <source>Good: the arm responds immediately and stops within 250 ms if the link fails.</source>
+        <translation>Bien: el brazo responde al instante y se detiene en 250 ms si falla el enlace.</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1371,7 +1371,7 @@
         <translation>Datos con retraso</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>Inicia el programa de control en el robot. Pregunta antes de detener otro programa.</translation>
     </message>
 </context>
@@ -1422,7 +1422,7 @@
         <translation>Encendido</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>El brazo está encendido y se está inicializando. Espere un momento.</translation>
     </message>
     <message>
@@ -1438,7 +1438,7 @@
         <translation>Backdrive</translation>
     </message>
     <message>
-        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
+        <source>The arm is being moved by hand with its brakes released. Release the Freedrive button.</source>
         <translation>El brazo se mueve a mano con los frenos liberados. Suelte el botón de movimiento libre.</translation>
     </message>
     <message>
@@ -1454,8 +1454,8 @@
         <translation>Actualizando firmware</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
-        <translation>Se actualiza el firmware de las articulaciones. No corte la corriente hasta que termine la actualización.</translation>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
+        <translation>Se actualiza el firmware de las articulaciones. No apague la alimentación hasta que termine la actualización.</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1478,7 +1478,7 @@
         <translation>Parada de protección</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
         <translation>El controlador detuvo el brazo. Averigüe qué lo detuvo y después desbloquee (tras 5 s).</translation>
     </message>
     <message>
@@ -1566,8 +1566,8 @@
         <translation>Parada de habilitación de la consola</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
-        <translation>La tecla de habilitación de la consola no está pulsada. Manténgala en su posición media.</translation>
+        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
+        <translation>El botón de habilitación de la consola no está pulsado. Manténgalo en su posición media.</translation>
     </message>
     <message>
         <source>IMMI emergency stop</source>
@@ -1598,23 +1598,23 @@
         <translation>Parada automática PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
-        <translation>El controlador PROFIsafe mantiene abierta la salvaguarda del modo automático. Ciérrela allí.</translation>
+        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <translation>El controlador PROFIsafe solicita la parada de salvaguarda del modo automático. Anule la solicitud allí.</translation>
     </message>
     <message>
         <source>PROFIsafe safeguard stop</source>
         <translation>Parada de salvaguarda PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
-        <translation>El controlador PROFIsafe mantiene abierta una salvaguarda. Ciérrela allí.</translation>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <translation>El controlador PROFIsafe solicita una parada de salvaguarda. Anule la solicitud allí.</translation>
     </message>
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>Parada de emergencia PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
         <translation>El controlador PROFIsafe solicita una parada de emergencia. Anúlela allí, después encienda y libere los frenos.</translation>
     </message>
     <message>
@@ -1630,7 +1630,7 @@
         <translation>Parada por plano de E/S</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
         <translation>La herramienta cruzó un plano de seguridad activado por una entrada. Sáquela con la consola portátil o desactive la entrada.</translation>
     </message>
     <message>
@@ -1646,7 +1646,7 @@
         <translation>Sin programa</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>No hay ningún programa en marcha en el robot.</translation>
     </message>
     <message>
@@ -1654,7 +1654,7 @@
         <translation>Programa en ejecución</translation>
     </message>
     <message>
-        <source>A program runs on the robot and may move the arm.</source>
+        <source>A program is running on the robot and may move the arm.</source>
         <translation>Un programa está en marcha en el robot y puede mover el brazo.</translation>
     </message>
     <message>
@@ -1670,8 +1670,8 @@
         <translation>Programa en pausa</translation>
     </message>
     <message>
-        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
-        <translation>Reproducir continúa el movimiento interrumpido. Detenga el programa para descartarlo.</translation>
+        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <translation>Pulse Reproducir para continuar el movimiento interrumpido, o detenga el programa para descartarlo.</translation>
     </message>
     <message>
         <source>Program resuming</source>
@@ -1828,8 +1828,8 @@
         <translation>Buscar en el registro</translation>
     </message>
     <message>
-        <source>Shows only entries that contain these words.</source>
-        <translation>Muestra solo las entradas que contienen estas palabras.</translation>
+        <source>Shows only entries that contain the search text.</source>
+        <translation>Muestra solo las entradas que contienen el texto buscado.</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1876,8 +1876,8 @@
         <translation>Nueva página de gráficos</translation>
     </message>
     <message>
-        <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>Añade una página vacía después de las demás. Todas comparten el eje de tiempo.</translation>
+        <source>Adds an empty page at the end. All pages share the time axis.</source>
+        <translation>Añade una página vacía al final. Todas comparten el eje de tiempo.</translation>
     </message>
     <message>
         <source>Show the entire history</source>
@@ -1974,8 +1974,8 @@
         <translation>El brazo está en parada de protección. Pulse «Recuperar…» en la cabecera.</translation>
     </message>
     <message>
-        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
-        <translation>Desbloqueado. El brazo aún no está en marcha: siga la página de recuperación.</translation>
+        <source>Unlocked. The arm is not running yet: follow the steps on the recovery page.</source>
+        <translation>Desbloqueado. El brazo aún no está en marcha: siga los pasos de la página de recuperación.</translation>
     </message>
     <message>
         <source>Unlocked. Take control again.</source>
@@ -2006,8 +2006,8 @@
         <translation>«%1» no se enseñó con el brazo: el TCP nunca estuvo en su origen.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>El punto de paso se eliminó. Iniciar añade uno nuevo.</translation>
+        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <translation>El punto de paso se eliminó. Pulse Iniciar para añadir uno nuevo.</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
@@ -2035,15 +2035,15 @@
     </message>
     <message>
         <source>No limit reached yet. The line below the pad will show it.</source>
-        <translation>Aún no se alcanzó ningún límite. La línea bajo el teclado lo indicará.</translation>
+        <translation>Aún no se alcanzó ningún límite. La línea bajo los botones lo indicará.</translation>
     </message>
     <message>
         <source>Limit reached. Now jog back: %1 of %2.</source>
         <translation>Límite alcanzado. Ahora vuelva: %1 de %2.</translation>
     </message>
     <message>
-        <source>You reached the limit and moved out of it again.</source>
-        <translation>Alcanzó el límite y volvió a salir de él.</translation>
+        <source>You reached the limit and moved back.</source>
+        <translation>Alcanzó el límite y volvió atrás.</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2066,8 +2066,8 @@
         <translation>%1 no coincide con la grabación. Observe la curva Fz.</translation>
     </message>
     <message>
-        <source>Correct: it was %1.</source>
-        <translation>Correcto: era %1.</translation>
+        <source>Correct: the force was %1.</source>
+        <translation>Correcto: la fuerza era %1.</translation>
     </message>
     <message>
         <source>Recover from a protective stop</source>
@@ -2090,24 +2090,24 @@
         <translation>Grabar y medir</translation>
     </message>
     <message>
-        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
-        <translation>Iniciar simula un choque que provoca una parada de protección. Averigüe qué detuvo el brazo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
+        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>Pulse Iniciar para simular un choque que provoca una parada de protección. Averigüe qué detuvo el brazo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas de coordenadas. Su eje X debe apuntar en Y+ de la base y su eje Z hacia arriba: tome el origen, después un punto más allá en Y+ y otro más allá en X−.</translation>
     </message>
     <message>
-        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>Iniciar añade un punto de paso «pieza» en la posición actual del brazo. Después la pieza se desplaza %1 en X+ de la base. Mueva el brazo allí, seleccione el punto y retóquelo (U).</translation>
+        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>Pulse Iniciar para añadir un punto de paso «pieza» en la posición actual del brazo. Después la pieza se desplaza %1 en X+ de la base. Mueva el brazo allí, seleccione el punto y retóquelo (U).</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
-        <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo el teclado indica el límite y cómo salir de él. Después vuelva %1.</translation>
+        <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo los botones indica el límite y cómo salir de él. Después vuelva %1.</translation>
     </message>
     <message>
-        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>Iniciar simula una mano que presiona la herramienta desde arriba. Grabe al menos tres segundos y detenga la grabación. Lea la fuerza Fz en los gráficos e introdúzcala.</translation>
+        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>Pulse Iniciar para simular una mano que presiona la herramienta desde arriba. Grabe al menos tres segundos y detenga la grabación. Lea la fuerza Fz en los gráficos e introdúzcala.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2144,16 +2144,16 @@
         <translation>«%1» tiene un valor no válido.</translation>
     </message>
     <message>
-        <source>“%1” is %2; it can be %3 to %4.</source>
-        <translation>«%1» es %2; puede ser de %3 a %4.</translation>
+        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <translation>«%1» es %2; debe estar entre %3 y %4.</translation>
     </message>
     <message>
-        <source>No waypoint belongs to the group “%1”.</source>
-        <translation>Ningún punto de paso pertenece al grupo «%1».</translation>
+        <source>The group “%1” contains no waypoints.</source>
+        <translation>El grupo «%1» no contiene puntos de paso.</translation>
     </message>
     <message>
-        <source>“%1” refers to something that is no longer in the project.</source>
-        <translation>«%1» hace referencia a algo que ya no está en el proyecto.</translation>
+        <source>“%1” refers to an item that was deleted from the project.</source>
+        <translation>«%1» hace referencia a un elemento eliminado del proyecto.</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2172,20 +2172,20 @@
         <translation>«%1» no puede contener pasos.</translation>
     </message>
     <message>
-        <source>This version of Tiller has no step “%1”.</source>
-        <translation>Esta versión de Tiller no tiene el paso «%1».</translation>
+        <source>This version of Tiller does not support the step “%1”.</source>
+        <translation>Esta versión de Tiller no admite el paso «%1».</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
         <translation>Un programa solo puede empezar en un paso de nivel superior, y no entre partes como Si y Si no.</translation>
     </message>
     <message>
-        <source>The project has no such program.</source>
-        <translation>El proyecto no tiene ese programa.</translation>
+        <source>The project does not contain this program.</source>
+        <translation>El proyecto no contiene este programa.</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, and the robot is a %2.</source>
-        <translation>El proyecto se enseñó con un %1 y el robot es un %2.</translation>
+        <source>The project was taught with a %1, but the robot is a %2.</source>
+        <translation>El proyecto se enseñó con un %1, pero el robot es un %2.</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2196,7 +2196,7 @@
         <translation>El programa no tiene pasos.</translation>
     </message>
     <message>
-        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program.</source>
         <translation>La variable «%1» tiene otro tipo en otra parte del programa.</translation>
     </message>
     <message>
@@ -2208,8 +2208,8 @@
         <translation>Las llamadas están anidadas a demasiada profundidad.</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
-        <translation>«%1» se enseñó con otro TCP que los puntos anteriores. Defina el TCP activo o ponga el paso en una sección TCP.</translation>
+        <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>«%1» se enseñó con un TCP distinto del de los puntos anteriores. Defina el TCP activo o ponga el paso en una sección TCP.</translation>
     </message>
     <message>
         <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
@@ -2348,7 +2348,7 @@
         <translation>Valores</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
         <translation>El programa «%1» necesita %2 valores separados por comas, pero hay %3.</translation>
     </message>
     <message>
@@ -2428,7 +2428,7 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Frame of section</source>
+        <source>Section frame</source>
         <translation>Sistema de la sección</translation>
     </message>
     <message>
@@ -2488,12 +2488,12 @@
         <translation>Si la entrada está desactivada</translation>
     </message>
     <message>
-        <source>Opening and closing need different outputs.</source>
-        <translation>Abrir y cerrar necesitan salidas distintas.</translation>
+        <source>Select different outputs for opening and closing.</source>
+        <translation>Seleccione salidas distintas para abrir y cerrar.</translation>
     </message>
     <message>
-        <source>The gripper is not holding a part.</source>
-        <translation>La pinza no sujeta ninguna pieza.</translation>
+        <source>The gripper is not holding an object.</source>
+        <translation>La pinza no sujeta ningún objeto.</translation>
     </message>
     <message>
         <source>If</source>
@@ -2728,8 +2728,8 @@
         <translation>Pregunta</translation>
     </message>
     <message>
-        <source>Questions need software 5.6 or newer.</source>
-        <translation>Las preguntas necesitan el software 5.6 o posterior.</translation>
+        <source>Questions require robot software 5.6 or newer.</source>
+        <translation>Las preguntas necesitan el software del robot 5.6 o posterior.</translation>
     </message>
     <message>
         <source>URScript</source>
@@ -2772,8 +2772,8 @@
         <translation>Registro</translation>
     </message>
     <message>
-        <source>The last register that a program can set is %1.</source>
-        <translation>El último registro que puede fijar un programa es %1.</translation>
+        <source>Programs can set registers up to %1.</source>
+        <translation>Los programas pueden fijar registros hasta %1.</translation>
     </message>
     <message>
         <source>Speed section</source>
@@ -2784,8 +2784,8 @@
         <translation>Selección</translation>
     </message>
     <message>
-        <source>A Switch needs at least one Case.</source>
-        <translation>Una selección necesita al menos un caso.</translation>
+        <source>A Switch must contain at least one Case.</source>
+        <translation>Una selección debe contener al menos un caso.</translation>
     </message>
     <message>
         <source>A Switch can directly contain only Case and Default.</source>
@@ -2800,8 +2800,8 @@
         <translation>Intentar</translation>
     </message>
     <message>
-        <source>“Try” needs “On error” directly after it.</source>
-        <translation>«Intentar» necesita «En caso de error» justo después.</translation>
+        <source>“Try” must be followed directly by “On error”.</source>
+        <translation>«En caso de error» debe ir justo después de «Intentar».</translation>
     </message>
     <message>
         <source>Wait</source>
@@ -2916,12 +2916,12 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>La seguridad vuelve a ser normal</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>El modo de seguridad vuelve a ser «Normal»</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>El brazo se puede mover. Los movimientos anteriores a la parada no se reanudan: cada movimiento necesita una nueva pulsación.</translation>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <translation>El brazo se puede mover. Los movimientos interrumpidos por la parada no se reanudan: cada movimiento necesita una nueva pulsación.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -2944,8 +2944,8 @@
         <translation>He inspeccionado el brazo: nadie lo toca y nada está atrapado.</translation>
     </message>
     <message>
-        <source>The cause of the stop is known and removed.</source>
-        <translation>La causa de la parada se conoce y está eliminada.</translation>
+        <source>The cause of the stop is known and has been removed.</source>
+        <translation>La causa de la parada se conoce y se ha eliminado.</translation>
     </message>
     <message>
         <source>Payload and TCP match the mounted tool.</source>
@@ -2960,8 +2960,8 @@
         <translation>He inspeccionado el brazo y el registro del robot: se conoce la causa.</translation>
     </message>
     <message>
-        <source>The cause is removed, and no one is within reach of the arm.</source>
-        <translation>La causa está eliminada y no hay nadie al alcance del brazo.</translation>
+        <source>The cause has been removed, and no one is within reach of the arm.</source>
+        <translation>La causa se ha eliminado y no hay nadie al alcance del brazo.</translation>
     </message>
     <message>
         <source>No action needed here: this state ends when its cause is removed.</source>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>volver atrás: no queda movimiento registrado</translation>
     </message>
 </context>
@@ -3029,7 +3029,7 @@
         <translation>Devuelva primero el control.</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>No hay ningún programa en marcha en el robot.</translation>
     </message>
     <message>
@@ -3169,7 +3169,7 @@
         <translation>Detiene el programa del robot.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>Inicia el programa de control en el robot. Pregunta antes de detener otro programa.</translation>
     </message>
 </context>
@@ -3220,7 +3220,7 @@
         <translation>%1: desactivada %2 s</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
         <translation>El robot temporiza los impulsos, y para ello se necesita el control. Tome primero el control, o active y desactive la salida.</translation>
     </message>
     <message>
@@ -3333,27 +3333,27 @@
         <translation>Encolado a lo largo de una trayectoria</translation>
     </message>
     <message>
-        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
-        <translation>Aplica un cordón alrededor de una tapa con esquinas redondeadas, despacio y en líneas rectas. La fusión mantiene la boquilla en movimiento en las esquinas.</translation>
+        <source>Applies a bead around a lid with rounded corners in slow, straight moves. Blends keep the nozzle moving through the corners.</source>
+        <translation>Aplica un cordón alrededor de una tapa con esquinas redondeadas en movimientos lentos y rectos. La fusión mantiene la boquilla en movimiento en las esquinas.</translation>
     </message>
     <message>
         <source>Measuring</source>
         <translation>Medición</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
-        <translation>Un palpador toca una pieza desde arriba y por cuatro lados, cada vez desde un punto de aproximación y con la herramienta inclinada.</translation>
+        <source>A probe touches a part from above and from four sides. Each touch starts at an approach waypoint with the tool tilted.</source>
+        <translation>Un palpador toca una pieza desde arriba y por cuatro lados. Cada toque comienza en un punto de aproximación con la herramienta inclinada.</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Default view, perspective</source>
-        <translation>Vista predeterminada, en perspectiva</translation>
+        <source>Default view (perspective)</source>
+        <translation>Vista predeterminada (en perspectiva)</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly above, with everything visible.</source>
-        <translation>Mirar entre el frente y el lado, un poco desde arriba, con todo visible.</translation>
+        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <translation>Mirar entre el frente y el lado, un poco desde arriba, con todo ajustado a la vista.</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -3429,16 +3429,16 @@
         <translation>El archivo no contiene ajustes de Tiller.</translation>
     </message>
     <message>
-        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
-        <translation>El archivo lo escribió un Tiller más nuevo. Actualice Tiller para importarlo.</translation>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <translation>El archivo se escribió con una versión más nueva de Tiller. Actualice Tiller para importarlo.</translation>
     </message>
     <message>
-        <source>The file does not state its version.</source>
-        <translation>El archivo no indica su versión.</translation>
+        <source>The file contains no version number.</source>
+        <translation>El archivo no contiene número de versión.</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>La lista de valores falta o es demasiado larga.</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>Falta la lista de ajustes o es demasiado larga.</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -3843,12 +3843,12 @@
 <context>
     <name>SpaceMouse</name>
     <message>
-        <source>left key</source>
-        <translation>tecla izquierda</translation>
+        <source>left button</source>
+        <translation>botón izquierdo</translation>
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
-        <translation>La herramienta sigue el movimiento de la tapa.</translation>
+        <translation>La herramienta sigue el movimiento del mando.</translation>
     </message>
 </context>
 <context>
@@ -3979,7 +3979,7 @@
         <translation>El robot cerró la conexión: puede estar reiniciándose, o se cambió entre Local y Remoto.</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and the address.</source>
+        <source>The robot does not respond. Check the cable and the address.</source>
         <translation>El robot no responde. Compruebe el cable y la dirección.</translation>
     </message>
     <message>
@@ -3991,8 +3991,8 @@
         <translation>La respuesta no cumple el protocolo RTDE. Compruebe la dirección y el puerto.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this.</source>
-        <translation>El software del robot es demasiado antiguo para esto.</translation>
+        <source>The robot&apos;s software is too old for this function.</source>
+        <translation>El software del robot es demasiado antiguo para esta función.</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
@@ -4011,15 +4011,15 @@
         <translation>Tome primero el control.</translation>
     </message>
     <message>
-        <source>Bring the robot to Running and its safety to Normal first.</source>
-        <translation>Lleve primero el robot a «En marcha» y su seguridad a «Normal».</translation>
+        <source>First bring the robot to mode Running and safety mode Normal.</source>
+        <translation>Lleve primero el robot al modo «En marcha» y al modo de seguridad «Normal».</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Cambie el robot a control remoto en la consola portátil, arriba a la derecha.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>Elija un objetivo dentro del alcance del brazo y una velocidad dentro del límite.</translation>
     </message>
     <message>
@@ -4027,7 +4027,7 @@
         <translation>El brazo no puede alcanzar esta pose: acerque el punto o gire la herramienta.</translation>
     </message>
     <message>
-        <source>The robot could not run the program. See the log for the message of the controller.</source>
+        <source>The robot could not run the program. See the log for the controller&apos;s message.</source>
         <translation>El robot no pudo ejecutar el programa. El mensaje del controlador está en el registro.</translation>
     </message>
     <message>
@@ -4159,8 +4159,8 @@
         <translation>tecla soltada</translation>
     </message>
     <message>
-        <source>pointer left the key</source>
-        <translation>el puntero dejó la tecla</translation>
+        <source>pointer left the button</source>
+        <translation>el puntero salió del botón</translation>
     </message>
     <message>
         <source>focus lost</source>
@@ -4291,8 +4291,8 @@
         <translation>Se perdió la conexión. Tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>Your script is running. Control returns when it ends.</source>
-        <translation>Su script está en ejecución. El control vuelve cuando termine.</translation>
+        <source>Your script is running. Tiller regains control when it ends.</source>
+        <translation>Su script está en ejecución. Tiller recupera el control cuando termine.</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -4367,8 +4367,8 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
-        <translation>Las acciones se ejecutan en este orden cuando «Ruta» llega al punto de paso, mientras se mantiene la tecla.</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <translation>Las acciones se ejecutan en este orden cuando «Ruta» llega al punto de paso y se mantiene el botón.</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
@@ -4443,8 +4443,8 @@
         <translation>Tiempo límite en segundos</translation>
     </message>
     <message>
-        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene la tecla, una hora como máximo</translation>
+        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene el botón, una hora como máximo</translation>
     </message>
 </context>
 <context>
@@ -4475,7 +4475,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or F2 to rename and scale.</source>
+Right-click or press F2 to rename or scale.</source>
         <translation>%1: %2
 Clic derecho o F2 para renombrar y escalar.</translation>
     </message>
@@ -4496,7 +4496,7 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Escala de %1</translation>
     </message>
     <message>
-        <source>e.g. bar; empty: not scaled</source>
+        <source>e.g. bar; empty: no scaling</source>
         <translation>p. ej. bar; vacío: sin escala</translation>
     </message>
     <message>
@@ -4523,11 +4523,11 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Armar teclado</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation>Las flechas mueven X e Y, RePág y AvPág mueven Z; con Alt giran. 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen. Para desarmar, haga clic o espere 30 s.</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
         <translation>Con el teclado armado, las flechas mueven el brazo mientras se mantienen pulsadas. Un marco rodea la ventana.</translation>
     </message>
 </context>
@@ -4538,16 +4538,16 @@ Clic derecho o F2 para renombrar y escalar.</translation>
         <translation>Tamaño %1</translation>
     </message>
     <message>
-        <source>Drawn and checked</source>
-        <translation>Dibujado y comprobado</translation>
+        <source>Shown and checked for collisions</source>
+        <translation>Se muestra y se comprueba si hay colisiones</translation>
     </message>
     <message>
         <source>Plane</source>
         <translation>Plano</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>Una caja o un plano necesita un nombre.</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>Introduzca un nombre para la caja o el plano.</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -4612,7 +4612,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>plano</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>Primera esquina tomada.</translation>
     </message>
     <message>
@@ -4688,16 +4688,16 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Longitud según Z</translation>
     </message>
     <message>
-        <source>Point on the plane X</source>
-        <translation>Punto del plano X</translation>
+        <source>Point on the plane, X</source>
+        <translation>Punto del plano, X</translation>
     </message>
     <message>
-        <source>Point on the plane Y</source>
-        <translation>Punto del plano Y</translation>
+        <source>Point on the plane, Y</source>
+        <translation>Punto del plano, Y</translation>
     </message>
     <message>
-        <source>Point on the plane Z</source>
-        <translation>Punto del plano Z</translation>
+        <source>Point on the plane, Z</source>
+        <translation>Punto del plano, Z</translation>
     </message>
     <message>
         <source>Normal X, towards the arm</source>
@@ -4716,8 +4716,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Suelo</translation>
     </message>
     <message>
-        <source>When off, it is neither drawn nor checked.</source>
-        <translation>Desactivado, no se dibuja ni se comprueba.</translation>
+        <source>When off, the floor is neither shown nor checked for collisions.</source>
+        <translation>Desactivado, el suelo no se muestra ni se comprueba si hay colisiones.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
@@ -4732,8 +4732,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Distancia de seguridad</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
-        <translation>El movimiento manual se detiene a esta distancia de la celda y entre partes del brazo. Los movimientos que se acercan más se rechazan.</translation>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>El movimiento manual se detiene a esta distancia de los objetos de la celda y entre partes del brazo. Los movimientos que se acercan más se rechazan.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4834,15 +4834,15 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Comparar…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model, with different limits</source>
-        <translation>Comparar esta grabación con el modelo del brazo, con otros límites</translation>
+        <source>Compare this recording with the arm model using other limits</source>
+        <translation>Comparar esta grabación con el modelo del brazo usando otros límites</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Go there</source>
+        <source>Go to time</source>
         <translation>Ir allí</translation>
     </message>
     <message>
@@ -4861,8 +4861,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Comparar con el modelo del brazo</translation>
     </message>
     <message>
-        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>El brazo simulado sigue las consignas articulares grabadas y su movimiento se compara con el grabado. El modelo no tiene contacto ni fricción.</translation>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model includes neither contact nor friction.</source>
+        <translation>El brazo simulado sigue las consignas articulares grabadas y su movimiento se compara con el grabado. El modelo no incluye ni contacto ni fricción.</translation>
     </message>
     <message>
         <source>Arm model</source>
@@ -4915,8 +4915,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Mueve el brazo (hasta cerrar Tiller)</translation>
+        <source>Enable motion (until Tiller is closed)</source>
+        <translation>Permitir movimiento (hasta cerrar Tiller)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
@@ -4935,16 +4935,16 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Dirección en la que se movería el brazo</translation>
     </message>
     <message>
-        <source>Dead-man</source>
-        <translation>Hombre muerto</translation>
+        <source>Hold-to-run</source>
+        <translation>Habilitación</translation>
     </message>
     <message>
-        <source>Would move</source>
-        <translation>Movería</translation>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>Teclado, cuando está armado (Ctrl+J): flechas: X e Y; RePág, AvPág: Z; con Alt: giro; 1 a 6 con + y −: articulaciones; Inicio: a inicio; Fin: alinear; Retroceso: atrás; F: movimiento libre; Ctrl: más lento; Mayús: más rápido. Espacio y Esc detienen.</translation>
+        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>Teclado armado (Ctrl+J): flechas: X e Y; RePág, AvPág: Z; con Alt: giro; 1 a 6 con + y −: articulaciones; Inicio: a inicio; Fin: alinear; Retroceso: atrás; F: movimiento libre; Ctrl: más lento; Mayús: más rápido. Espacio y Esc detienen.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4963,8 +4963,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>○ no mantenido: mantenga %1</translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
-        <translation>nada: neutro</translation>
+        <source>none (neutral)</source>
+        <translation>ninguno (neutro)</translation>
     </message>
 </context>
 <context>
@@ -4995,8 +4995,8 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Liberar frenos (cabecera)</translation>
     </message>
     <message>
-        <source>Take control, hold a pad key</source>
-        <translation>Tomar el control, mantener una tecla</translation>
+        <source>Take control, hold a jog button</source>
+        <translation>Tomar el control, mantener un botón</translation>
     </message>
     <message>
         <source>Teach here (T)</source>
@@ -5026,8 +5026,8 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Descartar</translation>
     </message>
     <message>
-        <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>La lista no volverá a aparecer. Use la orden «Primeros pasos» para mostrarla.</translation>
+        <source>The list will not appear again. Use the command “First steps” to reopen it.</source>
+        <translation>La lista no volverá a aparecer. Use la orden «Primeros pasos» para abrirla de nuevo.</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -5045,8 +5045,8 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Origen</translation>
     </message>
     <message>
-        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>En Base. Pulse Intro para aplicar. Solo cambia el sistema de coordenadas; el robot no se mueve.</translation>
+        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <translation>En el sistema de la base. Pulse Intro para aplicar. Solo cambia el sistema de coordenadas; el robot no se mueve.</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
@@ -5154,8 +5154,8 @@ Vacíe la búsqueda para verlo todo.</translation>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>Un sistema necesita un nombre.</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>Introduzca un nombre para el sistema.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -5174,8 +5174,8 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>«%1» es un sistema de coordenadas predefinido. Elija otro nombre.</translation>
     </message>
     <message>
-        <source>Another frame is named “%1”. Choose another name.</source>
-        <translation>Otro sistema de coordenadas se llama «%1». Elija otro nombre.</translation>
+        <source>A frame named “%1” already exists. Choose another name.</source>
+        <translation>Ya existe un sistema de coordenadas con el nombre «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -5222,7 +5222,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>TCP %1</translation>
     </message>
     <message>
-        <source>Distance of the TCP, %1</source>
+        <source>Distance from the TCP, %1</source>
         <translation>Distancia del TCP, %1</translation>
     </message>
 </context>
@@ -5260,19 +5260,19 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Hacia +Y</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>Tomar aquí el origen</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>Tomar aquí el punto en +X</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>Tomar aquí el punto hacia +Y</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Tomar</translation>
     </message>
     <message>
@@ -5280,19 +5280,19 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Crear sistema</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>El robot envió una posición no válida. Tome el punto de nuevo.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>El punto en +X está a solo %1 del origen. Tómelo de nuevo a %2 como mínimo. Una distancia mayor da ejes más precisos.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>El tercer punto está a solo %1 del origen. Tómelo de nuevo al menos a %2.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>Los tres puntos están alineados: el tercero está a solo %1 del eje X. Tómelo de nuevo a %2 como mínimo hacia +Y.</translation>
     </message>
     <message>
@@ -5300,7 +5300,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Listo: el punto en +X está a %1 del origen y el tercero a %2 del eje X.</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>Mueva la punta al origen del sistema de coordenadas y tome el punto (P).</translation>
     </message>
     <message>
@@ -5312,12 +5312,12 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Ahora vaya hacia +Y: a %1 del eje X, mínimo %2.</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>Tomar  P</translation>
     </message>
     <message>
-        <source>Again</source>
-        <translation>Otra vez</translation>
+        <source>Redo</source>
+        <translation>Repetir</translation>
     </message>
 </context>
 <context>
@@ -5356,7 +5356,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>Aún no hay sistemas de coordenadas.
 Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 puntos» para tomar el origen, +X y +Y.</translation>
     </message>
@@ -5377,8 +5377,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Crear un sistema de coordenadas en el TCP con los ejes de la herramienta (Mayús+T)</translation>
     </message>
     <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
-        <translation>Origen, un punto en +X, un punto hacia +Y (Ctrl+Mayús+T)</translation>
+        <source>Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>Crear un sistema de coordenadas con origen, un punto en +X y un punto hacia +Y (Ctrl+Mayús+T)</translation>
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
@@ -5397,7 +5397,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Enseñar sistema con tres puntos</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>Tomar el siguiente punto del sistema</translation>
     </message>
     <message>
@@ -5476,16 +5476,16 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Punto anterior, mantener</translation>
     </message>
     <message>
-        <source>Moves to the previous waypoint while the key is held</source>
-        <translation>Va al punto de paso anterior mientras se mantiene la tecla</translation>
+        <source>Moves to the previous waypoint while the button is held</source>
+        <translation>Va al punto de paso anterior mientras se mantiene el botón</translation>
     </message>
     <message>
         <source>Next waypoint, hold</source>
         <translation>Punto siguiente, mantener</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the key is held, and stops there</source>
-        <translation>Va al punto de paso siguiente mientras se mantiene la tecla y se detiene allí</translation>
+        <source>Moves to the next waypoint while the button is held, and stops there</source>
+        <translation>Va al punto de paso siguiente mientras se mantiene el botón y se detiene allí</translation>
     </message>
     <message>
         <source>Waypoints of the route</source>
@@ -5512,8 +5512,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Todo</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>Vuelve a empezar por el primer punto después del último, mientras se mantiene la tecla</translation>
+        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <translation>Vuelve a empezar por el primer punto después del último, mientras se mantiene el botón</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
@@ -5547,8 +5547,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
-        <translation>Va de punto en punto mientras se mantiene la tecla, no más rápido que la velocidad de movimiento manual, y ejecuta las acciones de cada punto. Suelte para pausar; la siguiente pulsación continúa hacia el punto siguiente.</translation>
+        <source>Moves from waypoint to waypoint while the button is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
+        <translation>Va de punto en punto mientras se mantiene el botón, no más rápido que la velocidad de movimiento manual, y ejecuta las acciones de cada punto. Suelte para pausar; la siguiente pulsación continúa hacia el punto siguiente.</translation>
     </message>
     <message>
         <source>At %1: %2</source>
@@ -5566,8 +5566,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Ir a, mantener</translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
-        <translation>Mueve el brazo al punto seleccionado mientras se mantiene la tecla (G), no más rápido que la velocidad manual</translation>
+        <source>Moves the arm to the selected waypoint while the button or G is held, no faster than the jog speed</source>
+        <translation>Mueve el brazo al punto seleccionado mientras se mantiene el botón o G, no más rápido que la velocidad manual</translation>
     </message>
 </context>
 <context>
@@ -5629,8 +5629,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Pinza: cerrar</translation>
     </message>
     <message>
-        <source>Gripper: to %1</source>
-        <translation>Pinza: a %1</translation>
+        <source>Gripper: move to %1</source>
+        <translation>Pinza: mover a %1</translation>
     </message>
     <message>
         <source>Gripper type</source>
@@ -5733,8 +5733,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>%1 (velocidad %2, fuerza %3)</translation>
     </message>
     <message>
-        <source>Connect to a robot first: each robot remembers its gripper.</source>
-        <translation>Conéctese primero a un robot: cada robot recuerda su pinza.</translation>
+        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <translation>Conéctese primero a un robot: la pinza se guarda para cada robot.</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
@@ -5793,8 +5793,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>nada</translation>
     </message>
     <message>
-        <source>The gripper cannot be reached with this port offset.</source>
-        <translation>La pinza no es accesible con este desplazamiento de puerto.</translation>
+        <source>The gripper is not available with this port offset.</source>
+        <translation>La pinza no está disponible con este desplazamiento de puerto.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5900,7 +5900,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>Medida desde la orden de parada hasta el reposo. Causa: %1</translation>
     </message>
     <message>
@@ -5935,12 +5935,12 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Hay un diálogo o menú abierto. Ciérrelo primero.</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
-        <translation>Ya se mantiene otra tecla.</translation>
+        <source>Another button or key is already held.</source>
+        <translation>Ya se mantiene otro botón o tecla.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>El servidor gráfico no responde: no se podría detectar cuándo se suelta la tecla.</translation>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
+        <translation>El servidor gráfico no responde: no se puede detectar cuándo se suelta una tecla.</translation>
     </message>
 </context>
 <context>
@@ -5950,8 +5950,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>mantener</translation>
     </message>
     <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Mantenga esta tecla: el brazo solo se mueve mientras se mantiene.</translation>
+        <source>Hold this button: the arm moves only while it is held.</source>
+        <translation>Mantenga este botón: el brazo solo se mueve mientras se mantiene.</translation>
     </message>
 </context>
 <context>
@@ -6009,15 +6009,15 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
     </message>
     <message>
         <source>
-Cannot be switched while the robot sends no data.</source>
+The output cannot be switched while the robot sends no data.</source>
         <translation>
-No se puede conmutar mientras el robot no envía datos.</translation>
+La salida no se puede conmutar mientras el robot no envía datos.</translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
-Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
+Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o renombrar.</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -6047,7 +6047,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Pinza</translation>
     </message>
     <message>
-        <source>Page of I/O</source>
+        <source>I/O page</source>
         <translation>Página de E/S</translation>
     </message>
 </context>
@@ -6169,16 +6169,16 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Inicio</translation>
     </message>
     <message>
-        <source>Moves every joint to the home position while held</source>
-        <translation>Mueve cada articulación a la posición inicial mientras se mantiene</translation>
+        <source>Moves all joints to the home position while held</source>
+        <translation>Mueve todas las articulaciones a la posición inicial mientras se mantiene</translation>
     </message>
     <message>
         <source>Align</source>
         <translation>Alinear</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>Gira la herramienta al eje más cercano del sistema elegido mientras se mantiene</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>Alinea la herramienta con el eje más cercano del sistema elegido mientras se mantiene</translation>
     </message>
     <message>
         <source>Back</source>
@@ -6201,16 +6201,16 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Termina en %1 s</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
-        <translation>Ya se mantiene otra tecla.</translation>
+        <source>Another button or key is already held.</source>
+        <translation>Ya se mantiene otro botón o tecla.</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>Última parada: %1, reposo tras %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>Mueva el brazo a mano mientras mantiene esta tecla: %1. Clic derecho para elegir ejes</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
+        <translation>Mueva el brazo a mano mientras mantiene este botón: %1. Clic derecho para elegir ejes</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6221,8 +6221,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Mov. libre…</translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
-        <translation>Comprobar primero la carga útil (hasta la próxima conexión)</translation>
+        <source>Check the payload before Freedrive (until the next connection)</source>
+        <translation>Comprobar la carga útil antes de mover a mano (hasta la próxima conexión)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6239,8 +6239,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
 <context>
     <name>tiller::JogPad</name>
     <message>
-        <source>Jog keys</source>
-        <translation>Teclas de movimiento</translation>
+        <source>Jog buttons</source>
+        <translation>Botones de movimiento</translation>
     </message>
     <message>
         <source>Jog %1</source>
@@ -6274,16 +6274,16 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Modo</translation>
     </message>
     <message>
-        <source>Moves while the key is held</source>
-        <translation>Mueve mientras se mantiene la tecla</translation>
+        <source>Moves while the button is held</source>
+        <translation>Mueve mientras se mantiene el botón</translation>
     </message>
     <message>
         <source>Rotation</source>
         <translation>Girar</translation>
     </message>
     <message>
-        <source>Rotates while the key is held</source>
-        <translation>Gira mientras se mantiene la tecla</translation>
+        <source>Rotates while the button is held</source>
+        <translation>Gira mientras se mantiene el botón</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6294,7 +6294,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Ejes de la vista: X a la derecha, Y alejándose de usted, Z hacia arriba</translation>
     </message>
     <message>
-        <source>Needs the 3D view</source>
+        <source>Requires the 3D view</source>
         <translation>Necesita la vista 3D</translation>
     </message>
     <message>
@@ -6342,8 +6342,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Hasta contacto, %1 N</translation>
     </message>
     <message>
-        <source>Until contact, other force…</source>
-        <translation>Hasta contacto, otra fuerza…</translation>
+        <source>Other contact force…</source>
+        <translation>Otra fuerza de contacto…</translation>
     </message>
     <message>
         <source>Other speed…</source>
@@ -6449,8 +6449,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Gravedad</translation>
     </message>
     <message>
-        <source>What happened</source>
-        <translation>Qué ocurrió</translation>
+        <source>Event</source>
+        <translation>Evento</translation>
     </message>
     <message>
         <source>Open</source>
@@ -6555,7 +6555,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>La trayectoria entra en la singularidad de muñeca tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de muñeca al %1 de la trayectoria</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>La trayectoria entra en la singularidad de codo tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de codo al %1 de la trayectoria</translation>
     </message>
     <message>
@@ -6571,7 +6571,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>La trayectoria entra en la singularidad de hombro tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de hombro al %1 de la trayectoria</translation>
     </message>
     <message>
@@ -6619,12 +6619,12 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Herramienta</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
-        <translation>%1 está en contacto con %2, y el movimiento lo acerca más</translation>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
+        <translation>%1 está en contacto con %2, y el movimiento reduce la distancia</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
-        <translation>%1 está a solo %2 de %3, y el movimiento lo acerca más</translation>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
+        <translation>%1 está a solo %2 de %3, y el movimiento reduce la distancia</translation>
     </message>
     <message>
         <source>%1 comes within %2 of %3 after %4 of the path</source>
@@ -6727,8 +6727,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Detiene la grabación y guarda la trayectoria como puntos de paso</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>Graba la trayectoria del brazo en movimiento libre o manual hasta que se pulse de nuevo, y la guarda como puntos de paso. El robot no se mueve.</translation>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <translation>Graba la trayectoria del brazo en movimiento libre o manual y la guarda como puntos de paso. Pulse de nuevo para detener. El robot no se mueve.</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6773,7 +6773,7 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>El robot no envía datos: no hay nada que grabar.</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop that recording first.</source>
+        <source>Import refused: a path is being recorded. Stop recording first.</source>
         <translation>Importación rechazada: se está grabando una trayectoria. Detenga primero esa grabación.</translation>
     </message>
     <message>
@@ -6891,16 +6891,16 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Aplicar</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>Un patrón necesita un nombre.</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>Introduzca un nombre para el patrón.</translation>
     </message>
     <message>
-        <source>A pattern with this name exists. Choose another name.</source>
+        <source>A pattern with this name already exists. Choose another name.</source>
         <translation>Ya existe un patrón con este nombre. Elija otro nombre.</translation>
     </message>
     <message>
-        <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>Seleccione un punto de paso para cada esquina. Enseñe primero las tres esquinas.</translation>
+        <source>Teach the three corners first, then select a waypoint for each corner.</source>
+        <translation>Enseñe primero las tres esquinas y seleccione después un punto de paso para cada una.</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
@@ -6983,8 +6983,8 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Pose siguiente, mantener</translation>
     </message>
     <message>
-        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
-        <translation>Gira la muñeca a la siguiente pose mientras se mantiene la tecla, no más rápido que la velocidad de movimiento manual. Asegúrese de que la herramienta tiene espacio para girar.</translation>
+        <source>Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
+        <translation>Gira la muñeca a la siguiente pose mientras se mantiene el botón, no más rápido que la velocidad de movimiento manual. Asegúrese de que la herramienta tiene espacio para girar.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6999,12 +6999,12 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>Tiller no tiene el control. Tome primero el control.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>El brazo se movió. Espere el reposo, mantenga la herramienta sin contacto y tome la pose de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>El robot no envía fuerzas. Introduzca la masa y el centro de gravedad.</translation>
+        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <translation>El robot no envía datos de fuerza. Introduzca la masa y el centro de gravedad.</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
@@ -7015,11 +7015,11 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>%1 kg, centro de gravedad a %2 de la brida. Las poses coinciden dentro de %3 y %4.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 La precisión es baja: la pose %2 es la que más se desvía. Quítela y tome otra.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome una pose más con la herramienta girada en otra dirección.</translation>
     </message>
     <message>
@@ -7027,18 +7027,18 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>%1 kg: demasiado ligera para medir el centro de gravedad. Introdúzcalo manualmente.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
-        <translation>Espere el reposo, mantenga la herramienta sin contacto y tome la pose. Después gire la muñeca, con las teclas o con «Pose siguiente», y tome tres poses más.</translation>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
+        <translation>Espere el reposo, mantenga la herramienta sin contacto y tome la pose. Después gire la muñeca, con movimiento manual o con «Pose siguiente», y tome tres poses más.</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n</numerusform>
             <numerusform>Gire la muñeca en otra dirección y tome la pose. Poses que faltan: %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Tomar pose %1</translation>
     </message>
     <message>
@@ -7081,12 +7081,12 @@ Clic para conmutar: %1. P: pulso. Clic derecho: pulso, renombrar.</translation>
         <translation>En uso</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>Una carga útil necesita un nombre.</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>Introduzca un nombre para la carga útil.</translation>
     </message>
     <message>
-        <source>Another payload is named “%1”. Choose another name.</source>
-        <translation>Otra carga útil se llama «%1». Elija otro nombre.</translation>
+        <source>A payload named “%1” already exists. Choose another name.</source>
+        <translation>Ya existe una carga útil con el nombre «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -7239,20 +7239,20 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>El brazo se movió. Espere el reposo, mantenga la herramienta sin contacto y compruebe de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>El robot no envía fuerzas: no se puede comprobar la carga útil.</translation>
+        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <translation>El robot no envía datos de fuerza: no se puede comprobar la carga útil.</translation>
     </message>
     <message>
-        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
-        <translation>Con una carga útil de %1 kg, el brazo mide %2 y %3.</translation>
+        <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
+        <translation>Con una carga útil de %1 kg, el brazo mide una fuerza de %2 y un par de %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
-        <translation>La carga útil es cierta. %1</translation>
+        <translation>La carga útil es correcta. %1</translation>
     </message>
     <message>
         <source>The payload is correct</source>
-        <translation>La carga útil es cierta</translation>
+        <translation>La carga útil es correcta</translation>
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
@@ -7446,7 +7446,7 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Pausar los gráficos</translation>
     </message>
     <message>
-        <source>Zero the force shown</source>
+        <source>Zero the displayed force</source>
         <translation>Poner a cero la fuerza mostrada</translation>
     </message>
     <message>
@@ -7470,16 +7470,16 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Grabar en un archivo CSV</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>Grabar los datos del robot en un archivo CSV. La flecha define señales y carpeta</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
+        <translation>Grabar los datos del robot en un archivo CSV. Use la flecha para elegir señales y carpeta</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>No se puede poner a cero la fuerza: los gráficos no muestran muestras. Conéctese a un robot o vaya a un momento con muestras.</translation>
     </message>
     <message>
-        <source>Paused · %1 s back</source>
-        <translation>En pausa · %1 s atrás</translation>
+        <source>Paused · %1 s ago</source>
+        <translation>En pausa · hace %1 s</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -7656,8 +7656,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Gráficos estándar</translation>
     </message>
     <message>
-        <source>Open a recording…</source>
-        <translation>Abrir una grabación…</translation>
+        <source>Open recording…</source>
+        <translation>Abrir grabación…</translation>
     </message>
     <message>
         <source>Close recordings</source>
@@ -7688,8 +7688,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Grabación %1 abierta</translation>
     </message>
     <message>
-        <source>Open a recording</source>
-        <translation>Abrir una grabación</translation>
+        <source>Open recording</source>
+        <translation>Abrir grabación</translation>
     </message>
     <message>
         <source>Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)</source>
@@ -7780,8 +7780,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Grabar en un archivo MCAP</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>Grabar los datos del robot en un archivo MCAP. La flecha define señales y carpeta</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
+        <translation>Grabar los datos del robot en un archivo MCAP. Use la flecha para elegir señales y carpeta</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7811,8 +7811,8 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Valores entre los cursores A y B (*%1)</translation>
     </message>
     <message>
-        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
-        <translation>La página muestra varias grabaciones, o una grabación y señales en vivo. Muestre solo una de ellas en la página.</translation>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
+        <translation>La página muestra varias grabaciones, o una grabación y señales en vivo. Muestre solo una de ellas en la página y exporte de nuevo.</translation>
     </message>
     <message>
         <source>Live signals can only be exported as .csv. Record them first.</source>
@@ -7826,12 +7826,12 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
-        <translation>%1 por encima de %2</translation>
+        <source>%1 is above %2</source>
+        <translation>%1 está por encima de %2</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
-        <translation>%1 por debajo de %2</translation>
+        <source>%1 is below %2</source>
+        <translation>%1 está por debajo de %2</translation>
     </message>
 </context>
 <context>
@@ -8029,12 +8029,12 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Pose del TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
-        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic: desplazamiento desde la última pulsación</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
+        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic para mostrar el desplazamiento desde el inicio del último movimiento</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
-        <translation>orientación como en Ajustes. Δ: desplazamiento desde la última pulsación. Clic: cero aquí</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
+        <translation>orientación como en Ajustes. Δ: desplazamiento desde el inicio del último movimiento. Clic para poner aquí el cero</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8052,12 +8052,12 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
         <translation>Inicio</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>Una posición necesita un nombre.</translation>
+        <source>Enter a name for the position.</source>
+        <translation>Introduzca un nombre para la posición.</translation>
     </message>
     <message>
-        <source>Another position is named “%1”. Choose another name.</source>
-        <translation>Otra posición se llama «%1». Elija otro nombre.</translation>
+        <source>A position named “%1” already exists. Choose another name.</source>
+        <translation>Ya existe una posición con el nombre «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8082,7 +8082,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>%1. Pulse Intro para aplicar. Solo cambia la posición guardada; el robot no se mueve.</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
+        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
         <translation>Altura en el sistema de la base por encima de la cual no hay obstáculos: ahí el TCP puede moverse lateralmente.</translation>
     </message>
     <message>
@@ -8142,8 +8142,8 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>¿Fijar «%1» en la posición actual del brazo?</translation>
     </message>
     <message>
-        <source>The Home key will move the arm there.</source>
-        <translation>La tecla Inicio moverá el brazo hasta allí.</translation>
+        <source>The Home button will move the arm there.</source>
+        <translation>El botón Inicio moverá el brazo hasta allí.</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -8202,12 +8202,12 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>Sin altura segura</translation>
     </message>
     <message>
-        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>La tecla Inicio lleva a la posición predeterminada: brazo vertical, sin colisión consigo mismo.</translation>
+        <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
+        <translation>El botón Inicio lleva el brazo a la posición predeterminada: vertical, sin colisión consigo mismo.</translation>
     </message>
     <message>
-        <source>%1: target of the Home key</source>
-        <translation>%1: destino de la tecla Inicio</translation>
+        <source>%1: target of the Home button</source>
+        <translation>%1: destino del botón Inicio</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -8256,8 +8256,8 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>Fuerza Fz en newtons</translation>
     </message>
     <message>
-        <source>enter value, press Return</source>
-        <translation>introduzca el valor, pulse Intro</translation>
+        <source>Enter value, press Return</source>
+        <translation>Introduzca el valor, pulse Intro</translation>
     </message>
     <message>
         <source>Fz [N]</source>
@@ -8295,8 +8295,8 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>Bien</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Comprobar</translation>
+        <source>Warning</source>
+        <translation>Aviso</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -8332,19 +8332,19 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
     </message>
     <message>
         <source>Keep everyone out of reach of the arm.
-Keep the emergency stop at hand: STOP in this window is a software stop.
+Keep the emergency stop within reach: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
-Watch the arm, not the screen, while you hold a key.
-Release the key to stop the arm.</source>
+Watch the arm, not the screen, while you hold a button.
+Release the button to stop the arm.</source>
         <translation>Mantenga a todos fuera del alcance del brazo.
-Tenga a mano la parada de emergencia: STOP en esta ventana es una parada por software.
+Tenga la parada de emergencia a su alcance: STOP en esta ventana es una parada por software.
 Empiece despacio: la velocidad inicial es %1.
-Mire el brazo, no la pantalla, mientras mantiene una tecla.
-Suelte la tecla para detener el brazo.</translation>
+Mire el brazo, no la pantalla, mientras mantiene un botón.
+Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>Checking %1…</source>
-        <translation>Mirando %1…</translation>
+        <translation>Comprobando %1…</translation>
     </message>
     <message>
         <source>Problems found</source>
@@ -8556,8 +8556,8 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>URScript (*.script)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Guardado: %1</translation>
+        <source>Exported to %1</source>
+        <translation>Exportado a %1</translation>
     </message>
 </context>
 <context>
@@ -8622,7 +8622,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>Discard changes</source>
-        <translation>Abandonar los cambios</translation>
+        <translation>Descartar los cambios</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -8644,7 +8644,7 @@ Suelte la tecla para detener el brazo.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>Se reanudó el guardado de %1</translation>
     </message>
     <message>
@@ -9017,7 +9017,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Sin datos del robot: ciérrelo en la consola portátil.</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>%n más en el robot.</numerusform>
             <numerusform>%n más en el robot.</numerusform>
@@ -9071,8 +9071,8 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Conectado con %1</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>La seguridad vuelve a ser normal</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>El modo de seguridad vuelve a ser «Normal»</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -9087,7 +9087,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Aviso en el robot: %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>El programa del robot espera una respuesta en la consola portátil: %1</translation>
     </message>
     <message>
@@ -9161,7 +9161,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>La pinza no envía valores. Encienda el brazo; si el problema continúa, compruebe el cable de la pinza en la muñeca.</translation>
     </message>
     <message>
-        <source>The gripper answers again</source>
+        <source>The gripper responds again</source>
         <translation>La pinza responde de nuevo</translation>
     </message>
     <message>
@@ -9189,11 +9189,11 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>%1 falló. %2</translation>
     </message>
     <message>
-        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>Ningún servicio de pinza responde en %1:%2. Instale el URCap de Robotiq en el robot y seleccione la pinza en su Instalación.</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>La pinza no responde. Compruebe su cable en la muñeca y su página en la Instalación del robot; si el problema continúa, reinicie el robot.</translation>
     </message>
     <message>
@@ -9268,7 +9268,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>«%1»: %2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Un bucle necesita al menos dos puntos de paso. Seleccione más puntos o desactive el bucle.</translation>
     </message>
 </context>
@@ -9286,8 +9286,8 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Default view, perspective</source>
-        <translation>Vista predeterminada, en perspectiva</translation>
+        <source>Default view (perspective)</source>
+        <translation>Vista predeterminada (en perspectiva)</translation>
     </message>
     <message>
         <source>Front</source>
@@ -9399,7 +9399,7 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Derivadas</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>El robot no puede enviar tantas señales a la vez: quite primero otras señales.</translation>
     </message>
     <message>
@@ -9408,7 +9408,7 @@ Suelte la tecla para detener el brazo.</translation>
     </message>
     <message>
         <source>The recording is empty.</source>
-        <translation>Esta grabación no tiene ninguna fila.</translation>
+        <translation>La grabación está vacía.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9543,8 +9543,8 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>Parada por software. No es una parada de emergencia. La alimentación sigue activa.</translation>
     </message>
     <message>
-        <source>Space and Esc stop as well.</source>
-        <translation>Espacio y Esc también detienen.</translation>
+        <source>Space and Esc also stop the arm.</source>
+        <translation>Espacio y Esc también detienen el brazo.</translation>
     </message>
     <message>
         <source>Click to stop. Space and Esc stop only while this window is in control.</source>
@@ -9566,8 +9566,8 @@ Suelte la tecla para detener el brazo.</translation>
 <context>
     <name>tiller::StopPlot</name>
     <message>
-        <source>Highest value %1 in the last five seconds</source>
-        <translation>Valor más alto %1 en los últimos cinco segundos</translation>
+        <source>Maximum in the last five seconds: %1</source>
+        <translation>Máximo de los últimos cinco segundos: %1</translation>
     </message>
     <message>
         <source>max %1</source>
@@ -9581,12 +9581,12 @@ Suelte la tecla para detener el brazo.</translation>
         <translation>En uso</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>Un TCP necesita un nombre.</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>Introduzca un nombre para el TCP.</translation>
     </message>
     <message>
-        <source>Another TCP is named “%1”. Choose another name.</source>
-        <translation>«%1» ya es el nombre de otro TCP. Elija otro nombre.</translation>
+        <source>A TCP named “%1” already exists. Choose another name.</source>
+        <translation>Ya existe un TCP con el nombre «%1». Elija otro nombre.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9632,7 +9632,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Store the active TCP of the robot</source>
-        <translation>Conservar el TCP que tiene el robot</translation>
+        <translation>Guardar el TCP activo del robot</translation>
     </message>
     <message>
         <source>Teach the selected TCP again…</source>
@@ -9640,7 +9640,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Enter new TCP</source>
-        <translation>Nuevo TCP en cifras</translation>
+        <translation>Introducir TCP nuevo</translation>
     </message>
     <message>
         <source>tool</source>
@@ -9712,11 +9712,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
-        <translation>%1, a %2 del que tiene el robot</translation>
+        <translation>%1, a %2 del TCP del robot</translation>
     </message>
     <message>
         <source>The robot&apos;s TCP differs from “%1”</source>
-        <translation>El robot tiene otro TCP que «%1»</translation>
+        <translation>El TCP del robot difiere de «%1»</translation>
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
@@ -9734,15 +9734,15 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>Tomar pose</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
-        <translation>Tomar de nuevo la peor</translation>
+        <source>Redo least accurate pose</source>
+        <translation>Repetir la peor pose</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Tomar</translation>
     </message>
     <message>
@@ -9754,8 +9754,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Enseñar el TCP</translation>
     </message>
     <message>
-        <source>Take a pose for the rotation</source>
-        <translation>Tomar una pose para el giro</translation>
+        <source>Record pose for the rotation</source>
+        <translation>Tomar pose para el giro</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9763,7 +9763,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Keep current rotation</source>
-        <translation>Rotación como está</translation>
+        <translation>Conservar la rotación</translation>
     </message>
     <message>
         <source>Rotation from one pose: tool straight down</source>
@@ -9782,19 +9782,19 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Punta en %1. Las poses coinciden en %2 (RMS); la pose %3 es la que más se desvía, %4.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome otra pose, inclinada 30° o más en otra dirección.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>El robot envió una posición no válida. Tome las poses de nuevo.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Lleve la punta a un punto fijo y afilado y tome la pose. Tome cuatro poses en total, cada una con la punta en el mismo punto y la herramienta inclinada en otra dirección.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
             <numerusform>Incline la herramienta en otra dirección, lleve la punta de nuevo al mismo punto y tome la pose. Poses que faltan: %n</numerusform>
@@ -9805,55 +9805,55 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>La herramienta conserva su rotación actual.</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Gire la herramienta hasta que apunte recta hacia abajo y su eje X sea paralelo al eje X de la base; después tome la pose.</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>Rotación tomada. Tómela de nuevo para sustituirla.</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Tome la pose en la posición actual. No gire la herramienta a partir de aquí: mueva solo X, Y y Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>Mueva la herramienta en su dirección +Z, alejándola de la brida, al menos %1, y tome la pose.</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>Ahora mueva la herramienta en su dirección +X al menos %1 y tome la pose.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Rotación tomada: %1 en +Z, %2 en +X; giro máximo de la brida %3 en la pose %4.</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>La brida giró hasta %1 (pose %2). Tome las tres poses de nuevo sin girar la herramienta.</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>La distancia en +Z es de solo %1. Tome las tres poses de nuevo, separadas %2 como mínimo.</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>La distancia en +X es de solo %1. Tome las tres poses de nuevo, separadas %2 como mínimo.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>Las tres poses están alineadas: la tercera está a solo %1 de la línea. Tómelas de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>El robot envió una posición no válida. Tome las tres poses de nuevo.</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>Repetir la última pose</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Tomar pose %1</translation>
     </message>
     <message>
@@ -9865,7 +9865,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>  ◀ menos precisa</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>Las poses solo se pueden tomar mientras el robot envía datos.</translation>
     </message>
 </context>
@@ -9903,8 +9903,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>%1: quedan %2 hasta el límite de %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the end of reach or a singularity</source>
-        <translation>%1: quedan %2 hasta el fin del alcance o una singularidad</translation>
+        <source>%1: %2 left to the reach limit or a singularity</source>
+        <translation>%1: quedan %2 hasta el límite de alcance o una singularidad</translation>
     </message>
     <message>
         <source>%1: %2 left, then %3 is %4 from %5</source>
@@ -9960,8 +9960,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Sistemas de coordenadas</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>Sistema de referencia del punto de paso. La posición en el espacio no cambia. —: las articulaciones tienen prioridad</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>Sistema de referencia del punto de paso. La posición en el espacio no cambia. «—»: sin sistema, las articulaciones tienen prioridad</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -10249,8 +10249,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Fusión: %1, ahora %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another TCP</source>
-        <translation>TCP: enseñado con otro</translation>
+        <source>TCP: taught with a different TCP</source>
+        <translation>TCP: enseñado con otro TCP</translation>
     </message>
     <message>
         <source>Group: “%1”, now “%2”</source>
@@ -10273,8 +10273,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Sin cambios desde que se enseñó.</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
-        <translation>La versión anterior a este cambio es igual a la actual.</translation>
+        <source>The version before this change is identical to the current version.</source>
+        <translation>La versión anterior a este cambio es idéntica a la actual.</translation>
     </message>
     <message>
         <source>Before this change:</source>
@@ -10368,11 +10368,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Alcance</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>Un punto de paso necesita un nombre.</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>Introduzca un nombre para el punto de paso.</translation>
     </message>
     <message>
-        <source>Waypoint %2 is named “%1”. Choose another name.</source>
+        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
         <translation>El punto de paso %2 ya se llama «%1». Elija otro nombre.</translation>
     </message>
     <message>
@@ -10381,11 +10381,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>Change “%1” to MoveJ</source>
-        <translation>Hacer «%1» MoveJ</translation>
+        <translation>Cambiar «%1» a MoveJ</translation>
     </message>
     <message>
         <source>Change “%1” to MoveL</source>
-        <translation>Hacer «%1» MoveL</translation>
+        <translation>Cambiar «%1» a MoveL</translation>
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
@@ -10648,8 +10648,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
-        <translation>Reflejado en el plano que pasa por el origen y es perpendicular al eje. La herramienta se acerca por el lado reflejado.</translation>
+        <source>Mirrors across the plane through the origin that is perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <translation>Refleja en el plano que pasa por el origen y es perpendicular al eje. La herramienta se acerca por el lado reflejado.</translation>
     </message>
     <message>
         <source>All remain within reach.</source>
@@ -10898,7 +10898,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Conectar</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Antes de mover un brazo real: mantenga a todos fuera de su alcance, tenga a mano la parada de emergencia, compruebe la carga útil y el TCP, y empiece despacio. STOP en esta ventana no es una parada de emergencia.</translation>
     </message>
     <message>
@@ -10906,12 +10906,12 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Open a project…</source>
-        <translation>Abrir un proyecto…</translation>
+        <source>Open project…</source>
+        <translation>Abrir proyecto…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>Puntos de paso de un archivo, sin robot: todo funciona salvo el movimiento.</translation>
+        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
+        <translation>Abre puntos de paso de un archivo sin robot: todo funciona salvo el movimiento.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -10934,8 +10934,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Dirección o nombre de host del robot</translation>
     </message>
     <message>
-        <source>Name shown for the robot</source>
-        <translation>Nombre mostrado del robot</translation>
+        <source>Display name of the robot</source>
+        <translation>Nombre visible del robot</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -10950,8 +10950,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>Robots connected to before</source>
-        <translation>Robots conectados antes</translation>
+        <source>Recently connected robots</source>
+        <translation>Robots conectados recientemente</translation>
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
@@ -11037,8 +11037,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>el robot no comunicó el motivo</translation>
     </message>
     <message>
-        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
-        <translation>pulsado de nuevo     %1 veces: el movimiento se había detenido antes de soltar la tecla</translation>
+        <source>pressed again        %1 times: the motion had stopped before the button was released</source>
+        <translation>pulsado de nuevo     %1 veces: el movimiento se había detenido antes de soltar el botón</translation>
     </message>
     <message>
         <source>jogged               </source>
@@ -11079,8 +11079,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>archivos                </translation>
     </message>
     <message>
-        <source>there is no key “%1” in the window</source>
-        <translation>no hay tecla «%1» en la ventana</translation>
+        <source>the window has no button “%1”</source>
+        <translation>la ventana no tiene el botón «%1»</translation>
     </message>
 </context>
 <context>
@@ -11130,7 +11130,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>exponente </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1: lineal. Mayor: más fino cerca del centro, más rápido al final.</translation>
     </message>
     <message>
@@ -11158,8 +11158,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>No se encontró ningún mando ni SpaceMouse. Conecte uno; se detecta automáticamente.</translation>
     </message>
     <message>
-        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>Mueve el brazo solo mientras se mantiene el hombre muerto. No se guarda: tras un reinicio, ningún dispositivo mueve el brazo.</translation>
+        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <translation>Mueve el brazo solo mientras se mantiene el botón de habilitación. No se guarda: tras un reinicio, ningún dispositivo mueve el brazo.</translation>
     </message>
 </context>
 <context>
@@ -11200,8 +11200,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>&lt;h2&gt;El manual no está instalado en este ordenador&lt;/h2&gt;&lt;p&gt;El paquete Debian de Tiller lo contiene. Para añadirlo a su propia compilación, instale el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. También puede leer las páginas como texto en la carpeta packaging/manual del código fuente. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras se mantiene una tecla del teclado de la ventana y se detiene al soltarla. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero deja la tecla, se pulsa un segundo botón o interviene otra mano;&lt;/li&gt;&lt;li&gt;junto a una tecla mantenida del teclado se pulsa un modificador o una tecla que la contradice;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, algo se abre sobre ella o se elige otro sistema, velocidad, paso o pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa se cuelga o el robot deja «En marcha», su modo de seguridad o el control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo se desconecta o enmudece;&lt;/li&gt;&lt;li&gt;nadie puede probar que la tecla sigue pulsada: en X11 se pregunta al servidor gráfico cien veces por segundo si el botón o la tecla está pulsado, y un «no», o 100 ms sin respuesta, termina el movimiento. Donde no se puede preguntar a nadie, lo dicen la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se ha mantenido mucho tiempo: un movimiento manual %1 s (Ajustes), el movimiento libre cinco minutos, un movimiento a un lugar 5 s más de lo que tarda. Los últimos 3 s se cuentan atrás.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un movimiento detenido necesita una nueva pulsación. Con el control tomado, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen desde cualquier ventana, diálogo y campo de texto. Sin el control pertenecen al elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace una pulsación diez veces más fina, &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápida, nunca sobre el límite. En un teclado sin letras latinas, una letra de abajo significa su lugar en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras mantiene pulsado un botón de movimiento y se detiene al soltarlo. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero sale del botón, se pulsa un segundo botón del ratón o se usa un segundo dispositivo de entrada;&lt;/li&gt;&lt;li&gt;se pulsa un modificador o la tecla contraria mientras se mantiene una tecla del teclado;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, se abre un diálogo o menú, o cambia el sistema de coordenadas, la velocidad, el paso o la pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa no responde o el robot sale de «En marcha», de su modo de seguridad o del control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo de entrada se desconecta o deja de enviar datos;&lt;/li&gt;&lt;li&gt;falla la comprobación de teclas: en X11, Tiller comprueba cada 10 ms en el servidor gráfico que el botón o la tecla sigue pulsado. Si no lo está, o si el servidor no responde durante 100 ms, el movimiento termina. Si la comprobación no está disponible, lo indican la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se alcanza el tiempo máximo de pulsación: %1 s para el movimiento manual (Ajustes), cinco minutos para el movimiento libre, la duración del movimiento más 5 s para ir a una posición. Se muestra una cuenta atrás de los últimos 3 s.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Después de una parada hay que pulsar de nuevo. Mientras Tiller tiene el control, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen el brazo desde cualquier ventana, diálogo y campo de texto. Cuando Tiller no tiene el control, actúan sobre el elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace el movimiento diez veces más fino y &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápido, pero nunca por encima del límite. En un teclado sin letras latinas, las letras siguientes se refieren a su posición en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>
@@ -11294,7 +11294,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>Teclado armado: las flechas mueven X e Y, RePág y AvPág mueven Z; con Alt giran. 1 a 6 con + y − mueven una articulación. Espacio y Esc detienen.</translation>
     </message>
     <message>
@@ -11334,7 +11334,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>%1 desconectado. El brazo se detuvo.</translation>
     </message>
     <message>
-        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
+        <source>%1 stopped sending data while it was moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 dejó de enviar datos mientras movía el brazo. El brazo se detuvo. Suelte el dispositivo; si el problema continúa, vuelva a conectarlo.</translation>
     </message>
     <message>
@@ -11358,8 +11358,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Abrir proyecto de ejemplo…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Abre una copia de uno de tres proyectos para probarla en el robot simulado.</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>Abre una copia de un proyecto de ejemplo para probarla en el robot simulado.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11414,8 +11414,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Colores oscuros</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for the next start.</source>
-        <translation>Cambia el tema de colores ahora y para el próximo inicio.</translation>
+        <source>Changes the colour theme now and for later starts.</source>
+        <translation>Cambia el tema de colores ahora y para los próximos inicios.</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11454,8 +11454,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Importar ajustes…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Importa ajustes de un archivo después de mostrar qué se sustituirá.</translation>
+        <source>Shows which settings a file will replace, then imports them.</source>
+        <translation>Muestra qué ajustes sustituirá un archivo y después los importa.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11537,8 +11537,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Informar de un problema…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Guarda versiones, registro y ajustes en un archivo para el soporte, después de mostrar su contenido.</translation>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
+        <translation>Muestra versiones, registro y ajustes y después los guarda en un archivo para el soporte.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -11573,8 +11573,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Adaptar el proyecto a este robot…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
-        <translation>Convierte un proyecto de otro modelo de robot: conserva las poses o las articulaciones.</translation>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convierte un proyecto de otro modelo de robot y conserva las poses o las posiciones articulares.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11798,7 +11798,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Se alcanzó el número máximo de perspectivas. Elimine primero una.</translation>
     </message>
     <message>
-        <source>A perspective with this name exists. Choose another name.</source>
+        <source>A perspective with this name already exists. Choose another name.</source>
         <translation>Ya existe una perspectiva con este nombre. Elija otro nombre.</translation>
     </message>
     <message>
@@ -11931,8 +11931,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Qué ocurrió</translation>
     </message>
     <message>
-        <source>What did you do, what did you expect, what happened?</source>
-        <translation>¿Qué hizo, qué esperaba, qué ocurrió?</translation>
+        <source>What did you do? What did you expect? What happened?</source>
+        <translation>¿Qué hizo? ¿Qué esperaba? ¿Qué ocurrió?</translation>
     </message>
     <message>
         <source>Files of the report</source>
@@ -11974,8 +11974,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Abrir proyecto de ejemplo</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>Cada proyecto está enseñado para un UR5e y funciona en el robot simulado. Usted trabaja con una copia: al guardar se pide un archivo nuevo.</translation>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>Cada proyecto se enseñó con un UR5e y funciona en el robot simulado. Usted trabaja con una copia: elija un archivo nuevo para guardarla.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -12025,8 +12025,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Importar ajustes…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Importar ajustes de un archivo después de mostrar qué se sustituirá</translation>
+        <source>Show which settings a file will replace, then import them</source>
+        <translation>Mostrar qué ajustes sustituirá un archivo y después importarlos</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -12101,12 +12101,12 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
-        <translation>Después de este tiempo, el movimiento manual se detiene y hay que pulsar la tecla de nuevo. Movimiento libre: cinco minutos. Ir a una posición: su duración más 5 s.</translation>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <translation>Después de este tiempo, el movimiento manual se detiene y hay que pulsar el botón de nuevo. Movimiento libre: cinco minutos. Ir a una posición: su duración más 5 s.</translation>
     </message>
     <message>
-        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
-        <translation>Táctil: suficientemente grande para los dedos. En ventanas de menos de %1 px de alto, las teclas de articulación, pestañas y barras de título siguen siendo más pequeñas.</translation>
+        <source>Touch: large enough for fingers. In windows less than %1 px high, joint buttons, tabs and title bars remain smaller.</source>
+        <translation>Táctil: suficientemente grande para los dedos. En ventanas de menos de %1 px de alto, los botones de articulación, pestañas y barras de título siguen siendo más pequeños.</translation>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
@@ -12130,11 +12130,11 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Por encima de %1. Ningún otro límite se aplica al mover desde un PC: ni el modo manual ni el dispositivo de validación de la consola. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
+        <translation>▲ Por encima de %1. Ningún otro límite se aplica al mover desde un PC: ni el modo manual ni el dispositivo de habilitación de la consola. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>Velocidad máxima de TCP y codo para todo movimiento de Tiller. Se aplica de inmediato y detiene el movimiento en curso.</translation>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <translation>Velocidad máxima de TCP y codo para todo movimiento ordenado por Tiller. Se aplica de inmediato y detiene el movimiento en curso.</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -12150,7 +12150,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
     <message>
         <source>Restore default shortcuts</source>
-        <translation>Restaurar teclas predeterminadas</translation>
+        <translation>Restaurar atajos predeterminados</translation>
     </message>
     <message>
         <source>Shortcut for %1</source>
@@ -12181,8 +12181,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Detiene el brazo, devuelve el control y se reconecta. Los gráficos empiezan de nuevo. El proyecto se guarda.</translation>
     </message>
     <message>
-        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>Idioma de la ventana y de la comprobación de la conexión. Los archivos y scripts no dependen de él.</translation>
+        <source>Language of the window and of the connection check. Files and scripts are not affected.</source>
+        <translation>Idioma de la ventana y de la comprobación de la conexión. Los archivos y scripts no se ven afectados.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
@@ -12205,8 +12205,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Solo supervisión (definido en la línea de órdenes)</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
-        <translation>Pulse el nuevo atajo en el campo; Retroceso lo elimina. Con el control tomado, Espacio y Esc siempre detienen el brazo.</translation>
+        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <translation>Pulse el nuevo atajo en el campo; Retroceso lo elimina. Mientras Tiller tiene el control, Espacio y Esc siempre detienen el brazo.</translation>
     </message>
 </context>
 <context>
@@ -12243,16 +12243,16 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Primeros pasos</translation>
     </message>
     <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Muestra en la vista una lista de comprobación, desde el encendido hasta una grabación.</translation>
+        <source>Shows a checklist in the view, from powering on to recording.</source>
+        <translation>Muestra en la vista una lista de comprobación, desde el encendido hasta la grabación.</translation>
     </message>
     <message>
         <source>Practice tasks</source>
         <translation>Ejercicios</translation>
     </message>
     <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Cinco ejercicios en el robot simulado, cada uno con comprobación.</translation>
+        <source>Five tasks on the simulated robot. Each task checks the result.</source>
+        <translation>Cinco ejercicios en el robot simulado. Cada uno comprueba el resultado.</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>

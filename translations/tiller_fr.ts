@@ -12,16 +12,16 @@
         <translation>Itinéraire</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 ne s’est pas activée en %2 s. Vérifiez l’appareil raccordé, puis appuyez de nouveau.</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 ne s’est pas activée en %2 s. Vérifiez l’appareil raccordé, puis réessayez.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 ne s’est pas désactivée en %2 s. Vérifiez l’appareil raccordé, puis appuyez de nouveau.</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 ne s’est pas désactivée en %2 s. Vérifiez l’appareil raccordé, puis réessayez.</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
-        <translation>%1 n’a pas été fait. %2</translation>
+        <translation>%1 n’a pas été terminé. %2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s.</source>
@@ -83,8 +83,8 @@
         <translation>Déplacer les panneaux</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>Programme Tiller</translation>
+        <source>Application</source>
+        <translation>Application</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -162,7 +162,7 @@
     <name>CommandLine</name>
     <message>
         <source>Jog, teach, run and monitor a Universal Robots arm from a PC.</source>
-        <translation>Déplacer, apprendre, faire marcher et surveiller un bras Universal Robots depuis un PC.</translation>
+        <translation>Déplacer, apprendre, exécuter et surveiller un bras Universal Robots depuis un PC.</translation>
     </message>
     <message>
         <source>Start with the built-in simulated UR5e.</source>
@@ -181,8 +181,8 @@
         <translation>Ouvrir ce fichier de projet (.tiller).</translation>
     </message>
     <message>
-        <source>Colours: light or dark.</source>
-        <translation>Couleurs : light (clair) ou dark (sombre).</translation>
+        <source>Colour theme: light or dark.</source>
+        <translation>Thème de couleurs : light (clair) ou dark (sombre).</translation>
     </message>
     <message>
         <source>see tiller --help</source>
@@ -193,32 +193,32 @@
         <translation>argument inattendu &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
-        <translation>--theme prend light ou dark, pas &quot;%1&quot;</translation>
+        <source>--theme must be light or dark, not &quot;%1&quot;</source>
+        <translation>--theme accepte light ou dark, pas &quot;%1&quot;</translation>
     </message>
     <message>
         <source>--robot and --simulator cannot be combined</source>
         <translation>--robot et --simulator ne peuvent pas être combinés</translation>
     </message>
     <message>
-        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
+        <source>--demo works only on the simulated robot and cannot be combined with --robot</source>
         <translation>--demo ne fonctionne qu’avec le robot simulé et ne peut pas être combiné avec --robot</translation>
     </message>
     <message>
-        <source>--demo needs a folder</source>
-        <translation>--demo demande un dossier</translation>
+        <source>--demo requires a folder</source>
+        <translation>--demo exige un dossier</translation>
     </message>
     <message>
-        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
-        <translation>--robot demande une adresse, p. ex. --robot 192.168.0.10</translation>
+        <source>--robot requires an address, e.g. --robot 192.168.0.10</source>
+        <translation>--robot exige une adresse, p. ex. --robot 192.168.0.10</translation>
     </message>
     <message>
         <source>only one project can be opened; remove &quot;%1&quot;</source>
         <translation>un seul projet peut être ouvert ; retirez &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
-        <translation>Surveillance seule : ne rien changer sur le robot ; seul STOP agit. Ne peut pas être désactivé dans les réglages.</translation>
+        <source>Monitor only: do not change anything on the robot; STOP still works. Cannot be turned off in Settings.</source>
+        <translation>Surveillance seule : ne rien changer sur le robot ; STOP reste actif. Ne peut pas être désactivé dans les réglages.</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -301,7 +301,7 @@
         <translation>Rien à comparer : le bras était hors tension ou guidé à la main pendant tout l’enregistrement.</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>Le bras et le modèle diffèrent dès le premier échantillon : vérifiez la charge utile, le modèle de robot et tout contact avec le bras.</translation>
     </message>
     <message>
@@ -340,11 +340,11 @@
         <translation>Près d’une limite d’orientation de l’outil</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
-        <translation>L’outil a tourné près de la limite de la configuration de sécurité.</translation>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
+        <translation>L’orientation de l’outil s’est approchée de la limite de la configuration de sécurité.</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>Tournez l’outil en arrière ou changez le point de passage.</translation>
     </message>
     <message>
@@ -380,15 +380,15 @@
         <translation>Le mouvement linéaire traverse une singularité du bras.</translation>
     </message>
     <message>
-        <source>Jog individual joints out of it; use MoveJ through this region.</source>
-        <translation>Sortez-en articulation par articulation ; utilisez MoveJ dans cette zone.</translation>
+        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <translation>Sortez-en en déplaçant les articulations une par une ; utilisez MoveJ pour traverser cette zone.</translation>
     </message>
     <message>
         <source>Cannot hold position</source>
         <translation>Ne peut pas tenir sa position</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed at standstill.</source>
+        <source>The arm sagged or was pushed while at standstill.</source>
         <translation>Le bras s’est affaissé ou a été poussé à l’arrêt.</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>Les forces mesurées ne correspondent pas à la charge utile, ou le bras a été poussé au démarrage de Freedrive.</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>Corrigez la charge utile et le montage, lâchez le bras et réessayez.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Une articulation a demandé plus de couple que le mouvement n’en exige.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>Enlevez l’obstacle ; s’il n’y en avait pas, vérifiez la charge utile.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Saut soudain de la position cible</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>Un programme a commandé un saut de position.</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>Saut soudain de la vitesse cible</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>Un programme a commandé un saut de vitesse.</translation>
     </message>
     <message>
@@ -492,7 +492,7 @@
         <translation>Le robot est en commande locale</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
+        <source>A script was sent, but the robot accepts commands only from its teach pendant.</source>
         <translation>Un script a été envoyé, mais le robot n’accepte que les commandes de son pupitre.</translation>
     </message>
     <message>
@@ -569,12 +569,12 @@
         <translation>%1 et %2 de plus</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>Ce logiciel est trop ancien. Mettez le robot à jour en %1.%2 ou plus récent.</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>Le logiciel du robot est trop ancien. Mettez-le à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
-        <translation>Des valeurs et les registres de commande manquent. Mettez le robot à jour en %1.%2 ou plus récent.</translation>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <translation>Des valeurs et les registres de commande manquent. Mettez le logiciel du robot à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
         <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
@@ -585,7 +585,7 @@
         <translation>Mettez sous tension et desserrez les freins avec le bouton de l’en-tête.</translation>
     </message>
     <message>
-        <source>the RTDE port accepts connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not respond</source>
         <translation>le port RTDE accepte les connexions mais ne répond pas</translation>
     </message>
     <message>
@@ -593,7 +593,7 @@
         <translation>le service du port %1 n’utilise pas RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>Trop de clients RTDE, ou le contrôleur ne répond plus : fermez d’autres programmes, puis redémarrez le contrôleur.</translation>
     </message>
     <message>
@@ -617,8 +617,8 @@
         <translation>cette version du logiciel n’a pas de registres 24 à 47</translation>
     </message>
     <message>
-        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
-        <translation>Mettez le logiciel du robot à jour en 3.9 ou 5.3.</translation>
+        <source>Update the robot&apos;s software to 3.9, 5.3 or newer.</source>
+        <translation>Mettez le logiciel du robot à jour en 3.9, 5.3 ou plus récent.</translation>
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
@@ -649,7 +649,7 @@
         <translation>%1 paquets sur %2 par seconde</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
         <translation>Il manque des paquets : utilisez un câble, pas une liaison radio ; fermez d’autres programmes qui chargent le robot ou ce PC.</translation>
     </message>
     <message>
@@ -661,12 +661,12 @@
         <translation>le système n’accorde pas à cet utilisateur de priorité temps réel</translation>
     </message>
     <message>
-        <source>permitted; real-time loops request it</source>
-        <translation>autorisée, et demandée par les boucles temps réel</translation>
+        <source>permitted; real-time loops use it</source>
+        <translation>autorisée, et utilisée par les boucles temps réel</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>les processeurs peuvent entrer en veille profonde, ce qui retarde les boucles</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>les processeurs peuvent entrer en veille profonde, ce qui retarde les boucles temps réel</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -677,7 +677,7 @@
         <translation>Si un outil est monté, réglez TCP et charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et laisse le bras s’affaisser en Freedrive.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
+        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
         <translation>&quot;%1&quot; n’est pas une adresse, et aucun hôte de ce nom n’a été trouvé</translation>
     </message>
     <message>
@@ -685,31 +685,31 @@
         <translation>Saisissez les quatre nombres affichés par le pupitre sous « À propos », ou demandez le nom à votre administrateur réseau.</translation>
     </message>
     <message>
-        <source>%1 does not answer</source>
+        <source>%1 does not respond</source>
         <translation>%1 ne répond pas</translation>
     </message>
     <message>
-        <source>There is no route to %1</source>
-        <translation>Aucune route vers %1</translation>
+        <source>no network route to %1</source>
+        <translation>aucune route réseau vers %1</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>Vérifiez que le robot est allumé, que le câble est branché et qu’aucun pare-feu ne bloque la connexion.</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>Donnez à ce PC une adresse dans le réseau du robot (les mêmes trois premiers nombres) et vérifiez le câble.</translation>
     </message>
     <message>
-        <source>%1 answers, but provides no robot services</source>
+        <source>%1 responds, but provides no robot services</source>
         <translation>%1 répond, mais n’offre aucun service de robot</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>Vérifiez qu’il s’agit de l’adresse du robot. Un robot qui vient d’être allumé a besoin d’une minute de plus.</translation>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
+        <translation>Vérifiez qu’il s’agit de l’adresse du robot. Un robot qui vient d’être allumé peut avoir besoin d’une minute de plus.</translation>
     </message>
     <message>
-        <source>%1 answers</source>
+        <source>%1 responds</source>
         <translation>%1 répond</translation>
     </message>
     <message>
@@ -725,7 +725,7 @@
         <translation>le port %1 est fermé</translation>
     </message>
     <message>
-        <source>port %1 does not answer</source>
+        <source>port %1 does not respond</source>
         <translation>le port %1 ne répond pas</translation>
     </message>
     <message>
@@ -741,7 +741,7 @@
         <translation>Passez le robot en commande à distance en haut à droite du pupitre. D’ici là, Tiller ne peut qu’observer.</translation>
     </message>
     <message>
-        <source>the dashboard accepts connections but does not answer</source>
+        <source>the dashboard accepts connections but does not respond</source>
         <translation>le dashboard accepte les connexions mais ne répond pas</translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         <translation>ni le Dashboard (port %1) ni la Robot API (port %2) ne sont disponibles</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>Activez le serveur Dashboard sur le robot : Réglages, Sécurité, Services. PolyScope X nécessite la version 10.11 ou plus récente pour la Robot API.</translation>
     </message>
     <message>
@@ -781,8 +781,8 @@
         <translation>Robot API %1, port %2 ; les messages doivent être fermés sur le pupitre</translation>
     </message>
     <message>
-        <source>the primary interface does not describe the arm</source>
-        <translation>l’interface primaire ne décrit pas le bras</translation>
+        <source>the primary interface sends no data about the arm</source>
+        <translation>l’interface primaire n’envoie aucune donnée sur le bras</translation>
     </message>
     <message>
         <source>Check that this is the address of the robot, and restart its controller.</source>
@@ -793,7 +793,7 @@
         <translation>cette version de Tiller ne connaît pas le type de robot %1</translation>
     </message>
     <message>
-        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions that the robot reports; jog slowly at first.</source>
         <translation>L’observation fonctionne. Les limites et aperçus utilisent les dimensions indiquées par le robot ; déplacez d’abord lentement.</translation>
     </message>
     <message>
@@ -801,7 +801,7 @@
         <translation>L’adresse se résout</translation>
     </message>
     <message>
-        <source>Host answers</source>
+        <source>Host responds</source>
         <translation>L’hôte répond</translation>
     </message>
     <message>
@@ -853,7 +853,7 @@
         <translation>Registres de commande libres</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>Aucun bus de terrain n’utilise de registres</translation>
     </message>
     <message>
@@ -900,8 +900,8 @@
         <translation>Attendez l’arrêt du bras avant de démarrer Freedrive.</translation>
     </message>
     <message>
-        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>Le bras mesure %1 avec une charge utile de %2 kg et dériverait. Lâchez l’outil, ou corrigez la charge utile et le TCP.</translation>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <translation>Le bras dériverait : il mesure %1 avec une charge utile de %2 kg. Lâchez l’outil, ou corrigez la charge utile et le TCP.</translation>
     </message>
 </context>
 <context>
@@ -918,8 +918,8 @@
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
-        <translation>Cet écran a une haute résolution. Augmentez « Taille de l’interface » dans les réglages pour agrandir textes, touches et tracés.</translation>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, controls and plots.</source>
+        <translation>Cet écran a une haute résolution. Augmentez « Taille de l’interface » dans les réglages pour agrandir textes, commandes et tracés.</translation>
     </message>
 </context>
 <context>
@@ -933,11 +933,11 @@
         <translation>Pas manuel %1, %2°</translation>
     </message>
     <message>
-        <source>Arm or disarm the keyboard</source>
-        <translation>Armer ou désarmer le clavier</translation>
+        <source>Arm or disarm keyboard jogging</source>
+        <translation>Armer ou désarmer le déplacement au clavier</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
         <translation>Clavier armé, les flèches déplacent le bras et un cadre entoure la fenêtre. Se désarme après 30 s sans utilisation.</translation>
     </message>
     <message>
@@ -953,60 +953,60 @@
         <translation>Zéro ici</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
-        <translation>Mesure le déplacement du TCP à partir d’ici. Appuyez de nouveau pour mesurer depuis le dernier appui de touche.</translation>
+        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <translation>Affiche le déplacement du TCP depuis cette position. Appuyez de nouveau pour l’afficher depuis le début du dernier mouvement.</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
         <translation>Arrête le bras. Le prochain appui utilise cette vitesse.</translation>
     </message>
     <message>
-        <source>Moves by this distance, only while the key is held.</source>
-        <translation>Déplace de cette distance, seulement tant que la touche est maintenue.</translation>
+        <source>Moves the arm by this distance while the button is held.</source>
+        <translation>Déplace le bras de cette distance tant que le bouton est maintenu.</translation>
     </message>
     <message>
-        <source>Moves by this distance at each press.</source>
-        <translation>Déplace de cette distance à chaque appui.</translation>
+        <source>Each press moves the arm by this distance.</source>
+        <translation>Chaque appui déplace le bras de cette distance.</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
         <translation>Déplacer jusqu’au contact (%1 N)</translation>
     </message>
     <message>
-        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>Déplace lentement tant que la touche est maintenue et s’arrête quand l’outil atteint cette force.</translation>
+        <source>Moves slowly while the button is held and stops when the contact force reaches this value.</source>
+        <translation>Déplace lentement tant que le bouton est maintenu et s’arrête quand la force de contact atteint cette valeur.</translation>
     </message>
     <message>
-        <source>Jog speed, other…</source>
+        <source>Other jog speed…</source>
         <translation>Autre vitesse manuelle…</translation>
     </message>
     <message>
-        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>Demande la vitesse du TCP. Les vitesses de rotation et des articulations changent en proportion.</translation>
+        <source>Sets the TCP speed. Rotation and joint speeds change in proportion.</source>
+        <translation>Définit la vitesse du TCP. Les vitesses de rotation et des articulations changent en proportion.</translation>
     </message>
     <message>
-        <source>Jog step, other…</source>
+        <source>Other jog step…</source>
         <translation>Autre pas manuel…</translation>
     </message>
     <message>
-        <source>Asks for the step length. The step angle does not change.</source>
-        <translation>Demande la longueur du pas. L’angle du pas ne change pas.</translation>
+        <source>Sets the step length. The step angle does not change.</source>
+        <translation>Définit la longueur du pas. L’angle du pas ne change pas.</translation>
     </message>
     <message>
-        <source>Jog angle, other…</source>
+        <source>Other jog angle…</source>
         <translation>Autre rotation manuelle…</translation>
     </message>
     <message>
-        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>Demande l’angle du pas pour les rotations de l’outil et des articulations. La longueur ne change pas.</translation>
+        <source>Sets the step angle of tool and joint rotations. The step length does not change.</source>
+        <translation>Définit l’angle du pas pour les rotations de l’outil et des articulations. La longueur ne change pas.</translation>
     </message>
     <message>
-        <source>Jog until contact, other force…</source>
-        <translation>Déplacer jusqu’au contact, autre force…</translation>
+        <source>Other contact force for jogging…</source>
+        <translation>Autre force de contact manuelle…</translation>
     </message>
     <message>
-        <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>Demande la force de contact en N qui termine le mouvement.</translation>
+        <source>Sets the contact force in N that ends the motion.</source>
+        <translation>Définit la force de contact en N qui termine le mouvement.</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1062,16 +1062,16 @@
 <context>
     <name>KeyStateProbe</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events to detect key releases.</source>
+        <translation>Contrôle de touche indisponible sur cette plate-forme (%1) : Tiller détecte le relâchement des touches par les événements de la fenêtre.</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>Contrôle de touche actif : Tiller demande toutes les 10 ms au serveur d’affichage si le bouton ou la touche est encore enfoncé.</translation>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>Contrôle de touche actif : Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé.</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>Contrôle de touche indisponible : pas de seconde connexion au serveur d’affichage. Tiller se fie aux événements de la fenêtre pour les touches maintenues.</translation>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <translation>Contrôle de touche indisponible : pas de seconde connexion au serveur d’affichage. Tiller détecte le relâchement des touches par les événements de la fenêtre.</translation>
     </message>
 </context>
 <context>
@@ -1149,8 +1149,8 @@
         <translation>Coude au plafond de vitesse de %1</translation>
     </message>
     <message>
-        <source>move less sideways</source>
-        <translation>allez moins de côté</translation>
+        <source>reduce sideways motion</source>
+        <translation>réduisez le mouvement latéral</translation>
     </message>
     <message>
         <source>Rotation at its cap of %1</source>
@@ -1203,8 +1203,8 @@
         <translation>EN MOUVEMENT</translation>
     </message>
     <message>
-        <source>The robot confirms that the arm moves.</source>
-        <translation>Le robot confirme que le bras bouge.</translation>
+        <source>The robot reports that the arm is moving.</source>
+        <translation>Le robot signale que le bras bouge.</translation>
     </message>
     <message>
         <source>Remote</source>
@@ -1267,12 +1267,12 @@
         <translation>Des paquets sont en retard ou perdus : le déplacement peut s’arrêter et les tracés ont des lacunes. Utilisez un câble au lieu d’une liaison sans fil et fermez d’autres programmes.</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>Les commandes prennent plus de 20 ms : le bras réagit aux touches avec retard. Déplacez lentement.</translation>
+        <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
+        <translation>Les commandes prennent plus de 20 ms : le bras réagit avec retard. Déplacez lentement.</translation>
     </message>
     <message>
-        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>Bon : le bras réagit aussitôt aux touches et s’arrête en 250 ms si la liaison échoue.</translation>
+        <source>Good: the arm responds immediately and stops within 250 ms if the link fails.</source>
+        <translation>Bon : le bras réagit aussitôt et s’arrête en 250 ms si la liaison échoue.</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1371,7 +1371,7 @@
         <translation>Données en retard</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>Démarre le programme de commande sur le robot. Demande confirmation avant d’arrêter un autre programme.</translation>
     </message>
 </context>
@@ -1383,7 +1383,7 @@
     </message>
     <message>
         <source>The robot&apos;s controller is not running. Restart the control box.</source>
-        <translation>Le contrôleur du robot ne marche pas. Redémarrez le boîtier de commande.</translation>
+        <translation>Le contrôleur du robot ne fonctionne pas. Redémarrez le boîtier de commande.</translation>
     </message>
     <message>
         <source>Arm disconnected</source>
@@ -1391,7 +1391,7 @@
     </message>
     <message>
         <source>The controller has no connection to the arm. See the teach pendant.</source>
-        <translation>Le contrôleur n’a pas de liaison avec le bras. Voyez le pupitre.</translation>
+        <translation>Le contrôleur n’a pas de liaison avec le bras. Consultez le pupitre.</translation>
     </message>
     <message>
         <source>Confirm safety</source>
@@ -1422,7 +1422,7 @@
         <translation>Sous tension</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>Le bras est sous tension et s’initialise. Attendez un instant.</translation>
     </message>
     <message>
@@ -1438,7 +1438,7 @@
         <translation>Backdrive</translation>
     </message>
     <message>
-        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
+        <source>The arm is being moved by hand with its brakes released. Release the Freedrive button.</source>
         <translation>Le bras est déplacé à la main, freins desserrés. Relâchez le bouton Freedrive.</translation>
     </message>
     <message>
@@ -1454,8 +1454,8 @@
         <translation>Mise à jour du firmware</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
-        <translation>Le firmware des articulations est mis à jour. Gardez sous tension jusqu’à la fin de la mise à jour.</translation>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
+        <translation>Le firmware des articulations est mis à jour. Ne coupez pas l’alimentation avant la fin de la mise à jour.</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -1478,7 +1478,7 @@
         <translation>Arrêt de protection</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
         <translation>Le contrôleur a arrêté le bras. Trouvez ce qui l’a arrêté, puis déverrouillez (après 5 s).</translation>
     </message>
     <message>
@@ -1566,8 +1566,8 @@
         <translation>Arrêt de validation du pupitre</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
-        <translation>La touche de validation du pupitre n’est pas tenue. Tenez-la en position médiane.</translation>
+        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
+        <translation>Le bouton de validation du pupitre n’est pas tenu. Tenez-le en position médiane.</translation>
     </message>
     <message>
         <source>IMMI emergency stop</source>
@@ -1598,24 +1598,24 @@
         <translation>Arrêt automatique PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
-        <translation>Le contrôleur PROFIsafe tient ouverte la protection du mode automatique. Fermez-la là-bas.</translation>
+        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <translation>Le contrôleur PROFIsafe demande l’arrêt de sauvegarde du mode automatique. Annulez la demande sur ce contrôleur.</translation>
     </message>
     <message>
         <source>PROFIsafe safeguard stop</source>
         <translation>Arrêt de sauvegarde PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
-        <translation>Le contrôleur PROFIsafe tient une protection ouverte. Fermez-la là-bas.</translation>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <translation>Le contrôleur PROFIsafe demande un arrêt de sauvegarde. Annulez la demande sur ce contrôleur.</translation>
     </message>
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>Arrêt d’urgence PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
-        <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Levez-le là-bas, puis mettez sous tension et desserrez les freins.</translation>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
+        <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Annulez la demande sur ce contrôleur, puis mettez sous tension et desserrez les freins.</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1630,12 +1630,12 @@
         <translation>Arrêt par plan d’E/S</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
         <translation>L’outil a franchi un plan de sécurité activé par une entrée. Sortez-le avec le pupitre ou désactivez l’entrée.</translation>
     </message>
     <message>
         <source>Program stopping</source>
-        <translation>Programme s’arrête</translation>
+        <translation>Arrêt du programme</translation>
     </message>
     <message>
         <source>The program on the robot is ending.</source>
@@ -1646,7 +1646,7 @@
         <translation>Pas de programme</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>Aucun programme ne tourne sur le robot.</translation>
     </message>
     <message>
@@ -1654,12 +1654,12 @@
         <translation>Programme en cours</translation>
     </message>
     <message>
-        <source>A program runs on the robot and may move the arm.</source>
+        <source>A program is running on the robot and may move the arm.</source>
         <translation>Un programme tourne sur le robot et peut bouger le bras.</translation>
     </message>
     <message>
         <source>Program pausing</source>
-        <translation>Programme se met en pause</translation>
+        <translation>Mise en pause</translation>
     </message>
     <message>
         <source>The program is pausing.</source>
@@ -1670,12 +1670,12 @@
         <translation>Programme en pause</translation>
     </message>
     <message>
-        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
-        <translation>La lecture poursuit le mouvement interrompu. Arrêtez le programme pour l’abandonner.</translation>
+        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <translation>Appuyez sur Lecture pour poursuivre le mouvement interrompu, ou arrêtez le programme pour l’abandonner.</translation>
     </message>
     <message>
         <source>Program resuming</source>
-        <translation>Programme reprend</translation>
+        <translation>Reprise du programme</translation>
     </message>
     <message>
         <source>The program is resuming: the arm may move.</source>
@@ -1683,15 +1683,15 @@
     </message>
     <message>
         <source>Unknown robot mode %1. See the teach pendant.</source>
-        <translation>Mode de robot inconnu %1. Voyez le pupitre.</translation>
+        <translation>Mode de robot inconnu %1. Consultez le pupitre.</translation>
     </message>
     <message>
         <source>Unknown safety mode %1. See the teach pendant.</source>
-        <translation>Mode de sécurité inconnu %1. Voyez le pupitre.</translation>
+        <translation>Mode de sécurité inconnu %1. Consultez le pupitre.</translation>
     </message>
     <message>
         <source>Unknown program state %1. See the teach pendant.</source>
-        <translation>État de programme inconnu %1. Voyez le pupitre.</translation>
+        <translation>État de programme inconnu %1. Consultez le pupitre.</translation>
     </message>
 </context>
 <context>
@@ -1828,8 +1828,8 @@
         <translation>Chercher dans le journal</translation>
     </message>
     <message>
-        <source>Shows only entries that contain these words.</source>
-        <translation>Affiche seulement les entrées qui contiennent ces mots.</translation>
+        <source>Shows only entries that contain the search text.</source>
+        <translation>Affiche seulement les entrées qui contiennent le texte cherché.</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1876,8 +1876,8 @@
         <translation>Nouvelle page de tracés</translation>
     </message>
     <message>
-        <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>Ajoute une page vide après les autres. Toutes partagent l’axe du temps.</translation>
+        <source>Adds an empty page at the end. All pages share the time axis.</source>
+        <translation>Ajoute une page vide à la fin. Toutes partagent l’axe du temps.</translation>
     </message>
     <message>
         <source>Show the entire history</source>
@@ -1892,7 +1892,7 @@
     <name>PlotMenu</name>
     <message>
         <source>Remove lane %1</source>
-        <translation>Ôter la piste %1</translation>
+        <translation>Retirer la piste %1</translation>
     </message>
     <message>
         <source>Add note here…</source>
@@ -1952,7 +1952,7 @@
     </message>
     <message>
         <source>Remove this plot</source>
-        <translation>Ôter ce tracé</translation>
+        <translation>Retirer ce tracé</translation>
     </message>
     <message>
         <source>Scale to curves</source>
@@ -1974,8 +1974,8 @@
         <translation>Le bras est en arrêt de protection. Appuyez sur « Rétablir… » dans l’en-tête.</translation>
     </message>
     <message>
-        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
-        <translation>Déverrouillé. Le bras n’est pas encore en marche : suivez la page de récupération.</translation>
+        <source>Unlocked. The arm is not running yet: follow the steps on the recovery page.</source>
+        <translation>Déverrouillé. Le bras n’est pas encore en marche : suivez les étapes de la page de récupération.</translation>
     </message>
     <message>
         <source>Unlocked. Take control again.</source>
@@ -1983,7 +1983,7 @@
     </message>
     <message>
         <source>The arm is running and under your control again.</source>
-        <translation>Le bras marche et est de nouveau sous votre contrôle.</translation>
+        <translation>Le bras est en marche et de nouveau sous votre contrôle.</translation>
     </message>
     <message>
         <source>No new frame yet. Use “3 points” in the Frames tab.</source>
@@ -2006,8 +2006,8 @@
         <translation>« %1 » n’a pas été appris avec le bras : le TCP n’a jamais été à son origine.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>Le point de passage a été supprimé. Démarrer en ajoute un nouveau.</translation>
+        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <translation>Le point de passage a été supprimé. Appuyez sur Démarrer pour en ajouter un nouveau.</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
@@ -2042,8 +2042,8 @@
         <translation>Limite atteinte. Revenez maintenant : %1 sur %2.</translation>
     </message>
     <message>
-        <source>You reached the limit and moved out of it again.</source>
-        <translation>Vous avez atteint la limite puis en êtes ressorti.</translation>
+        <source>You reached the limit and moved back.</source>
+        <translation>Vous avez atteint la limite et êtes revenu.</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2066,8 +2066,8 @@
         <translation>%1 ne correspond pas à l’enregistrement. Regardez la courbe Fz.</translation>
     </message>
     <message>
-        <source>Correct: it was %1.</source>
-        <translation>Juste : c’était %1.</translation>
+        <source>Correct: the force was %1.</source>
+        <translation>Juste : la force était de %1.</translation>
     </message>
     <message>
         <source>Recover from a protective stop</source>
@@ -2090,24 +2090,24 @@
         <translation>Enregistrer et mesurer</translation>
     </message>
     <message>
-        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
-        <translation>Démarrer simule une collision, qui provoque un arrêt de protection. Trouvez ce qui a arrêté le bras, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
+        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>Appuyez sur Démarrer pour simuler une collision qui provoque un arrêt de protection. Trouvez ce qui a arrêté le bras, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>Apprenez un repère à partir de trois points dans l’onglet Repères. Son axe X doit pointer selon Y+ de la base et son axe Z vers le haut : prenez l’origine, puis un point plus loin selon Y+, puis un point plus loin selon X−.</translation>
     </message>
     <message>
-        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>Démarrer ajoute un point de passage « pièce » à la position actuelle du bras. La pièce se déplace ensuite de %1 selon X+ de la base. Allez-y, sélectionnez le point et retouchez-le (U).</translation>
+        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>Appuyez sur Démarrer pour ajouter un point de passage « pièce » à la position actuelle du bras. La pièce se déplace ensuite de %1 selon X+ de la base. Allez-y, sélectionnez le point et retouchez-le (U).</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>Déplacez vers l’extérieur, loin de la base, jusqu’à ce qu’une limite réduise la vitesse de moitié. La ligne sous le pavé nomme la limite et la façon d’en sortir. Revenez ensuite de %1.</translation>
     </message>
     <message>
-        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>Démarrer simule une main qui appuie sur l’outil par le haut. Enregistrez au moins trois secondes, puis arrêtez. Lisez la force Fz dans les tracés et saisissez-la.</translation>
+        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>Appuyez sur Démarrer pour simuler une main qui appuie sur l’outil par le haut. Enregistrez au moins trois secondes, puis arrêtez. Lisez la force Fz dans les tracés et saisissez-la.</translation>
     </message>
     <message>
         <source>part</source>
@@ -2144,16 +2144,16 @@
         <translation>« %1 » a une valeur non valide.</translation>
     </message>
     <message>
-        <source>“%1” is %2; it can be %3 to %4.</source>
-        <translation>« %1 » vaut %2 ; il peut être de %3 à %4.</translation>
+        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <translation>« %1 » vaut %2 ; la valeur doit être entre %3 et %4.</translation>
     </message>
     <message>
-        <source>No waypoint belongs to the group “%1”.</source>
-        <translation>Aucun point de passage n’appartient au groupe « %1 ».</translation>
+        <source>The group “%1” contains no waypoints.</source>
+        <translation>Le groupe « %1 » ne contient aucun point de passage.</translation>
     </message>
     <message>
-        <source>“%1” refers to something that is no longer in the project.</source>
-        <translation>« %1 » renvoie à un élément qui n’est plus dans le projet.</translation>
+        <source>“%1” refers to an item that was deleted from the project.</source>
+        <translation>« %1 » renvoie à un élément supprimé du projet.</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2172,20 +2172,20 @@
         <translation>« %1 » ne peut pas contenir d’étapes.</translation>
     </message>
     <message>
-        <source>This version of Tiller has no step “%1”.</source>
-        <translation>Cette version de Tiller n’a pas d’étape « %1 ».</translation>
+        <source>This version of Tiller does not support the step “%1”.</source>
+        <translation>Cette version de Tiller ne prend pas en charge l’étape « %1 ».</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
         <translation>Un programme ne peut commencer qu’à une étape de niveau supérieur, et pas entre des parties comme Si et Sinon.</translation>
     </message>
     <message>
-        <source>The project has no such program.</source>
-        <translation>Le projet n’a pas ce programme.</translation>
+        <source>The project does not contain this program.</source>
+        <translation>Le projet ne contient pas ce programme.</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, and the robot is a %2.</source>
-        <translation>Le projet a été appris avec un %1, et le robot est un %2.</translation>
+        <source>The project was taught with a %1, but the robot is a %2.</source>
+        <translation>Le projet a été appris avec un %1, mais le robot est un %2.</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2196,7 +2196,7 @@
         <translation>Le programme n’a pas d’étapes.</translation>
     </message>
     <message>
-        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program.</source>
         <translation>La variable « %1 » a un autre type ailleurs dans le programme.</translation>
     </message>
     <message>
@@ -2208,8 +2208,8 @@
         <translation>Les appels sont imbriqués trop profondément.</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
-        <translation>« %1 » a été appris avec un autre TCP que les points précédents. Définissez le TCP actif ou placez l’étape dans une section TCP.</translation>
+        <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <translation>« %1 » a été appris avec un TCP différent de celui des points précédents. Définissez le TCP actif ou placez l’étape dans une section TCP.</translation>
     </message>
     <message>
         <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
@@ -2348,8 +2348,8 @@
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
-        <translation>Le programme « %1 » demande %2 valeurs séparées par des virgules, mais il y en a %3.</translation>
+        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
+        <translation>Le programme « %1 » exige %2 valeurs séparées par des virgules, mais il y en a %3.</translation>
     </message>
     <message>
         <source>Case</source>
@@ -2428,7 +2428,7 @@
         <translation>Base</translation>
     </message>
     <message>
-        <source>Frame of section</source>
+        <source>Section frame</source>
         <translation>Repère de la section</translation>
     </message>
     <message>
@@ -2488,12 +2488,12 @@
         <translation>Si l’entrée est désactivée</translation>
     </message>
     <message>
-        <source>Opening and closing need different outputs.</source>
-        <translation>L’ouverture et la fermeture demandent des sorties différentes.</translation>
+        <source>Select different outputs for opening and closing.</source>
+        <translation>Choisissez des sorties différentes pour l’ouverture et la fermeture.</translation>
     </message>
     <message>
-        <source>The gripper is not holding a part.</source>
-        <translation>La pince ne tient pas de pièce.</translation>
+        <source>The gripper is not holding an object.</source>
+        <translation>La pince ne tient pas d’objet.</translation>
     </message>
     <message>
         <source>If</source>
@@ -2728,8 +2728,8 @@
         <translation>Question</translation>
     </message>
     <message>
-        <source>Questions need software 5.6 or newer.</source>
-        <translation>Les questions nécessitent le logiciel 5.6 ou plus récent.</translation>
+        <source>Questions require robot software 5.6 or newer.</source>
+        <translation>Les questions nécessitent le logiciel de robot 5.6 ou plus récent.</translation>
     </message>
     <message>
         <source>URScript</source>
@@ -2772,8 +2772,8 @@
         <translation>Registre</translation>
     </message>
     <message>
-        <source>The last register that a program can set is %1.</source>
-        <translation>Le dernier registre qu’un programme peut régler est %1.</translation>
+        <source>Programs can set registers up to %1.</source>
+        <translation>Les programmes peuvent régler les registres jusqu’à %1.</translation>
     </message>
     <message>
         <source>Speed section</source>
@@ -2784,8 +2784,8 @@
         <translation>Choix</translation>
     </message>
     <message>
-        <source>A Switch needs at least one Case.</source>
-        <translation>Un choix demande au moins un cas.</translation>
+        <source>A Switch must contain at least one Case.</source>
+        <translation>Un choix doit contenir au moins un cas.</translation>
     </message>
     <message>
         <source>A Switch can directly contain only Case and Default.</source>
@@ -2800,7 +2800,7 @@
         <translation>Essayer</translation>
     </message>
     <message>
-        <source>“Try” needs “On error” directly after it.</source>
+        <source>“Try” must be followed directly by “On error”.</source>
         <translation>« Essayer » doit être suivi directement de « En cas d’erreur ».</translation>
     </message>
     <message>
@@ -2841,7 +2841,7 @@
     </message>
     <message>
         <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
-        <translation>La position de « %1 » est inconnue car son repère %2 n&apos;est pas dans le projet.</translation>
+        <translation>La position de « %1 » est inconnue car son repère %2 n’est pas dans le projet.</translation>
     </message>
     <message>
         <source>At %1 s: %2</source>
@@ -2916,12 +2916,12 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>La sécurité est de nouveau normale</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>Le mode de sécurité est de nouveau « Normal »</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
-        <translation>Le bras peut être déplacé. Les mouvements d’avant l’arrêt ne reprennent pas : chaque mouvement demande un nouvel appui.</translation>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <translation>Le bras peut être déplacé. Les mouvements interrompus par l’arrêt ne reprennent pas : chaque mouvement exige un nouvel appui.</translation>
     </message>
     <message>
         <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
@@ -2944,8 +2944,8 @@
         <translation>J’ai inspecté le bras : personne ne le touche et rien n’est coincé.</translation>
     </message>
     <message>
-        <source>The cause of the stop is known and removed.</source>
-        <translation>La cause de l’arrêt est connue et éliminée.</translation>
+        <source>The cause of the stop is known and has been removed.</source>
+        <translation>La cause de l’arrêt est connue et a été éliminée.</translation>
     </message>
     <message>
         <source>Payload and TCP match the mounted tool.</source>
@@ -2960,8 +2960,8 @@
         <translation>J’ai inspecté le bras et le journal du robot : la cause est connue.</translation>
     </message>
     <message>
-        <source>The cause is removed, and no one is within reach of the arm.</source>
-        <translation>La cause est éliminée et personne n’est à portée du bras.</translation>
+        <source>The cause has been removed, and no one is within reach of the arm.</source>
+        <translation>La cause a été éliminée et personne n’est à portée du bras.</translation>
     </message>
     <message>
         <source>No action needed here: this state ends when its cause is removed.</source>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>revenir en arrière : plus aucun mouvement enregistré</translation>
     </message>
 </context>
@@ -3029,7 +3029,7 @@
         <translation>Rendez d’abord le contrôle.</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>Aucun programme ne tourne sur le robot.</translation>
     </message>
     <message>
@@ -3169,7 +3169,7 @@
         <translation>Arrête le programme du robot.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>Démarre le programme de commande sur le robot. Demande confirmation avant d’arrêter un autre programme.</translation>
     </message>
 </context>
@@ -3220,7 +3220,7 @@
         <translation>%1 : désactivée %2 s</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
         <translation>Les impulsions sont chronométrées par le robot et exigent le contrôle. Prenez d’abord le contrôle, ou activez puis désactivez la sortie.</translation>
     </message>
     <message>
@@ -3333,27 +3333,27 @@
         <translation>Collage le long d’une trajectoire</translation>
     </message>
     <message>
-        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
-        <translation>Dépose un cordon autour d’un couvercle aux coins arrondis, lentement et en lignes droites. Les raccordements gardent la buse en mouvement dans les coins.</translation>
+        <source>Applies a bead around a lid with rounded corners in slow, straight moves. Blends keep the nozzle moving through the corners.</source>
+        <translation>Dépose un cordon autour d’un couvercle aux coins arrondis par mouvements lents et droits. Les raccordements gardent la buse en mouvement dans les coins.</translation>
     </message>
     <message>
         <source>Measuring</source>
         <translation>Mesure</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
-        <translation>Un palpeur touche une pièce par le haut et par quatre côtés, chaque fois depuis un point d’approche et l’outil incliné.</translation>
+        <source>A probe touches a part from above and from four sides. Each touch starts at an approach waypoint with the tool tilted.</source>
+        <translation>Un palpeur touche une pièce par le haut et par quatre côtés. Chaque contact part d’un point d’approche, l’outil incliné.</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Default view, perspective</source>
-        <translation>Vue par défaut, en perspective</translation>
+        <source>Default view (perspective)</source>
+        <translation>Vue par défaut (en perspective)</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly above, with everything visible.</source>
-        <translation>Regarder entre l’avant et le côté, légèrement d’en haut, tout visible.</translation>
+        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <translation>Regarder entre l’avant et le côté, légèrement d’en haut, avec tout ajusté à la vue.</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -3429,16 +3429,16 @@
         <translation>Le fichier ne contient pas de réglages de Tiller.</translation>
     </message>
     <message>
-        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
-        <translation>Le fichier a été écrit par un Tiller plus récent. Mettez Tiller à jour pour l’importer.</translation>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <translation>Le fichier a été écrit par une version plus récente de Tiller. Mettez Tiller à jour pour l’importer.</translation>
     </message>
     <message>
-        <source>The file does not state its version.</source>
-        <translation>Le fichier n’indique pas sa version.</translation>
+        <source>The file contains no version number.</source>
+        <translation>Le fichier ne contient pas de numéro de version.</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>La liste des valeurs manque ou est trop longue.</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>La liste des réglages manque ou est trop longue.</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -3843,8 +3843,8 @@
 <context>
     <name>SpaceMouse</name>
     <message>
-        <source>left key</source>
-        <translation>touche gauche</translation>
+        <source>left button</source>
+        <translation>bouton gauche</translation>
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
@@ -3979,7 +3979,7 @@
         <translation>Le robot a fermé la connexion : il redémarre peut-être, ou il a été commuté entre Local et À distance.</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and the address.</source>
+        <source>The robot does not respond. Check the cable and the address.</source>
         <translation>Le robot ne répond pas. Vérifiez le câble et l’adresse.</translation>
     </message>
     <message>
@@ -3991,8 +3991,8 @@
         <translation>La réponse ne respecte pas le protocole RTDE. Vérifiez l’adresse et le port.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this.</source>
-        <translation>Le logiciel du robot est trop ancien pour cela.</translation>
+        <source>The robot&apos;s software is too old for this function.</source>
+        <translation>Le logiciel du robot est trop ancien pour cette fonction.</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
@@ -4011,15 +4011,15 @@
         <translation>Prenez d’abord le contrôle.</translation>
     </message>
     <message>
-        <source>Bring the robot to Running and its safety to Normal first.</source>
-        <translation>Amenez d’abord le robot à « En marche » et sa sécurité à « Normal ».</translation>
+        <source>First bring the robot to mode Running and safety mode Normal.</source>
+        <translation>Amenez d’abord le robot au mode « En marche » et au mode de sécurité « Normal ».</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Passez le robot en commande à distance sur le pupitre, en haut à droite.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>Choisissez une cible à la portée du bras et une vitesse sous le plafond.</translation>
     </message>
     <message>
@@ -4027,7 +4027,7 @@
         <translation>Le bras ne peut pas atteindre cette pose : rapprochez le point ou tournez l’outil.</translation>
     </message>
     <message>
-        <source>The robot could not run the program. See the log for the message of the controller.</source>
+        <source>The robot could not run the program. See the log for the controller&apos;s message.</source>
         <translation>Le robot n’a pas pu exécuter le programme. Le message du contrôleur figure dans le journal.</translation>
     </message>
     <message>
@@ -4159,8 +4159,8 @@
         <translation>touche lâchée</translation>
     </message>
     <message>
-        <source>pointer left the key</source>
-        <translation>le pointeur a quitté la touche</translation>
+        <source>pointer left the button</source>
+        <translation>le pointeur a quitté le bouton</translation>
     </message>
     <message>
         <source>focus lost</source>
@@ -4204,7 +4204,7 @@
     </message>
     <message>
         <source>robot data too old</source>
-        <translation>données du robot trop vieilles</translation>
+        <translation>données du robot trop anciennes</translation>
     </message>
     <message>
         <source>robot or safety mode changed</source>
@@ -4291,8 +4291,8 @@
         <translation>La connexion a été perdue. Reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>Your script is running. Control returns when it ends.</source>
-        <translation>Votre script est en cours. Le contrôle revient quand il se termine.</translation>
+        <source>Your script is running. Tiller regains control when it ends.</source>
+        <translation>Votre script est en cours. Tiller reprend le contrôle quand il se termine.</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -4367,8 +4367,8 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
-        <translation>Les actions s’exécutent dans cet ordre quand « Itinéraire » atteint le point de passage, tant que sa touche est maintenue.</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <translation>Les actions s’exécutent dans cet ordre quand « Itinéraire » atteint le point de passage et que son bouton est maintenu.</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
@@ -4443,8 +4443,8 @@
         <translation>Délai maximal en secondes</translation>
     </message>
     <message>
-        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>Après ce délai, l’attente échoue avec un message. 0 : attend tant que la touche est maintenue, une heure au plus</translation>
+        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <translation>Après ce délai, l’attente échoue avec un message. 0 : attend tant que le bouton est maintenu, une heure au plus</translation>
     </message>
 </context>
 <context>
@@ -4475,7 +4475,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or F2 to rename and scale.</source>
+Right-click or press F2 to rename or scale.</source>
         <translation>%1 : %2
 Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
     </message>
@@ -4496,7 +4496,7 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Échelle de %1</translation>
     </message>
     <message>
-        <source>e.g. bar; empty: not scaled</source>
+        <source>e.g. bar; empty: no scaling</source>
         <translation>p. ex. bar ; vide : sans échelle</translation>
     </message>
     <message>
@@ -4523,11 +4523,11 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Armer le clavier</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation>Les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z ; avec Alt, elles tournent. 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent. Pour désarmer, cliquez ou attendez 30 s.</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
         <translation>Clavier armé, les flèches déplacent le bras tant qu’elles sont maintenues. Un cadre entoure la fenêtre.</translation>
     </message>
 </context>
@@ -4538,16 +4538,16 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
         <translation>Taille %1</translation>
     </message>
     <message>
-        <source>Drawn and checked</source>
-        <translation>Dessiné et vérifié</translation>
+        <source>Shown and checked for collisions</source>
+        <translation>Affiché et vérifié contre les collisions</translation>
     </message>
     <message>
         <source>Plane</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>Une boîte ou un plan a besoin d’un nom.</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>Saisissez un nom pour la boîte ou le plan.</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -4612,7 +4612,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>plan</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>Premier coin pris.</translation>
     </message>
     <message>
@@ -4688,16 +4688,16 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Longueur selon Z</translation>
     </message>
     <message>
-        <source>Point on the plane X</source>
-        <translation>Point du plan X</translation>
+        <source>Point on the plane, X</source>
+        <translation>Point du plan, X</translation>
     </message>
     <message>
-        <source>Point on the plane Y</source>
-        <translation>Point du plan Y</translation>
+        <source>Point on the plane, Y</source>
+        <translation>Point du plan, Y</translation>
     </message>
     <message>
-        <source>Point on the plane Z</source>
-        <translation>Point du plan Z</translation>
+        <source>Point on the plane, Z</source>
+        <translation>Point du plan, Z</translation>
     </message>
     <message>
         <source>Normal X, towards the arm</source>
@@ -4716,8 +4716,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Sol</translation>
     </message>
     <message>
-        <source>When off, it is neither drawn nor checked.</source>
-        <translation>Désactivé, il n’est ni dessiné ni vérifié.</translation>
+        <source>When off, the floor is neither shown nor checked for collisions.</source>
+        <translation>Désactivé, le sol n’est ni affiché ni vérifié contre les collisions.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
@@ -4732,8 +4732,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Distance de sécurité</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
-        <translation>Le déplacement manuel s’arrête à cette distance de la cellule et entre les parties du bras. Les mouvements qui s’approchent davantage sont refusés.</translation>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <translation>Le déplacement manuel s’arrête à cette distance des objets de la cellule et entre les parties du bras. Les mouvements qui s’approchent davantage sont refusés.</translation>
     </message>
     <message>
         <source>Here</source>
@@ -4834,15 +4834,15 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Comparer…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model, with different limits</source>
-        <translation>Comparer cet enregistrement au modèle du bras, avec d’autres limites</translation>
+        <source>Compare this recording with the arm model using other limits</source>
+        <translation>Comparer cet enregistrement au modèle du bras avec d’autres limites</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Go there</source>
+        <source>Go to time</source>
         <translation>Y aller</translation>
     </message>
     <message>
@@ -4861,8 +4861,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Comparer au modèle du bras</translation>
     </message>
     <message>
-        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>Le bras simulé suit les consignes articulaires enregistrées, et son mouvement est comparé au mouvement enregistré. Le modèle n’a ni contact ni frottement.</translation>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model includes neither contact nor friction.</source>
+        <translation>Le bras simulé suit les consignes articulaires enregistrées, et son mouvement est comparé au mouvement enregistré. Le modèle n’inclut ni contact ni frottement.</translation>
     </message>
     <message>
         <source>Arm model</source>
@@ -4915,8 +4915,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
-        <translation>Déplace le bras (jusqu’à la fermeture de Tiller)</translation>
+        <source>Enable motion (until Tiller is closed)</source>
+        <translation>Autoriser le mouvement (jusqu’à la fermeture de Tiller)</translation>
     </message>
     <message>
         <source>Dominant axis only</source>
@@ -4935,16 +4935,16 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Direction dans laquelle le bras irait</translation>
     </message>
     <message>
-        <source>Dead-man</source>
-        <translation>Homme mort</translation>
+        <source>Hold-to-run</source>
+        <translation>Validation</translation>
     </message>
     <message>
-        <source>Would move</source>
-        <translation>Déplacerait</translation>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
-        <translation>Clavier, quand il est armé (Ctrl+J) : flèches : X et Y ; Pg préc, Pg suiv : Z ; avec Alt : rotation ; 1 à 6 avec + et − : articulations ; Début : origine ; Fin : aligner ; Retour arrière : retour ; F : Freedrive ; Ctrl : plus lent ; Maj : plus rapide. Espace et Échap arrêtent.</translation>
+        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <translation>Clavier armé (Ctrl+J) : flèches : X et Y ; Pg préc, Pg suiv : Z ; avec Alt : rotation ; 1 à 6 avec + et − : articulations ; Début : origine ; Fin : aligner ; Retour arrière : retour ; F : Freedrive ; Ctrl : plus lent ; Maj : plus rapide. Espace et Échap arrêtent.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4963,8 +4963,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>○ non tenu : tenez %1</translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
-        <translation>rien : neutre</translation>
+        <source>none (neutral)</source>
+        <translation>aucun (neutre)</translation>
     </message>
 </context>
 <context>
@@ -4995,8 +4995,8 @@ Videz la recherche pour tout voir.</translation>
         <translation>Desserrer les freins (en-tête)</translation>
     </message>
     <message>
-        <source>Take control, hold a pad key</source>
-        <translation>Prendre le contrôle, tenir une touche</translation>
+        <source>Take control, hold a jog button</source>
+        <translation>Prendre le contrôle, tenir un bouton</translation>
     </message>
     <message>
         <source>Teach here (T)</source>
@@ -5026,8 +5026,8 @@ Videz la recherche pour tout voir.</translation>
         <translation>Écarter</translation>
     </message>
     <message>
-        <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>La liste ne réapparaîtra pas. Utilisez la commande « Premiers pas » pour l’afficher.</translation>
+        <source>The list will not appear again. Use the command “First steps” to reopen it.</source>
+        <translation>La liste ne réapparaîtra pas. Utilisez la commande « Premiers pas » pour la rouvrir.</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -5045,8 +5045,8 @@ Videz la recherche pour tout voir.</translation>
         <translation>Origine</translation>
     </message>
     <message>
-        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
-        <translation>Dans Base. Appuyez sur Entrée pour appliquer. Seul le repère change ; le robot ne bouge pas.</translation>
+        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <translation>Dans le repère de base. Appuyez sur Entrée pour appliquer. Seul le repère change ; le robot ne bouge pas.</translation>
     </message>
     <message>
         <source>not used by any waypoint</source>
@@ -5154,8 +5154,8 @@ Videz la recherche pour tout voir.</translation>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>Un repère demande un nom.</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>Saisissez un nom pour le repère.</translation>
     </message>
     <message>
         <source>Base</source>
@@ -5174,8 +5174,8 @@ Videz la recherche pour tout voir.</translation>
         <translation>« %1 » est un repère prédéfini. Choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>Another frame is named “%1”. Choose another name.</source>
-        <translation>Un autre repère s’appelle « %1 ». Choisissez un autre nom.</translation>
+        <source>A frame named “%1” already exists. Choose another name.</source>
+        <translation>Un repère nommé « %1 » existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -5222,8 +5222,8 @@ Videz la recherche pour tout voir.</translation>
         <translation>TCP %1</translation>
     </message>
     <message>
-        <source>Distance of the TCP, %1</source>
-        <translation>Distance du TCP, %1</translation>
+        <source>Distance from the TCP, %1</source>
+        <translation>Distance depuis le TCP, %1</translation>
     </message>
 </context>
 <context>
@@ -5260,19 +5260,19 @@ Videz la recherche pour tout voir.</translation>
         <translation>Vers +Y</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>Prendre l’origine ici</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>Prendre le point sur +X ici</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>Prendre le point vers +Y ici</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Prendre</translation>
     </message>
     <message>
@@ -5280,19 +5280,19 @@ Videz la recherche pour tout voir.</translation>
         <translation>Créer le repère</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>Le robot a envoyé une position non valide. Reprenez le point.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Le point sur +X n’est qu’à %1 de l’origine. Reprenez-le à au moins %2. Une plus grande distance donne des axes plus précis.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>Le troisième point n’est qu’à %1 de l’origine. Reprenez-le à au moins %2.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>Les trois points sont alignés : le troisième n’est qu’à %1 de l’axe X. Reprenez-le à au moins %2 vers +Y.</translation>
     </message>
     <message>
@@ -5300,7 +5300,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Prêt : le point sur +X est à %1 de l’origine, le troisième à %2 de l’axe X.</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>Amenez la pointe à l’origine du repère et prenez le point (P).</translation>
     </message>
     <message>
@@ -5312,12 +5312,12 @@ Videz la recherche pour tout voir.</translation>
         <translation>Allez maintenant vers +Y : à %1 de l’axe X, minimum %2.</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>Prendre  P</translation>
     </message>
     <message>
-        <source>Again</source>
-        <translation>Encore</translation>
+        <source>Redo</source>
+        <translation>Reprendre</translation>
     </message>
 </context>
 <context>
@@ -5356,7 +5356,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>Pas encore de repères.
 Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP », ou sur « 3 points » pour prendre l’origine, +X et +Y.</translation>
     </message>
@@ -5377,8 +5377,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Créer un repère au TCP avec les axes de l’outil (Maj+T)</translation>
     </message>
     <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
-        <translation>Origine, un point sur +X, un point vers +Y (Ctrl+Maj+T)</translation>
+        <source>Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>Créer un repère avec son origine, un point sur +X et un point vers +Y (Ctrl+Maj+T)</translation>
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
@@ -5397,7 +5397,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Apprendre un repère par trois points</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>Prendre le point suivant du repère</translation>
     </message>
     <message>
@@ -5476,16 +5476,16 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Point précédent, maintenir</translation>
     </message>
     <message>
-        <source>Moves to the previous waypoint while the key is held</source>
-        <translation>Va au point de passage précédent tant que la touche est maintenue</translation>
+        <source>Moves to the previous waypoint while the button is held</source>
+        <translation>Va au point de passage précédent tant que le bouton est maintenu</translation>
     </message>
     <message>
         <source>Next waypoint, hold</source>
         <translation>Point suivant, maintenir</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the key is held, and stops there</source>
-        <translation>Va au point de passage suivant tant que la touche est maintenue, et s’y arrête</translation>
+        <source>Moves to the next waypoint while the button is held, and stops there</source>
+        <translation>Va au point de passage suivant tant que le bouton est maintenu, et s’y arrête</translation>
     </message>
     <message>
         <source>Waypoints of the route</source>
@@ -5512,8 +5512,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Tout</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>Recommence au premier point après le dernier, tant que la touche est maintenue</translation>
+        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <translation>Recommence au premier point après le dernier, tant que le bouton est maintenu</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
@@ -5547,8 +5547,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
-        <translation>Va de point en point tant que la touche est maintenue, sans dépasser la vitesse de déplacement, et exécute les actions de chaque point. Relâchez pour mettre en pause ; l’appui suivant continue vers le point suivant.</translation>
+        <source>Moves from waypoint to waypoint while the button is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
+        <translation>Va de point en point tant que le bouton est maintenu, sans dépasser la vitesse de déplacement, et exécute les actions de chaque point. Relâchez pour mettre en pause ; l’appui suivant continue vers le point suivant.</translation>
     </message>
     <message>
         <source>At %1: %2</source>
@@ -5566,8 +5566,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Aller à, tenir</translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
-        <translation>Déplace le bras au point choisi tant que la touche est tenue (G), pas plus vite que la vitesse manuelle</translation>
+        <source>Moves the arm to the selected waypoint while the button or G is held, no faster than the jog speed</source>
+        <translation>Déplace le bras au point choisi tant que le bouton ou G est maintenu, pas plus vite que la vitesse manuelle</translation>
     </message>
 </context>
 <context>
@@ -5629,8 +5629,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Pince : fermer</translation>
     </message>
     <message>
-        <source>Gripper: to %1</source>
-        <translation>Pince : à %1</translation>
+        <source>Gripper: move to %1</source>
+        <translation>Pince : aller à %1</translation>
     </message>
     <message>
         <source>Gripper type</source>
@@ -5733,8 +5733,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>%1 (vitesse %2, force %3)</translation>
     </message>
     <message>
-        <source>Connect to a robot first: each robot remembers its gripper.</source>
-        <translation>Connectez-vous d’abord à un robot : chaque robot se souvient de sa pince.</translation>
+        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <translation>Connectez-vous d’abord à un robot : la pince est enregistrée pour chaque robot.</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
@@ -5793,8 +5793,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>rien</translation>
     </message>
     <message>
-        <source>The gripper cannot be reached with this port offset.</source>
-        <translation>La pince n’est pas joignable avec ce décalage de port.</translation>
+        <source>The gripper is not available with this port offset.</source>
+        <translation>La pince n’est pas disponible avec ce décalage de port.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5900,7 +5900,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>Mesuré de la commande d’arrêt à l’arrêt complet. Cause : %1</translation>
     </message>
     <message>
@@ -5935,12 +5935,12 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Un dialogue ou un menu est ouvert. Fermez-le d’abord.</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
-        <translation>Une autre touche est déjà maintenue.</translation>
+        <source>Another button or key is already held.</source>
+        <translation>Un autre bouton ou une autre touche est déjà maintenu.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
-        <translation>Le serveur d’affichage ne répond pas : le relâchement de la touche ne pourrait pas être détecté.</translation>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
+        <translation>Le serveur d’affichage ne répond pas : le relâchement d’une touche ne peut pas être détecté.</translation>
     </message>
 </context>
 <context>
@@ -5950,8 +5950,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>tenir</translation>
     </message>
     <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>Maintenez cette touche : le bras ne bouge que tant qu’elle est maintenue.</translation>
+        <source>Hold this button: the arm moves only while it is held.</source>
+        <translation>Maintenez ce bouton : le bras ne bouge que tant qu’il est maintenu.</translation>
     </message>
 </context>
 <context>
@@ -6009,15 +6009,15 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
     </message>
     <message>
         <source>
-Cannot be switched while the robot sends no data.</source>
+The output cannot be switched while the robot sends no data.</source>
         <translation>
-Non commutable tant que le robot n’envoie pas de données.</translation>
+La sortie ne peut pas être commutée tant que le robot n’envoie pas de données.</translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
-Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</translation>
+Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion ou renommer.</translation>
     </message>
     <message>
         <source>Pulse</source>
@@ -6047,7 +6047,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Pince</translation>
     </message>
     <message>
-        <source>Page of I/O</source>
+        <source>I/O page</source>
         <translation>Page d’E/S</translation>
     </message>
 </context>
@@ -6169,16 +6169,16 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Origine</translation>
     </message>
     <message>
-        <source>Moves every joint to the home position while held</source>
-        <translation>Amène chaque articulation à la position d’origine tant qu’elle est tenue</translation>
+        <source>Moves all joints to the home position while held</source>
+        <translation>Amène toutes les articulations à la position d’origine tant qu’il est maintenu</translation>
     </message>
     <message>
         <source>Align</source>
         <translation>Aligner</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>Tourne l’outil vers l’axe le plus proche du repère choisi tant qu’elle est tenue</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>Aligne l’outil sur l’axe le plus proche du repère choisi tant qu’il est maintenu</translation>
     </message>
     <message>
         <source>Back</source>
@@ -6201,16 +6201,16 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Finit dans %1 s</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
-        <translation>Une autre touche est déjà maintenue.</translation>
+        <source>Another button or key is already held.</source>
+        <translation>Un autre bouton ou une autre touche est déjà maintenu.</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>Dernier arrêt : %1, immobile après %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>Déplacez le bras à la main tant que cette touche est maintenue : %1. Clic droit pour choisir les axes</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
+        <translation>Déplacez le bras à la main tant que ce bouton est maintenu : %1. Clic droit pour choisir les axes</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6221,8 +6221,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Freedrive…</translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
-        <translation>Vérifier d’abord la charge utile (jusqu’à la prochaine connexion)</translation>
+        <source>Check the payload before Freedrive (until the next connection)</source>
+        <translation>Vérifier la charge utile avant Freedrive (jusqu’à la prochaine connexion)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6239,8 +6239,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
 <context>
     <name>tiller::JogPad</name>
     <message>
-        <source>Jog keys</source>
-        <translation>Touches de déplacement</translation>
+        <source>Jog buttons</source>
+        <translation>Boutons de déplacement</translation>
     </message>
     <message>
         <source>Jog %1</source>
@@ -6274,16 +6274,16 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Mode</translation>
     </message>
     <message>
-        <source>Moves while the key is held</source>
-        <translation>Bouge tant que la touche est tenue</translation>
+        <source>Moves while the button is held</source>
+        <translation>Bouge tant que le bouton est maintenu</translation>
     </message>
     <message>
         <source>Rotation</source>
         <translation>Tourner</translation>
     </message>
     <message>
-        <source>Rotates while the key is held</source>
-        <translation>Tourne tant que la touche est tenue</translation>
+        <source>Rotates while the button is held</source>
+        <translation>Tourne tant que le bouton est maintenu</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6294,7 +6294,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Axes de la vue : X à droite, Y en s’éloignant de vous, Z vers le haut</translation>
     </message>
     <message>
-        <source>Needs the 3D view</source>
+        <source>Requires the 3D view</source>
         <translation>Demande la vue 3D</translation>
     </message>
     <message>
@@ -6342,8 +6342,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Jusqu’au contact, %1 N</translation>
     </message>
     <message>
-        <source>Until contact, other force…</source>
-        <translation>Jusqu’au contact, autre force…</translation>
+        <source>Other contact force…</source>
+        <translation>Autre force de contact…</translation>
     </message>
     <message>
         <source>Other speed…</source>
@@ -6449,8 +6449,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Gravité</translation>
     </message>
     <message>
-        <source>What happened</source>
-        <translation>Ce qui s’est passé</translation>
+        <source>Event</source>
+        <translation>Événement</translation>
     </message>
     <message>
         <source>Open</source>
@@ -6555,7 +6555,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>La trajectoire entre dans la singularité du poignet après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>Lent près de la singularité du poignet à %1 de la trajectoire</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>La trajectoire entre dans la singularité du coude après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>Lent près de la singularité du coude à %1 de la trajectoire</translation>
     </message>
     <message>
@@ -6571,7 +6571,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>La trajectoire entre dans la singularité de l’épaule après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>Lent près de la singularité de l’épaule à %1 de la trajectoire</translation>
     </message>
     <message>
@@ -6619,12 +6619,12 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Outil</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
-        <translation>%1 est en contact avec %2, et le mouvement l’en rapproche</translation>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
+        <translation>%1 est en contact avec %2, et le mouvement réduit la distance</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
-        <translation>%1 n’est qu’à %2 de %3, et le mouvement l’en rapproche</translation>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
+        <translation>%1 n’est qu’à %2 de %3, et le mouvement réduit la distance</translation>
     </message>
     <message>
         <source>%1 comes within %2 of %3 after %4 of the path</source>
@@ -6640,7 +6640,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
     </message>
     <message>
         <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>La position de « %1 » est inconnue car son repère %2 n&apos;est pas dans le projet. Saisissez la position, excluez l&apos;objet ou supprimez-le sur la page Cellule</translation>
+        <translation>La position de « %1 » est inconnue car son repère %2 n’est pas dans le projet. Saisissez la position, excluez l’objet ou supprimez-le sur la page Cellule</translation>
     </message>
 </context>
 <context>
@@ -6727,8 +6727,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Arrête l’enregistrement et garde la trajectoire comme points de passage</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>Enregistre la trajectoire du bras en Freedrive ou en déplacement manuel jusqu’au prochain appui, et la garde comme points de passage. Le robot ne bouge pas.</translation>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <translation>Enregistre la trajectoire du bras en Freedrive ou en déplacement manuel et la garde comme points de passage. Appuyez de nouveau pour arrêter. Le robot ne bouge pas.</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6773,7 +6773,7 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Le robot n’envoie pas de données : rien à enregistrer.</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop that recording first.</source>
+        <source>Import refused: a path is being recorded. Stop recording first.</source>
         <translation>Importation refusée : une trajectoire est en cours d’enregistrement. Arrêtez d’abord cet enregistrement.</translation>
     </message>
     <message>
@@ -6891,16 +6891,16 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Appliquer</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>Un motif demande un nom.</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>Saisissez un nom pour le motif.</translation>
     </message>
     <message>
-        <source>A pattern with this name exists. Choose another name.</source>
+        <source>A pattern with this name already exists. Choose another name.</source>
         <translation>Un motif de ce nom existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
-        <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>Sélectionnez un point de passage pour chaque coin. Apprenez d’abord les trois coins.</translation>
+        <source>Teach the three corners first, then select a waypoint for each corner.</source>
+        <translation>Apprenez d’abord les trois coins, puis sélectionnez un point de passage pour chacun.</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
@@ -6983,8 +6983,8 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Pose suivante, tenir</translation>
     </message>
     <message>
-        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
-        <translation>Tourne le poignet vers la pose suivante tant que la touche est maintenue, sans dépasser la vitesse de déplacement. Assurez-vous que l’outil a la place de tourner.</translation>
+        <source>Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
+        <translation>Tourne le poignet vers la pose suivante tant que le bouton est maintenu, sans dépasser la vitesse de déplacement. Assurez-vous que l’outil a la place de tourner.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6999,12 +6999,12 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Tiller n’a pas le contrôle. Prenez d’abord le contrôle.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>Le bras a bougé. Attendez l’arrêt, gardez l’outil sans contact et reprenez la pose.</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>Le robot n’envoie pas de forces. Saisissez plutôt la masse et le centre de gravité.</translation>
+        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <translation>Le robot n’envoie pas de données de force. Saisissez plutôt la masse et le centre de gravité.</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
@@ -7015,11 +7015,11 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>%1 kg, centre de gravité à %2 de la bride. Les poses concordent à %3 et %4 près.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 La précision est faible : la pose %2 s’écarte le plus. Retirez-la et prenez-en une autre.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>Les orientations de l’outil sont trop semblables. Prenez une pose de plus, l’outil tourné dans une autre direction.</translation>
     </message>
     <message>
@@ -7027,18 +7027,18 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>%1 kg : trop léger pour mesurer le centre de gravité. Saisissez-le.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation>Attendez l’arrêt, gardez l’outil sans contact et prenez la pose. Tournez ensuite le poignet, par déplacement ou avec « Pose suivante », et prenez trois autres poses.</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n</numerusform>
             <numerusform>Tournez le poignet dans une autre direction et prenez la pose. Poses encore nécessaires : %n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Prendre la pose %1</translation>
     </message>
     <message>
@@ -7081,12 +7081,12 @@ Cliquez pour commuter : %1. P : impulsion. Clic droit : impulsion, renommer.</tr
         <translation>Utilisé</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>Une charge utile demande un nom.</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>Saisissez un nom pour la charge utile.</translation>
     </message>
     <message>
-        <source>Another payload is named “%1”. Choose another name.</source>
-        <translation>Une autre charge utile s’appelle « %1 ». Choisissez un autre nom.</translation>
+        <source>A payload named “%1” already exists. Choose another name.</source>
+        <translation>Une charge utile nommée « %1 » existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -7239,20 +7239,20 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Le bras a bougé. Attendez l’arrêt, gardez l’outil sans contact et vérifiez de nouveau.</translation>
     </message>
     <message>
-        <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>Le robot n’envoie pas de forces : la charge utile ne peut pas être vérifiée.</translation>
+        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <translation>Le robot n’envoie pas de données de force : la charge utile ne peut pas être vérifiée.</translation>
     </message>
     <message>
-        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
-        <translation>Avec une charge utile de %1 kg, le bras mesure %2 et %3.</translation>
+        <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
+        <translation>Avec une charge utile de %1 kg, le bras mesure une force de %2 et un couple de %3.</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
-        <translation>La charge utile est juste. %1</translation>
+        <translation>La charge utile est correcte. %1</translation>
     </message>
     <message>
         <source>The payload is correct</source>
-        <translation>La charge utile est juste</translation>
+        <translation>La charge utile est correcte</translation>
     </message>
     <message>
         <source>The load is about %1 kg heavier than the configured payload.</source>
@@ -7446,8 +7446,8 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Mettre les tracés en pause</translation>
     </message>
     <message>
-        <source>Zero the force shown</source>
-        <translation>Mettre à zéro la force montrée</translation>
+        <source>Zero the displayed force</source>
+        <translation>Mettre à zéro la force affichée</translation>
     </message>
     <message>
         <source>Zero</source>
@@ -7470,16 +7470,16 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Enregistrer dans un fichier CSV</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>Enregistrer les données du robot dans un fichier CSV. La flèche définit signaux et dossier</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
+        <translation>Enregistrer les données du robot dans un fichier CSV. Utilisez la flèche pour choisir signaux et dossier</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>Mise à zéro de la force impossible : les tracés n’affichent aucun échantillon. Connectez-vous à un robot ou allez à un moment avec des échantillons.</translation>
     </message>
     <message>
-        <source>Paused · %1 s back</source>
-        <translation>En pause · %1 s en arrière</translation>
+        <source>Paused · %1 s ago</source>
+        <translation>En pause · il y a %1 s</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -7649,14 +7649,14 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
     </message>
     <message>
         <source>Remove this page</source>
-        <translation>Ôter cette page</translation>
+        <translation>Retirer cette page</translation>
     </message>
     <message>
         <source>Standard plots</source>
         <translation>Tracés standard</translation>
     </message>
     <message>
-        <source>Open a recording…</source>
+        <source>Open recording…</source>
         <translation>Ouvrir un enregistrement…</translation>
     </message>
     <message>
@@ -7688,7 +7688,7 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Enregistrement %1 ouvert</translation>
     </message>
     <message>
-        <source>Open a recording</source>
+        <source>Open recording</source>
         <translation>Ouvrir un enregistrement</translation>
     </message>
     <message>
@@ -7780,8 +7780,8 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Enregistrer dans un fichier MCAP</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>Enregistrer les données du robot dans un fichier MCAP. La flèche définit signaux et dossier</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
+        <translation>Enregistrer les données du robot dans un fichier MCAP. Utilisez la flèche pour choisir signaux et dossier</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7811,12 +7811,12 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Valeurs entre les curseurs A et B (*%1)</translation>
     </message>
     <message>
-        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
-        <translation>La page montre plusieurs enregistrements, ou un enregistrement et des signaux en direct. N&apos;en affichez qu&apos;un sur la page.</translation>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
+        <translation>La page montre plusieurs enregistrements, ou un enregistrement et des signaux en direct. N’en affichez qu’un sur la page, puis exportez de nouveau.</translation>
     </message>
     <message>
         <source>Live signals can only be exported as .csv. Record them first.</source>
-        <translation>Les signaux en direct ne peuvent être exportés qu&apos;en .csv. Enregistrez-les d&apos;abord.</translation>
+        <translation>Les signaux en direct ne peuvent être exportés qu’en .csv. Enregistrez-les d’abord.</translation>
     </message>
     <message>
         <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
@@ -7826,12 +7826,12 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
-        <translation>%1 au-dessus de %2</translation>
+        <source>%1 is above %2</source>
+        <translation>%1 est au-dessus de %2</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
-        <translation>%1 au-dessous de %2</translation>
+        <source>%1 is below %2</source>
+        <translation>%1 est au-dessous de %2</translation>
     </message>
 </context>
 <context>
@@ -8029,12 +8029,12 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Pose du TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
-        <translation>orientation selon les réglages. Δ₀ : déplacement depuis zéro. Clic : déplacement depuis le dernier appui</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
+        <translation>orientation selon les réglages. Δ₀ : déplacement depuis zéro. Cliquez pour afficher le déplacement depuis le début du dernier mouvement</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
-        <translation>orientation selon les réglages. Δ : déplacement depuis le dernier appui. Clic : zéro ici</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
+        <translation>orientation selon les réglages. Δ : déplacement depuis le début du dernier mouvement. Cliquez pour mettre à zéro ici</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8052,12 +8052,12 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
         <translation>Origine</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>Une position demande un nom.</translation>
+        <source>Enter a name for the position.</source>
+        <translation>Saisissez un nom pour la position.</translation>
     </message>
     <message>
-        <source>Another position is named “%1”. Choose another name.</source>
-        <translation>Une autre position s’appelle « %1 ». Choisissez un autre nom.</translation>
+        <source>A position named “%1” already exists. Choose another name.</source>
+        <translation>Une position nommée « %1 » existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -8082,7 +8082,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
         <translation>%1. Appuyez sur Entrée pour appliquer. Seule la position enregistrée change ; le robot ne bouge pas.</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
+        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
         <translation>Hauteur dans le repère de base au-dessus de laquelle il n’y a pas d’obstacles : au-dessus, le TCP peut se déplacer latéralement.</translation>
     </message>
     <message>
@@ -8142,8 +8142,8 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
         <translation>Définir « %1 » à la position actuelle du bras ?</translation>
     </message>
     <message>
-        <source>The Home key will move the arm there.</source>
-        <translation>La touche Origine y amènera le bras.</translation>
+        <source>The Home button will move the arm there.</source>
+        <translation>Le bouton Origine y amènera le bras.</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -8202,12 +8202,12 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
         <translation>Pas de hauteur sûre</translation>
     </message>
     <message>
-        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>La touche Origine va à la position par défaut : bras vertical, sans collision avec lui-même.</translation>
+        <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
+        <translation>Le bouton Origine amène le bras à la position par défaut : vertical, sans collision avec lui-même.</translation>
     </message>
     <message>
-        <source>%1: target of the Home key</source>
-        <translation>%1 : cible de la touche Origine</translation>
+        <source>%1: target of the Home button</source>
+        <translation>%1 : cible du bouton Origine</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -8234,7 +8234,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
     </message>
     <message>
         <source>Press Start.</source>
-        <translation>Pressez Démarrer.</translation>
+        <translation>Appuyez sur Démarrer.</translation>
     </message>
 </context>
 <context>
@@ -8256,8 +8256,8 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
         <translation>Force Fz en newtons</translation>
     </message>
     <message>
-        <source>enter value, press Return</source>
-        <translation>saisissez la valeur, appuyez sur Entrée</translation>
+        <source>Enter value, press Return</source>
+        <translation>Saisissez la valeur, appuyez sur Entrée</translation>
     </message>
     <message>
         <source>Fz [N]</source>
@@ -8295,8 +8295,8 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
         <translation>Bon</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Vérifier</translation>
+        <source>Warning</source>
+        <translation>Attention</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -8332,15 +8332,15 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
     </message>
     <message>
         <source>Keep everyone out of reach of the arm.
-Keep the emergency stop at hand: STOP in this window is a software stop.
+Keep the emergency stop within reach: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
-Watch the arm, not the screen, while you hold a key.
-Release the key to stop the arm.</source>
+Watch the arm, not the screen, while you hold a button.
+Release the button to stop the arm.</source>
         <translation>Tenez tout le monde hors de portée du bras.
 Gardez l’arrêt d’urgence à portée de main : STOP dans cette fenêtre est un arrêt logiciel.
 Commencez lentement : la vitesse initiale est %1.
-Regardez le bras, pas l’écran, quand vous maintenez une touche.
-Relâchez la touche pour arrêter le bras.</translation>
+Regardez le bras, pas l’écran, quand vous maintenez un bouton.
+Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Checking %1…</source>
@@ -8556,8 +8556,8 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>URScript (*.script)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Enregistré : %1</translation>
+        <source>Exported to %1</source>
+        <translation>Exporté vers %1</translation>
     </message>
 </context>
 <context>
@@ -8644,7 +8644,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>Enregistrement de %1 repris</translation>
     </message>
     <message>
@@ -9017,7 +9017,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Pas de données du robot : fermez-le sur le pupitre.</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>%n de plus sur le robot.</numerusform>
             <numerusform>%n de plus sur le robot.</numerusform>
@@ -9071,8 +9071,8 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Connecté à %1</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>La sécurité est de nouveau normale</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>Le mode de sécurité est de nouveau « Normal »</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -9087,7 +9087,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Message sur le robot : %1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>Le programme du robot attend une réponse sur le pupitre : %1</translation>
     </message>
     <message>
@@ -9132,7 +9132,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>Control was given up: the control connection did not respond for 0.5 s or was closed. STOP, Space and Esc still stop the robot. Take control again.</source>
-        <translation>La commande a été rendue : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez la commande.</translation>
+        <translation>Le contrôle a été rendu : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez le contrôle.</translation>
     </message>
     <message numerus="yes">
         <source>The robot sends too many messages: %n were not shown</source>
@@ -9161,7 +9161,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>La pince n’envoie aucune valeur. Mettez le bras sous tension ; si le problème persiste, vérifiez le câble de la pince au poignet.</translation>
     </message>
     <message>
-        <source>The gripper answers again</source>
+        <source>The gripper responds again</source>
         <translation>La pince répond de nouveau</translation>
     </message>
     <message>
@@ -9189,11 +9189,11 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Échec : %1. %2</translation>
     </message>
     <message>
-        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>Aucun service de pince ne répond à %1:%2. Installez l’URCap de Robotiq sur le robot et sélectionnez la pince dans son installation.</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>La pince ne répond pas. Vérifiez son câble au poignet et sa page dans l’installation du robot ; si le problème persiste, redémarrez le robot.</translation>
     </message>
     <message>
@@ -9214,7 +9214,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The gripper is too hot. Let it cool down, then press Activate.</source>
-        <translation>La pince est trop chaude. Laissez-la refroidir, puis pressez Activer.</translation>
+        <translation>La pince est trop chaude. Laissez-la refroidir, puis appuyez sur Activer.</translation>
     </message>
     <message>
         <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
@@ -9268,7 +9268,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>« %1 » : %2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Une boucle demande au moins deux points de passage. Sélectionnez-en d’autres ou désactivez la boucle.</translation>
     </message>
 </context>
@@ -9286,8 +9286,8 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Default view, perspective</source>
-        <translation>Vue par défaut, en perspective</translation>
+        <source>Default view (perspective)</source>
+        <translation>Vue par défaut (en perspective)</translation>
     </message>
     <message>
         <source>Front</source>
@@ -9399,7 +9399,7 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Dérivés</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>Le robot ne peut pas envoyer autant de signaux à la fois : retirez d’abord d’autres signaux.</translation>
     </message>
     <message>
@@ -9408,7 +9408,7 @@ Relâchez la touche pour arrêter le bras.</translation>
     </message>
     <message>
         <source>The recording is empty.</source>
-        <translation>Cet enregistrement n’a aucune ligne.</translation>
+        <translation>L’enregistrement est vide.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9543,12 +9543,12 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Arrêt logiciel. Pas un arrêt d’urgence. L’alimentation reste active.</translation>
     </message>
     <message>
-        <source>Space and Esc stop as well.</source>
-        <translation>Espace et Échap arrêtent aussi.</translation>
+        <source>Space and Esc also stop the arm.</source>
+        <translation>Espace et Échap arrêtent aussi le bras.</translation>
     </message>
     <message>
         <source>Click to stop. Space and Esc stop only while this window is in control.</source>
-        <translation>Cliquez pour arrêter. Espace et Échap n’arrêtent que si cette fenêtre a la commande.</translation>
+        <translation>Cliquez pour arrêter. Espace et Échap n’arrêtent que si cette fenêtre a le contrôle.</translation>
     </message>
     <message>
         <source>Space / Esc</source>
@@ -9566,8 +9566,8 @@ Relâchez la touche pour arrêter le bras.</translation>
 <context>
     <name>tiller::StopPlot</name>
     <message>
-        <source>Highest value %1 in the last five seconds</source>
-        <translation>Plus haute valeur %1 des cinq dernières secondes</translation>
+        <source>Maximum in the last five seconds: %1</source>
+        <translation>Maximum des cinq dernières secondes : %1</translation>
     </message>
     <message>
         <source>max %1</source>
@@ -9581,12 +9581,12 @@ Relâchez la touche pour arrêter le bras.</translation>
         <translation>Utilisé</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>Un TCP demande un nom.</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>Saisissez un nom pour le TCP.</translation>
     </message>
     <message>
-        <source>Another TCP is named “%1”. Choose another name.</source>
-        <translation>« %1 » est déjà le nom d’un autre TCP. Choisissez un autre nom.</translation>
+        <source>A TCP named “%1” already exists. Choose another name.</source>
+        <translation>Un TCP nommé « %1 » existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Rename “%1” to “%2”</source>
@@ -9632,7 +9632,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>Store the active TCP of the robot</source>
-        <translation>Garder le TCP du robot</translation>
+        <translation>Garder le TCP actif du robot</translation>
     </message>
     <message>
         <source>Teach the selected TCP again…</source>
@@ -9640,7 +9640,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>Enter new TCP</source>
-        <translation>Nouveau TCP en chiffres</translation>
+        <translation>Saisir un nouveau TCP</translation>
     </message>
     <message>
         <source>tool</source>
@@ -9712,11 +9712,11 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>%1, %2 from the robot&apos;s TCP</source>
-        <translation>%1, à %2 de celui du robot</translation>
+        <translation>%1, à %2 du TCP du robot</translation>
     </message>
     <message>
         <source>The robot&apos;s TCP differs from “%1”</source>
-        <translation>Le robot a un autre TCP que « %1 »</translation>
+        <translation>Le TCP du robot diffère de « %1 »</translation>
     </message>
     <message>
         <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
@@ -9734,15 +9734,15 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>Prendre la pose</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
-        <translation>Reprendre la pire</translation>
+        <source>Redo least accurate pose</source>
+        <translation>Refaire la pire pose</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>Prendre</translation>
     </message>
     <message>
@@ -9754,8 +9754,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Apprendre le TCP</translation>
     </message>
     <message>
-        <source>Take a pose for the rotation</source>
-        <translation>Prendre une pose pour la rotation</translation>
+        <source>Record pose for the rotation</source>
+        <translation>Prendre la pose pour la rotation</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9782,19 +9782,19 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Pointe à %1. Les poses concordent à %2 (RMS) ; la pose %3 s’écarte le plus, de %4.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>Les orientations de l’outil sont trop semblables. Prenez une autre pose, inclinée de 30° ou plus dans une autre direction.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>Le robot a envoyé une position non valide. Reprenez les poses.</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>Amenez la pointe à un point fixe et aigu et prenez la pose. Prenez quatre poses au total, chacune avec la pointe au même point et l’outil incliné dans une autre direction.</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
             <numerusform>Inclinez l’outil dans une autre direction, ramenez la pointe au même point et prenez la pose. Poses restantes : %n</numerusform>
@@ -9805,55 +9805,55 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>L’outil garde sa rotation actuelle.</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son axe X soit parallèle à l’axe X de la base, puis prenez la pose.</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>Rotation prise. Reprenez-la pour la remplacer.</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>Prenez la pose à la position actuelle. Ne tournez plus l’outil à partir d’ici : déplacez seulement X, Y et Z.</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>Déplacez l’outil dans sa direction +Z, en l’éloignant de la bride, d’au moins %1, et prenez la pose.</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>Déplacez maintenant l’outil dans sa direction +X d’au moins %1 et prenez la pose.</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>Rotation prise : %1 selon +Z, %2 selon +X ; rotation maximale de la bride %3 à la pose %4.</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>La bride a tourné de %1 au plus (pose %2). Reprenez les trois poses sans tourner l’outil.</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>La distance selon +Z n’est que de %1. Reprenez les trois poses, espacées d’au moins %2.</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>La distance selon +X n’est que de %1. Reprenez les trois poses, espacées d’au moins %2.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>Les trois poses sont alignées : la troisième n’est qu’à %1 de la droite. Reprenez les trois poses.</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>Le robot a envoyé une position non valide. Reprenez les trois poses.</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>Reprendre la dernière pose</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>Prendre la pose %1</translation>
     </message>
     <message>
@@ -9865,7 +9865,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>  ◀ la moins précise</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>Les poses ne peuvent être prises que lorsque le robot envoie des données.</translation>
     </message>
 </context>
@@ -9903,8 +9903,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>%1 : reste %2 jusqu’à la limite de %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the end of reach or a singularity</source>
-        <translation>%1 : reste %2 jusqu’à la fin de la portée ou une singularité</translation>
+        <source>%1: %2 left to the reach limit or a singularity</source>
+        <translation>%1 : reste %2 jusqu’à la limite de portée ou une singularité</translation>
     </message>
     <message>
         <source>%1: %2 left, then %3 is %4 from %5</source>
@@ -9960,8 +9960,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Repères</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>Repère de référence du point de passage. La position dans l’espace ne change pas. — : les articulations ont priorité</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>Repère de référence du point de passage. La position dans l’espace ne change pas. « — » : sans repère, les articulations ont priorité</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -10249,8 +10249,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Raccordement : %1, maintenant %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another TCP</source>
-        <translation>TCP : appris avec un autre</translation>
+        <source>TCP: taught with a different TCP</source>
+        <translation>TCP : appris avec un autre TCP</translation>
     </message>
     <message>
         <source>Group: “%1”, now “%2”</source>
@@ -10273,7 +10273,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Non modifié depuis son apprentissage.</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
+        <source>The version before this change is identical to the current version.</source>
         <translation>La version d’avant cette modification est identique à l’actuelle.</translation>
     </message>
     <message>
@@ -10368,11 +10368,11 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Portée</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>Un point de passage demande un nom.</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>Saisissez un nom pour le point de passage.</translation>
     </message>
     <message>
-        <source>Waypoint %2 is named “%1”. Choose another name.</source>
+        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
         <translation>Le point %2 s’appelle déjà « %1 ». Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -10381,11 +10381,11 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>Change “%1” to MoveJ</source>
-        <translation>Faire de « %1 » un MoveJ</translation>
+        <translation>Passer « %1 » en MoveJ</translation>
     </message>
     <message>
         <source>Change “%1” to MoveL</source>
-        <translation>Faire de « %1 » un MoveL</translation>
+        <translation>Passer « %1 » en MoveL</translation>
     </message>
     <message>
         <source>The arm cannot reach this pose. “%1” was not changed.</source>
@@ -10648,7 +10648,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         </translation>
     </message>
     <message>
-        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrors across the plane through the origin that is perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>Symétrie par rapport au plan passant par l’origine et perpendiculaire à l’axe. L’outil approche du côté symétrique.</translation>
     </message>
     <message>
@@ -10898,7 +10898,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Connecter</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Avant de déplacer un bras réel : tenez tout le monde hors de sa portée, gardez l’arrêt d’urgence à portée de main, vérifiez la charge utile et le TCP, et commencez lentement. STOP dans cette fenêtre n’est pas un arrêt d’urgence.</translation>
     </message>
     <message>
@@ -10906,12 +10906,12 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Open a project…</source>
+        <source>Open project…</source>
         <translation>Ouvrir un projet…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>Points de passage d’un fichier, sans robot : tout fonctionne sauf le mouvement.</translation>
+        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
+        <translation>Ouvre des points de passage d’un fichier sans robot : tout fonctionne sauf le mouvement.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -10934,8 +10934,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Adresse ou nom d’hôte du robot</translation>
     </message>
     <message>
-        <source>Name shown for the robot</source>
-        <translation>Nom montré du robot</translation>
+        <source>Display name of the robot</source>
+        <translation>Nom affiché du robot</translation>
     </message>
     <message>
         <source>Lab UR5e</source>
@@ -10950,8 +10950,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Nom</translation>
     </message>
     <message>
-        <source>Robots connected to before</source>
-        <translation>Robots déjà connectés</translation>
+        <source>Recently connected robots</source>
+        <translation>Robots connectés récemment</translation>
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
@@ -11037,8 +11037,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>le robot n’a indiqué aucune raison</translation>
     </message>
     <message>
-        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
-        <translation>nouvel appui         %1 fois : le mouvement s’était arrêté avant le relâchement de la touche</translation>
+        <source>pressed again        %1 times: the motion had stopped before the button was released</source>
+        <translation>nouvel appui         %1 fois : le mouvement s’était arrêté avant le relâchement du bouton</translation>
     </message>
     <message>
         <source>jogged               </source>
@@ -11079,8 +11079,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>fichiers                </translation>
     </message>
     <message>
-        <source>there is no key “%1” in the window</source>
-        <translation>il n’y a pas de touche « %1 » dans la fenêtre</translation>
+        <source>the window has no button “%1”</source>
+        <translation>la fenêtre n’a pas de bouton « %1 »</translation>
     </message>
 </context>
 <context>
@@ -11130,7 +11130,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>exposant </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1 : linéaire. Plus haut : plus fin près du centre, plus rapide en fin de course.</translation>
     </message>
     <message>
@@ -11158,8 +11158,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Aucune manette ni SpaceMouse trouvée. Branchez-en une ; elle est détectée automatiquement.</translation>
     </message>
     <message>
-        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>Déplace le bras seulement tant que l’homme mort est maintenu. Non enregistré : après un redémarrage, aucun appareil ne déplace le bras.</translation>
+        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <translation>Déplace le bras seulement tant que le bouton de validation est maintenu. Non enregistré : après un redémarrage, aucun appareil ne déplace le bras.</translation>
     </message>
 </context>
 <context>
@@ -11200,8 +11200,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>&lt;h2&gt;Le manuel n’est pas installé sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Le paquet Debian de Tiller le contient. Pour l’ajouter à votre propre compilation, installez le paquet python3-sphinx :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. Vous pouvez aussi lire ses pages comme du texte dans le dossier packaging/manual du code source. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Bouger le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant qu’une touche du pavé est tenue, et s’arrête quand elle est lâchée. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte la touche, un second bouton est pressé ou une autre main s’en mêle ;&lt;/li&gt;&lt;li&gt;à côté d’une touche tenue du clavier, un modificateur ou une touche contraire est enfoncé ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, quelque chose s’ouvre par-dessus, ou un autre repère, une autre vitesse, un autre pas ou un autre onglet est choisi ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme se fige, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou se tait ;&lt;/li&gt;&lt;li&gt;personne ne peut prouver que la touche est encore tenue : sous X11 on demande cent fois par seconde au serveur d’affichage si le bouton ou la touche est enfoncé, et un « non », ou 100 ms sans réponse, termine le mouvement. Là où l’on ne peut interroger personne, l’en-tête et les réglages le disent ;&lt;/li&gt;&lt;li&gt;elle a été tenue longtemps : un déplacement manuel %1 s (réglages), Freedrive cinq minutes, un mouvement vers une place 5 s de plus qu’il ne dure. Les 3 dernières s sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Un mouvement arrêté demande un nouvel appui. Avec le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent depuis chaque fenêtre, dialogue et champ de texte. Sans le contrôle, ils appartiennent à l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend un appui dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa place sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Déplacer le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant que vous maintenez un bouton de déplacement, et s’arrête quand vous le relâchez. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte le bouton, un second bouton de souris est pressé ou un second périphérique est utilisé ;&lt;/li&gt;&lt;li&gt;un modificateur ou la touche contraire est enfoncé pendant qu’une touche du clavier est maintenue ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, un dialogue ou un menu s’ouvre, ou le repère, la vitesse, le pas ou l’onglet change ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme ne répond plus, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou n’envoie plus de données ;&lt;/li&gt;&lt;li&gt;le contrôle de touche échoue : sous X11, Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé. Si ce n’est pas le cas, ou si le serveur ne répond pas pendant 100 ms, le mouvement se termine. Si ce contrôle n’est pas disponible, l’en-tête et les réglages l’indiquent ;&lt;/li&gt;&lt;li&gt;la durée maximale d’appui est atteinte : %1 s pour un déplacement manuel (réglages), cinq minutes pour Freedrive, la durée du mouvement plus 5 s pour aller à une position. Les 3 dernières secondes sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Après un arrêt, un nouvel appui est nécessaire. Tant que Tiller a le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent le bras depuis chaque fenêtre, dialogue et champ de texte. Quand Tiller n’a pas le contrôle, ils agissent sur l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée de main.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend le mouvement dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, mais jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa position sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>
@@ -11294,7 +11294,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>Clavier armé : les flèches déplacent X et Y, Pg préc et Pg suiv déplacent Z ; avec Alt, elles tournent. 1 à 6 avec + et − déplacent une articulation. Espace et Échap arrêtent.</translation>
     </message>
     <message>
@@ -11334,7 +11334,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>%1 débranché. Le bras a été arrêté.</translation>
     </message>
     <message>
-        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
+        <source>%1 stopped sending data while it was moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 a cessé d’envoyer des données pendant le mouvement du bras. Le bras a été arrêté. Lâchez l’appareil ; si le problème persiste, rebranchez-le.</translation>
     </message>
     <message>
@@ -11358,8 +11358,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ouvrir un projet d’exemple…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>Ouvre une copie de l’un des trois projets à essayer sur le robot simulé.</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>Ouvre une copie d’un projet d’exemple à essayer sur le robot simulé.</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11414,8 +11414,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Couleurs sombres</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for the next start.</source>
-        <translation>Change le thème de couleurs maintenant et pour le prochain démarrage.</translation>
+        <source>Changes the colour theme now and for later starts.</source>
+        <translation>Change le thème de couleurs maintenant et pour les prochains démarrages.</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11454,8 +11454,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Importer des réglages…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
-        <translation>Importe les réglages d’un fichier après avoir montré ce qui sera remplacé.</translation>
+        <source>Shows which settings a file will replace, then imports them.</source>
+        <translation>Affiche les réglages qu’un fichier remplacera, puis les importe.</translation>
     </message>
     <message>
         <source>Help</source>
@@ -11537,8 +11537,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Signaler un problème…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
-        <translation>Enregistre versions, journal et réglages dans un fichier pour l’assistance, après avoir montré son contenu.</translation>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
+        <translation>Affiche versions, journal et réglages, puis les enregistre dans un fichier pour l’assistance.</translation>
     </message>
     <message>
         <source>Report saved: %1</source>
@@ -11573,8 +11573,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Adapter le projet à ce robot…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
-        <translation>Convertit un projet d’un autre modèle de robot : conserve les poses ou les articulations.</translation>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
+        <translation>Convertit un projet d’un autre modèle de robot en conservant les poses ou les positions articulaires.</translation>
     </message>
     <message>
         <source>Take control</source>
@@ -11622,11 +11622,11 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
     <message>
         <source>Stop it and power off</source>
-        <translation>L&apos;arrêter et mettre hors tension</translation>
+        <translation>L’arrêter et mettre hors tension</translation>
     </message>
     <message>
         <source>A path is being recorded. Stop it first.</source>
-        <translation>Une trajectoire est en cours d&apos;enregistrement. Arrêtez-la d&apos;abord.</translation>
+        <translation>Une trajectoire est en cours d’enregistrement. Arrêtez-la d’abord.</translation>
     </message>
 </context>
 <context>
@@ -11798,7 +11798,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Le nombre maximal de perspectives est atteint. Supprimez-en d’abord une.</translation>
     </message>
     <message>
-        <source>A perspective with this name exists. Choose another name.</source>
+        <source>A perspective with this name already exists. Choose another name.</source>
         <translation>Une perspective de ce nom existe déjà. Choisissez un autre nom.</translation>
     </message>
     <message>
@@ -11931,8 +11931,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ce qui s’est passé</translation>
     </message>
     <message>
-        <source>What did you do, what did you expect, what happened?</source>
-        <translation>Qu’avez-vous fait, qu’attendiez-vous, que s’est-il passé ?</translation>
+        <source>What did you do? What did you expect? What happened?</source>
+        <translation>Qu’avez-vous fait ? Qu’attendiez-vous ? Que s’est-il passé ?</translation>
     </message>
     <message>
         <source>Files of the report</source>
@@ -11974,8 +11974,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ouvrir un projet d’exemple</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>Chaque projet est appris pour un UR5e et fonctionne sur le robot simulé. Vous travaillez sur une copie : l’enregistrement demande un nouveau fichier.</translation>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>Chaque projet a été appris avec un UR5e et fonctionne sur le robot simulé. Vous travaillez sur une copie : choisissez un nouveau fichier pour l’enregistrer.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -12025,8 +12025,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Importer des réglages…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
-        <translation>Importer les réglages d’un fichier après avoir montré ce qui sera remplacé</translation>
+        <source>Show which settings a file will replace, then import them</source>
+        <translation>Afficher les réglages qu’un fichier remplacera, puis les importer</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -12101,12 +12101,12 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
-        <translation>Après cette durée, un déplacement s’arrête et la touche doit être pressée de nouveau. Freedrive : cinq minutes. Aller à une position : sa durée plus 5 s.</translation>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <translation>Après cette durée, un déplacement s’arrête et son bouton doit être pressé de nouveau. Freedrive : cinq minutes. Aller à une position : sa durée plus 5 s.</translation>
     </message>
     <message>
-        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
-        <translation>Tactile : assez grand pour les doigts. Dans les fenêtres de moins de %1 px de haut, les touches d’articulation, onglets et barres de titre restent plus petits.</translation>
+        <source>Touch: large enough for fingers. In windows less than %1 px high, joint buttons, tabs and title bars remain smaller.</source>
+        <translation>Tactile : assez grand pour les doigts. Dans les fenêtres de moins de %1 px de haut, les boutons d’articulation, onglets et barres de titre restent plus petits.</translation>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
@@ -12133,8 +12133,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>▲ Au-dessus de %1. Aucune autre limite ne s’applique au déplacement depuis un PC : ni le mode manuel ni le dispositif de validation du pupitre. L’en-tête affiche un avertissement. Le plafond est réinitialisé à la fermeture de Tiller.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
-        <translation>Vitesse maximale du TCP et du coude pour tout mouvement de Tiller. Prend effet aussitôt et arrête le mouvement en cours.</translation>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <translation>Vitesse maximale du TCP et du coude pour tout mouvement commandé par Tiller. Prend effet aussitôt et arrête le mouvement en cours.</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -12150,7 +12150,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     </message>
     <message>
         <source>Restore default shortcuts</source>
-        <translation>Rétablir les touches par défaut</translation>
+        <translation>Rétablir les raccourcis</translation>
     </message>
     <message>
         <source>Shortcut for %1</source>
@@ -12181,8 +12181,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Arrête le bras, rend le contrôle et se reconnecte. Les tracés recommencent. Le projet est enregistré.</translation>
     </message>
     <message>
-        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>Langue de la fenêtre et de la vérification de connexion. Les fichiers et scripts n’en dépendent pas.</translation>
+        <source>Language of the window and of the connection check. Files and scripts are not affected.</source>
+        <translation>Langue de la fenêtre et de la vérification de connexion. Les fichiers et scripts ne sont pas concernés.</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
@@ -12205,8 +12205,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Surveillance seule (définie sur la ligne de commande)</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
-        <translation>Tapez le nouveau raccourci dans le champ ; Retour arrière le supprime. Avec le contrôle, Espace et Échap arrêtent toujours le bras.</translation>
+        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <translation>Tapez le nouveau raccourci dans le champ ; Retour arrière le supprime. Tant que Tiller a le contrôle, Espace et Échap arrêtent toujours le bras.</translation>
     </message>
 </context>
 <context>
@@ -12243,16 +12243,16 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Premiers pas</translation>
     </message>
     <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
-        <translation>Affiche dans la vue une liste de contrôle, de la mise sous tension à un enregistrement.</translation>
+        <source>Shows a checklist in the view, from powering on to recording.</source>
+        <translation>Affiche dans la vue une liste de contrôle, de la mise sous tension à l’enregistrement.</translation>
     </message>
     <message>
         <source>Practice tasks</source>
         <translation>Exercices</translation>
     </message>
     <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>Cinq exercices sur le robot simulé, chacun avec un contrôle.</translation>
+        <source>Five tasks on the simulated robot. Each task checks the result.</source>
+        <translation>Cinq exercices sur le robot simulé. Chacun vérifie le résultat.</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>

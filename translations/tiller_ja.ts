@@ -12,16 +12,16 @@
         <translation>ルート</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
-        <translation>%1が%2 s以内にオンになりませんでした。接続されている機器を確認し、もう一度押してください。</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <translation>%1が%2 s以内にオンになりませんでした。接続されている機器を確認し、もう一度試してください。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
-        <translation>%1が%2 s以内にオフになりませんでした。接続されている機器を確認し、もう一度押してください。</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <translation>%1が%2 s以内にオフになりませんでした。接続されている機器を確認し、もう一度試してください。</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
-        <translation>%1は行われませんでした。%2</translation>
+        <translation>%1は完了しませんでした。%2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s.</source>
@@ -83,8 +83,8 @@
         <translation>パネルの移動</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>プログラム Tiller</translation>
+        <source>Application</source>
+        <translation>アプリケーション</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -174,15 +174,15 @@
     </message>
     <message>
         <source>Run the scripted demonstration on the simulated robot, write its files to this folder, and exit.</source>
-        <translation>シミュレートされたロボットで台本どおりのデモを実行し、ファイルをこのフォルダーに残して終了します。</translation>
+        <translation>シミュレートされたロボットでデモのスクリプトを実行し、ファイルをこのフォルダーに残して終了します。</translation>
     </message>
     <message>
         <source>Open this project file (.tiller).</source>
         <translation>このプロジェクトファイル (.tiller) を開きます。</translation>
     </message>
     <message>
-        <source>Colours: light or dark.</source>
-        <translation>色：light（明）または dark（暗）。</translation>
+        <source>Colour theme: light or dark.</source>
+        <translation>配色：light（明）または dark（暗）。</translation>
     </message>
     <message>
         <source>see tiller --help</source>
@@ -193,7 +193,7 @@
         <translation>予期しない引数 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <source>--theme must be light or dark, not &quot;%1&quot;</source>
         <translation>--theme には light か dark を指定します（&quot;%1&quot; は不可）</translation>
     </message>
     <message>
@@ -201,15 +201,15 @@
         <translation>--robot と --simulator は同時に使えません</translation>
     </message>
     <message>
-        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
+        <source>--demo works only on the simulated robot and cannot be combined with --robot</source>
         <translation>--demo はシミュレートされたロボットだけで動きます（--robot とは併用できません）</translation>
     </message>
     <message>
-        <source>--demo needs a folder</source>
+        <source>--demo requires a folder</source>
         <translation>--demo にはフォルダーが必要です</translation>
     </message>
     <message>
-        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
+        <source>--robot requires an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot にはアドレスが必要です（例：--robot 192.168.0.10）</translation>
     </message>
     <message>
@@ -217,8 +217,8 @@
         <translation>開けるプロジェクトは一つだけです（&quot;%1&quot; は不可）</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
-        <translation>監視のみ：ロボットを一切変更しません。使えるのは STOP だけです。設定では解除できません。</translation>
+        <source>Monitor only: do not change anything on the robot; STOP still works. Cannot be turned off in Settings.</source>
+        <translation>監視のみ：ロボットを一切変更しません。STOP は使えます。設定では解除できません。</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -278,19 +278,19 @@
     </message>
     <message>
         <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
-        <translation>%1 s でアームとモデルが分かれます：%2 が %3 ずれています</translation>
+        <translation>%1 s でアームとモデルがずれ始めます：%2 が %3 ずれています</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
-        <translation>%1 s でアームとモデルが分かれます：TCP が %2 ずれています</translation>
+        <translation>%1 s でアームとモデルがずれ始めます：TCP が %2 ずれています</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
-        <translation>%1 s でアームとモデルが分かれます：%2 の電流が予想と %3 違います</translation>
+        <translation>%1 s でアームとモデルがずれ始めます：%2 の電流が %3 ずれています</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
-        <translation>%1 s でアームとモデルが分かれます：TCP に %2 の力がかかっています</translation>
+        <translation>%1 s でアームとモデルがずれ始めます：TCP に %2 の力がかかっています</translation>
     </message>
     <message>
         <source>The motion matches the model of a %1</source>
@@ -301,7 +301,7 @@
         <translation>比較できるものがありませんでした：アームはずっと電源が切れていたか、手で動かされていました。</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>アームとモデルは最初のサンプルから一致していません：ペイロード、ロボットの機種、アームへの接触を確認してください。</translation>
     </message>
     <message>
@@ -340,11 +340,11 @@
         <translation>ツール姿勢限界の近く</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
         <translation>ツールが安全設定の限界近くまで回転しました。</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>ツールを戻すか、ウェイポイントを変更してください。</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation>直線動作がアームの特異姿勢を通ります。</translation>
     </message>
     <message>
-        <source>Jog individual joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
         <translation>関節を一つずつジョグして抜け出し、この領域では MoveJ を使ってください。</translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation>位置を保持できません</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed at standstill.</source>
+        <source>The arm sagged or was pushed while at standstill.</source>
         <translation>停止中にアームが下がったか、押されました。</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>力がペイロードと合わないか、フリードライブ開始時に何かがアームを押しました。</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>ペイロードと取り付けを直し、アームから手を離して、もう一度試してください。</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>関節が、動作から説明できる以上のトルクを必要としました。</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>障害物を取り除いてください。なければペイロードを確認してください。</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>目標位置の急変</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>プログラムが不連続な位置を指令しました。</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>目標速度の急変</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>プログラムが不連続な速度を指令しました。</translation>
     </message>
     <message>
@@ -485,14 +485,14 @@
     </message>
     <message>
         <source>See the preceding messages of the program.</source>
-        <translation>このプログラムの、これより前のメッセージを見てください。</translation>
+        <translation>プログラムの以前のメッセージを確認してください。</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
         <translation>ロボットはローカル制御です</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
+        <source>A script was sent, but the robot accepts commands only from its teach pendant.</source>
         <translation>スクリプトが送られましたが、ロボットはティーチペンダントからの指令だけを受け付けます。</translation>
     </message>
     <message>
@@ -569,11 +569,11 @@
         <translation>%1 と他 %2</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>このソフトウェアは古すぎます。ロボットを %1.%2 以降に更新してください。</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>ロボットのソフトウェアが古すぎます。%1.%2 以降に更新してください。</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>いくつかの値と制御用レジスターがありません。ロボットを %1.%2 以降に更新してください。</translation>
     </message>
     <message>
@@ -585,7 +585,7 @@
         <translation>ヘッダーのボタンで電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
-        <source>the RTDE port accepts connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not respond</source>
         <translation>RTDE ポートは接続を受けますが応答しません</translation>
     </message>
     <message>
@@ -593,7 +593,7 @@
         <translation>ポート %1 のサービスは RTDE ではありません</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>RTDE クライアントが多すぎるか、コントローラーが応答していません。他のプログラムを閉じ、コントローラーを再起動してください。</translation>
     </message>
     <message>
@@ -617,8 +617,8 @@
         <translation>このソフトウェアバージョンにはレジスター 24〜47 がありません</translation>
     </message>
     <message>
-        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
-        <translation>ロボットのソフトウェアを 3.9 または 5.3 に更新してください。</translation>
+        <source>Update the robot&apos;s software to 3.9, 5.3 or newer.</source>
+        <translation>ロボットのソフトウェアを 3.9、5.3 またはそれ以降に更新してください。</translation>
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
@@ -649,7 +649,7 @@
         <translation>毎秒 %1 / %2 パケット</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
         <translation>パケットが欠けています：無線ではなくケーブルを使い、ロボットやこの PC に負荷をかける他のプログラムを閉じてください。</translation>
     </message>
     <message>
@@ -661,12 +661,12 @@
         <translation>システムはこのユーザーにリアルタイム優先度を許可していません</translation>
     </message>
     <message>
-        <source>permitted; real-time loops request it</source>
-        <translation>許可済み。優先度付きループが要求します</translation>
+        <source>permitted; real-time loops use it</source>
+        <translation>許可済み。リアルタイムループが使用します</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>CPU が深いスリープ状態に入ることがあり、ループが遅れます</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>CPU が深いスリープ状態に入ることがあり、リアルタイムループが遅れます</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -677,7 +677,7 @@
         <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが下がります。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
+        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
         <translation>&quot;%1&quot; はアドレスではなく、その名前のホストもありません</translation>
     </message>
     <message>
@@ -685,31 +685,31 @@
         <translation>ティーチペンダントの「情報」に表示される四つの数を入力するか、ネットワーク管理者に名前を確認してください。</translation>
     </message>
     <message>
-        <source>%1 does not answer</source>
+        <source>%1 does not respond</source>
         <translation>%1 は応答しません</translation>
     </message>
     <message>
-        <source>There is no route to %1</source>
-        <translation>%1 への経路がありません</translation>
+        <source>no network route to %1</source>
+        <translation>%1 へのネットワーク経路がありません</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>ロボットの電源とケーブルを確認し、間にファイアウォールがないことを確認してください。</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>この PC にロボットのネットワークのアドレス（最初の三つの数が同じ）を設定し、ケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>%1 answers, but provides no robot services</source>
+        <source>%1 responds, but provides no robot services</source>
         <translation>%1 は応答しますが、ロボットのサービスを提供していません</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
         <translation>ロボット自身のアドレスか確認してください。電源投入直後のロボットはもう 1 分かかります。</translation>
     </message>
     <message>
-        <source>%1 answers</source>
+        <source>%1 responds</source>
         <translation>%1 は応答します</translation>
     </message>
     <message>
@@ -725,7 +725,7 @@
         <translation>ポート %1 は閉じています</translation>
     </message>
     <message>
-        <source>port %1 does not answer</source>
+        <source>port %1 does not respond</source>
         <translation>ポート %1 は応答しません</translation>
     </message>
     <message>
@@ -741,7 +741,7 @@
         <translation>ティーチペンダント右上でロボットをリモート制御に切り替えてください。それまで Tiller は監視だけです。</translation>
     </message>
     <message>
-        <source>the dashboard accepts connections but does not answer</source>
+        <source>the dashboard accepts connections but does not respond</source>
         <translation>ダッシュボードは接続を受けますが応答しません</translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         <translation>ダッシュボード（ポート %1）も Robot API（ポート %2）もありません</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>ロボットで Dashboard Server を有効にしてください：設定、セキュリティ、サービス。PolyScope X の Robot API は 10.11 以降が必要です。</translation>
     </message>
     <message>
@@ -781,7 +781,7 @@
         <translation>Robot API %1、ポート %2。ポップアップはティーチペンダントで閉じてください</translation>
     </message>
     <message>
-        <source>the primary interface does not describe the arm</source>
+        <source>the primary interface sends no data about the arm</source>
         <translation>プライマリーインターフェースからアームの情報が得られません</translation>
     </message>
     <message>
@@ -793,7 +793,7 @@
         <translation>ロボット型式 %1 はこのバージョンの Tiller では未対応です</translation>
     </message>
     <message>
-        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions that the robot reports; jog slowly at first.</source>
         <translation>監視は可能です。限界とプレビューはロボットが報告する寸法を使います。最初はゆっくりジョグしてください。</translation>
     </message>
     <message>
@@ -801,7 +801,7 @@
         <translation>アドレスの解決</translation>
     </message>
     <message>
-        <source>Host answers</source>
+        <source>Host responds</source>
         <translation>ホストの応答</translation>
     </message>
     <message>
@@ -853,7 +853,7 @@
         <translation>制御用レジスターの空き</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>レジスターを使用するフィールドバスなし</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation>静止を待ってからフリードライブを開始してください。</translation>
     </message>
     <message>
-        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
         <translation>ペイロード %2 kg でアームは %1 を検出しており、勝手に動くおそれがあります。ツールから手を離すか、ペイロードと TCP を修正してください。</translation>
     </message>
 </context>
@@ -918,8 +918,8 @@
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
-        <translation>この画面は高解像度です。設定の「画面要素のサイズ」を大きくすると、文字、キー、グラフが拡大されます。</translation>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, controls and plots.</source>
+        <translation>この画面は高解像度です。設定の「画面要素のサイズ」を大きくすると、文字、ボタン、グラフが拡大されます。</translation>
     </message>
 </context>
 <context>
@@ -933,12 +933,12 @@
         <translation>ジョグステップ %1、%2°</translation>
     </message>
     <message>
-        <source>Arm or disarm the keyboard</source>
-        <translation>キーボードを有効／無効にする</translation>
+        <source>Arm or disarm keyboard jogging</source>
+        <translation>キーボードジョグを有効／無効にする</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
-        <translation>有効な間、矢印キーがアームを動かし、ウィンドウが枠で囲まれます。30 秒間使わないと無効になります。</translation>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <translation>キーボードが有効な間、矢印キーがアームを動かし、ウィンドウが枠で囲まれます。30 秒間使わないと無効になります。</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -953,60 +953,60 @@
         <translation>ここをゼロに</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
-        <translation>ここからの TCP の移動量を測ります。もう一度押すと、最後のキー操作からの移動量になります。</translation>
+        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <translation>この位置からの TCP の移動量を表示します。もう一度押すと、最後の動作の開始からの移動量になります。</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
         <translation>アームを止めます。次に押すとこの速度になります。</translation>
     </message>
     <message>
-        <source>Moves by this distance, only while the key is held.</source>
-        <translation>キーを押している間だけ、この距離を動きます。</translation>
+        <source>Moves the arm by this distance while the button is held.</source>
+        <translation>ボタンを押している間、アームをこの距離だけ動かします。</translation>
     </message>
     <message>
-        <source>Moves by this distance at each press.</source>
-        <translation>押すたびにこの距離を動きます。</translation>
+        <source>Each press moves the arm by this distance.</source>
+        <translation>押すたびにアームをこの距離だけ動かします。</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
         <translation>接触までジョグ（%1 N）</translation>
     </message>
     <message>
-        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>キーを押している間ゆっくり動き、ツールがこの力に達すると止まります。</translation>
+        <source>Moves slowly while the button is held and stops when the contact force reaches this value.</source>
+        <translation>ボタンを押している間ゆっくり動き、接触力がこの値に達すると止まります。</translation>
     </message>
     <message>
-        <source>Jog speed, other…</source>
+        <source>Other jog speed…</source>
         <translation>他のジョグ速度…</translation>
     </message>
     <message>
-        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>TCP の速度を入力します。回転と関節の速度は比例して変わります。</translation>
+        <source>Sets the TCP speed. Rotation and joint speeds change in proportion.</source>
+        <translation>TCP の速度を設定します。回転と関節の速度は比例して変わります。</translation>
     </message>
     <message>
-        <source>Jog step, other…</source>
+        <source>Other jog step…</source>
         <translation>他のジョグステップ…</translation>
     </message>
     <message>
-        <source>Asks for the step length. The step angle does not change.</source>
-        <translation>ステップの長さを入力します。ステップの角度は変わりません。</translation>
+        <source>Sets the step length. The step angle does not change.</source>
+        <translation>ステップの長さを設定します。ステップの角度は変わりません。</translation>
     </message>
     <message>
-        <source>Jog angle, other…</source>
+        <source>Other jog angle…</source>
         <translation>他の回転ステップ…</translation>
     </message>
     <message>
-        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>ツールと関節の回転ステップの角度を入力します。ステップの長さは変わりません。</translation>
+        <source>Sets the step angle of tool and joint rotations. The step length does not change.</source>
+        <translation>ツールと関節の回転ステップの角度を設定します。ステップの長さは変わりません。</translation>
     </message>
     <message>
-        <source>Jog until contact, other force…</source>
-        <translation>接触までジョグ、他の力…</translation>
+        <source>Other contact force for jogging…</source>
+        <translation>ジョグの他の接触力…</translation>
     </message>
     <message>
-        <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>動作を終える接触力を N で入力します。</translation>
+        <source>Sets the contact force in N that ends the motion.</source>
+        <translation>動作を終える接触力を N で設定します。</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1062,16 +1062,16 @@
 <context>
     <name>KeyStateProbe</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>このプラットフォームではキー状態を確認できません（%1）：押されているキーはウィンドウのイベントで判断します。</translation>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events to detect key releases.</source>
+        <translation>このプラットフォームではキー状態を確認できません（%1）：キーを離したことはウィンドウのイベントで検出します。</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>キー状態の確認は有効です：ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーに問い合わせます。</translation>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>キー状態の確認は有効です：ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>キー状態を確認できません：ディスプレイサーバーへの 2 番目の接続がありません。押されているキーはウィンドウのイベントで判断します。</translation>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <translation>キー状態を確認できません：ディスプレイサーバーへの 2 番目の接続がありません。キーを離したことはウィンドウのイベントで検出します。</translation>
     </message>
 </context>
 <context>
@@ -1149,7 +1149,7 @@
         <translation>肘が速度上限：%1</translation>
     </message>
     <message>
-        <source>move less sideways</source>
+        <source>reduce sideways motion</source>
         <translation>横への動きを減らす</translation>
     </message>
     <message>
@@ -1203,8 +1203,8 @@
         <translation>動作中</translation>
     </message>
     <message>
-        <source>The robot confirms that the arm moves.</source>
-        <translation>ロボットがアームの動作を確認しています。</translation>
+        <source>The robot reports that the arm is moving.</source>
+        <translation>ロボットはアームが動作中と報告しています。</translation>
     </message>
     <message>
         <source>Remote</source>
@@ -1267,12 +1267,12 @@
         <translation>パケットが遅れるか届きません：ジョグが止まったり、グラフに隙間ができます。無線ではなくケーブルを使い、他のプログラムを閉じてください。</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>指令に 20 ms 以上かかっています：アームの反応がキー操作より遅れます。ゆっくりジョグしてください。</translation>
+        <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
+        <translation>指令に 20 ms 以上かかっています：アームの反応が遅れます。ゆっくりジョグしてください。</translation>
     </message>
     <message>
-        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>良好：アームはキーにすぐ反応し、接続が切れると 250 ms 以内に停止します。</translation>
+        <source>Good: the arm responds immediately and stops within 250 ms if the link fails.</source>
+        <translation>良好：アームはすぐに反応し、接続が切れると 250 ms 以内に停止します。</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
@@ -1371,7 +1371,7 @@
         <translation>データ遅延</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>ロボットで制御プログラムを開始します。別のプログラムを停止する前に確認します。</translation>
     </message>
 </context>
@@ -1422,7 +1422,7 @@
         <translation>電源オン</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>アームに電源が入り、準備しています。しばらくお待ちください。</translation>
     </message>
     <message>
@@ -1438,7 +1438,7 @@
         <translation>バックドライブ</translation>
     </message>
     <message>
-        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
+        <source>The arm is being moved by hand with its brakes released. Release the Freedrive button.</source>
         <translation>ブレーキを解除した状態で、アームを手で動かしています。フリードライブボタンを離してください。</translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation>ファームウェア更新中</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
         <translation>関節のファームウェアを更新しています。更新が終わるまで電源を切らないでください。</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation>保護停止</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
         <translation>コントローラーがアームを止めました。原因を調べてからロックを解除してください（5 秒後）。</translation>
     </message>
     <message>
@@ -1566,8 +1566,8 @@
         <translation>ペンダントイネーブル停止</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
-        <translation>ペンダントのイネーブルキーが握られていません。中間位置で握ってください。</translation>
+        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
+        <translation>ペンダントのイネーブルスイッチが握られていません。中間位置で握ってください。</translation>
     </message>
     <message>
         <source>IMMI emergency stop</source>
@@ -1598,23 +1598,23 @@
         <translation>PROFIsafe 自動停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
-        <translation>PROFIsafe コントローラーが自動モードの安全防護を開いています。そちらで閉じてください。</translation>
+        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <translation>PROFIsafe コントローラーが自動モードの安全防護停止を要求しています。PROFIsafe コントローラー側で解除してください。</translation>
     </message>
     <message>
         <source>PROFIsafe safeguard stop</source>
         <translation>PROFIsafe 安全防護停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
-        <translation>PROFIsafe コントローラーが安全防護を開いています。そちらで閉じてください。</translation>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <translation>PROFIsafe コントローラーが安全防護停止を要求しています。PROFIsafe コントローラー側で解除してください。</translation>
     </message>
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>PROFIsafe 非常停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
         <translation>PROFIsafe コントローラーが非常停止を要求しています。そちらで解除してから電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
@@ -1630,7 +1630,7 @@
         <translation>I/O 平面停止</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
         <translation>入力で有効になった安全平面をツールが越えました。ティーチペンダントで外へ出すか、入力を切ってください。</translation>
     </message>
     <message>
@@ -1646,7 +1646,7 @@
         <translation>プログラムなし</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>ロボットでプログラムは動いていません。</translation>
     </message>
     <message>
@@ -1654,7 +1654,7 @@
         <translation>プログラム再生中</translation>
     </message>
     <message>
-        <source>A program runs on the robot and may move the arm.</source>
+        <source>A program is running on the robot and may move the arm.</source>
         <translation>ロボットでプログラムが動いており、アームを動かすことがあります。</translation>
     </message>
     <message>
@@ -1670,7 +1670,7 @@
         <translation>プログラム一時停止</translation>
     </message>
     <message>
-        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
+        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>再生すると中断した動作を続けます。破棄するにはプログラムを停止してください。</translation>
     </message>
     <message>
@@ -1828,8 +1828,8 @@
         <translation>ログを検索</translation>
     </message>
     <message>
-        <source>Shows only entries that contain these words.</source>
-        <translation>これらの語を含む行だけを表示します。</translation>
+        <source>Shows only entries that contain the search text.</source>
+        <translation>検索語を含む項目だけを表示します。</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1876,7 +1876,7 @@
         <translation>新しいグラフページ</translation>
     </message>
     <message>
-        <source>Adds an empty page after the others. All pages share the time axis.</source>
+        <source>Adds an empty page at the end. All pages share the time axis.</source>
         <translation>空のページを最後に追加します。全ページの時間軸は共通です。</translation>
     </message>
     <message>
@@ -1974,8 +1974,8 @@
         <translation>アームは保護停止中です。ヘッダーの「復旧」を押してください。</translation>
     </message>
     <message>
-        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
-        <translation>ロック解除済み。アームはまだ稼働していません：復旧ページに従ってください。</translation>
+        <source>Unlocked. The arm is not running yet: follow the steps on the recovery page.</source>
+        <translation>ロック解除済み。アームはまだ稼働していません：復旧ページの手順に従ってください。</translation>
     </message>
     <message>
         <source>Unlocked. Take control again.</source>
@@ -2006,8 +2006,8 @@
         <translation>「%1」はアームで教示されていません：TCP が原点に位置したことがありません。</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>ウェイポイントは削除されました。「開始」で新しく追加します。</translation>
+        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <translation>ウェイポイントは削除されました。「開始」を押すと新しく追加します。</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
@@ -2042,8 +2042,8 @@
         <translation>限界に達しました。ジョグで戻ってください：%2 のうち %1。</translation>
     </message>
     <message>
-        <source>You reached the limit and moved out of it again.</source>
-        <translation>限界に達し、そこから抜け出しました。</translation>
+        <source>You reached the limit and moved back.</source>
+        <translation>限界に達し、そこから戻りました。</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2066,8 +2066,8 @@
         <translation>%1 は記録と一致しません。Fz の曲線を見てください。</translation>
     </message>
     <message>
-        <source>Correct: it was %1.</source>
-        <translation>正解：%1 でした。</translation>
+        <source>Correct: the force was %1.</source>
+        <translation>正解：力は %1 でした。</translation>
     </message>
     <message>
         <source>Recover from a protective stop</source>
@@ -2090,24 +2090,24 @@
         <translation>記録と計測</translation>
     </message>
     <message>
-        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
-        <translation>開始すると衝突をシミュレートし、保護停止になります。アームが停止した原因を調べ、5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
+        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>「開始」を押すと、保護停止を起こす衝突をシミュレートします。アームが停止した原因を調べ、5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
-        <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を取ります。</translation>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
+        <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を記録します。</translation>
     </message>
     <message>
-        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>開始すると、アームの現在位置にウェイポイント「部品」を追加します。その後、部品はベースの X+ 方向に %1 動きます。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
+        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>「開始」を押すと、アームの現在位置にウェイポイント「部品」を追加します。その後、部品はベースの X+ 方向に %1 動きます。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>限界で速度が半分になるまで、ベースから外側へジョグしてください。パッドの下の行に限界と抜け出し方が表示されます。その後 %1 戻ってください。</translation>
     </message>
     <message>
-        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>開始すると、ツールを上から押す手をシミュレートします。3 秒以上記録して停止してください。グラフで力 Fz を読み取り、入力してください。</translation>
+        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>「開始」を押すと、ツールを上から押す手をシミュレートします。3 秒以上記録して停止してください。グラフで力 Fz を読み取り、入力してください。</translation>
     </message>
     <message>
         <source>part</source>
@@ -2144,16 +2144,16 @@
         <translation>「%1」の値が無効です。</translation>
     </message>
     <message>
-        <source>“%1” is %2; it can be %3 to %4.</source>
-        <translation>「%1」は %2 です。%3〜%4 にできます。</translation>
+        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <translation>「%1」は %2 です。%3〜%4 にしてください。</translation>
     </message>
     <message>
-        <source>No waypoint belongs to the group “%1”.</source>
-        <translation>グループ「%1」に属するウェイポイントがありません。</translation>
+        <source>The group “%1” contains no waypoints.</source>
+        <translation>グループ「%1」にはウェイポイントがありません。</translation>
     </message>
     <message>
-        <source>“%1” refers to something that is no longer in the project.</source>
-        <translation>「%1」の参照先がプロジェクトにありません。</translation>
+        <source>“%1” refers to an item that was deleted from the project.</source>
+        <translation>「%1」の参照先はプロジェクトから削除されました。</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2172,19 +2172,19 @@
         <translation>「%1」にはステップを入れられません。</translation>
     </message>
     <message>
-        <source>This version of Tiller has no step “%1”.</source>
-        <translation>このバージョンの Tiller にはステップ「%1」がありません。</translation>
+        <source>This version of Tiller does not support the step “%1”.</source>
+        <translation>このバージョンの Tiller はステップ「%1」に対応していません。</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
         <translation>プログラムは最上位のステップからのみ開始でき、If と Else のような部分の間からは開始できません。</translation>
     </message>
     <message>
-        <source>The project has no such program.</source>
+        <source>The project does not contain this program.</source>
         <translation>プロジェクトにそのプログラムはありません。</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <source>The project was taught with a %1, but the robot is a %2.</source>
         <translation>プロジェクトは %1 で教示されましたが、ロボットは %2 です。</translation>
     </message>
     <message>
@@ -2196,7 +2196,7 @@
         <translation>プログラムにステップがありません。</translation>
     </message>
     <message>
-        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program.</source>
         <translation>変数「%1」はプログラムの他の場所で別の型です。</translation>
     </message>
     <message>
@@ -2208,7 +2208,7 @@
         <translation>呼び出しの入れ子が深すぎます。</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>「%1」は前のウェイポイントと別の TCP で教示されました。有効な TCP を設定するか、ステップを TCP 区間に入れてください。</translation>
     </message>
     <message>
@@ -2348,7 +2348,7 @@
         <translation>値</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
         <translation>プログラム「%1」にはカンマ区切りの値が %2 個必要ですが、指定は %3 個です。</translation>
     </message>
     <message>
@@ -2428,7 +2428,7 @@
         <translation>ベース</translation>
     </message>
     <message>
-        <source>Frame of section</source>
+        <source>Section frame</source>
         <translation>区間の座標系</translation>
     </message>
     <message>
@@ -2488,12 +2488,12 @@
         <translation>入力がオフの場合</translation>
     </message>
     <message>
-        <source>Opening and closing need different outputs.</source>
-        <translation>開閉には別の出力が必要です。</translation>
+        <source>Select different outputs for opening and closing.</source>
+        <translation>開と閉には別々の出力を選んでください。</translation>
     </message>
     <message>
-        <source>The gripper is not holding a part.</source>
-        <translation>グリッパーが部品を保持していません。</translation>
+        <source>The gripper is not holding an object.</source>
+        <translation>グリッパーが物体を保持していません。</translation>
     </message>
     <message>
         <source>If</source>
@@ -2728,8 +2728,8 @@
         <translation>質問</translation>
     </message>
     <message>
-        <source>Questions need software 5.6 or newer.</source>
-        <translation>質問にはソフトウェア 5.6 以降が必要です。</translation>
+        <source>Questions require robot software 5.6 or newer.</source>
+        <translation>質問にはロボットのソフトウェア 5.6 以降が必要です。</translation>
     </message>
     <message>
         <source>URScript</source>
@@ -2772,8 +2772,8 @@
         <translation>レジスター</translation>
     </message>
     <message>
-        <source>The last register that a program can set is %1.</source>
-        <translation>プログラムが設定できる最後のレジスターは %1 です。</translation>
+        <source>Programs can set registers up to %1.</source>
+        <translation>プログラムが設定できるレジスターは %1 までです。</translation>
     </message>
     <message>
         <source>Speed section</source>
@@ -2784,7 +2784,7 @@
         <translation>分岐</translation>
     </message>
     <message>
-        <source>A Switch needs at least one Case.</source>
+        <source>A Switch must contain at least one Case.</source>
         <translation>分岐にはケースが少なくとも 1 つ必要です。</translation>
     </message>
     <message>
@@ -2800,8 +2800,8 @@
         <translation>試行</translation>
     </message>
     <message>
-        <source>“Try” needs “On error” directly after it.</source>
-        <translation>「試行」の直後に「エラー時」が必要です。</translation>
+        <source>“Try” must be followed directly by “On error”.</source>
+        <translation>「試行」の直後には「エラー時」が必要です。</translation>
     </message>
     <message>
         <source>Wait</source>
@@ -2916,11 +2916,11 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>安全は再び通常です</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>安全モードが「通常」に戻りました</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
         <translation>アームを動かせます。停止前の動作は再開しません：動作ごとに新しく押す必要があります。</translation>
     </message>
     <message>
@@ -2944,7 +2944,7 @@
         <translation>アームを点検した：誰も触れておらず、何も挟まっていない。</translation>
     </message>
     <message>
-        <source>The cause of the stop is known and removed.</source>
+        <source>The cause of the stop is known and has been removed.</source>
         <translation>停止の原因が分かり、取り除いた。</translation>
     </message>
     <message>
@@ -2960,7 +2960,7 @@
         <translation>アームとロボットのログを確認した：原因が分かっている。</translation>
     </message>
     <message>
-        <source>The cause is removed, and no one is within reach of the arm.</source>
+        <source>The cause has been removed, and no one is within reach of the arm.</source>
         <translation>原因を取り除き、アームの届く範囲に誰もいない。</translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>戻る：記録された動作は残っていません</translation>
     </message>
 </context>
@@ -3029,7 +3029,7 @@
         <translation>先に制御を返却してください。</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>ロボットでプログラムは動いていません。</translation>
     </message>
     <message>
@@ -3169,7 +3169,7 @@
         <translation>ロボットのプログラムを停止します。</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>ロボットで制御プログラムを開始します。別のプログラムを停止する前に確認します。</translation>
     </message>
 </context>
@@ -3220,7 +3220,7 @@
         <translation>%1：%2 s間オフ</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
         <translation>パルスの時間はロボットが計測するため、制御が必要です。先に制御を取得するか、出力をオン・オフしてください。</translation>
     </message>
     <message>
@@ -3326,14 +3326,14 @@
     </message>
     <message>
         <source>Picks a part from a feeder and places it in one of six tray cells. The cells are defined in the frame of the tray and move with it.</source>
-        <translation>部品を供給器から取り、トレーの六つの場所の一つに置きます。場所はトレーの座標系で与えられ、一緒に動きます。</translation>
+        <translation>部品を供給器から取り、トレーの六つのセルの一つに置きます。セルはトレーの座標系で定義され、一緒に動きます。</translation>
     </message>
     <message>
         <source>Gluing along a path</source>
         <translation>経路に沿った接着</translation>
     </message>
     <message>
-        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners in slow, straight moves. Blends keep the nozzle moving through the corners.</source>
         <translation>角の丸いふたの周りをゆっくり直線で塗ります。ブレンドにより角でもノズルが動き続けます。</translation>
     </message>
     <message>
@@ -3341,19 +3341,19 @@
         <translation>計測</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
-        <translation>プローブが部品を上と四方から、それぞれ接近点からツールを傾けて触れます。</translation>
+        <source>A probe touches a part from above and from four sides. Each touch starts at an approach waypoint with the tool tilted.</source>
+        <translation>プローブが部品に上と四方から触れます。それぞれツールを傾けて接近点から始めます。</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Default view, perspective</source>
-        <translation>標準の視点、透視</translation>
+        <source>Default view (perspective)</source>
+        <translation>標準の視点（透視）</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly above, with everything visible.</source>
-        <translation>正面と側面の間、少し上から全体を見る。</translation>
+        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <translation>正面と側面の間、少し上から、全体が収まるように見る。</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -3417,7 +3417,7 @@
     </message>
     <message>
         <source>The file is too large for a settings file.</source>
-        <translation>設定としてはファイルが大きすぎます。</translation>
+        <translation>設定ファイルとしては大きすぎます。</translation>
     </message>
     <message>
         <source>The file is damaged at byte %1: %2.</source>
@@ -3428,16 +3428,16 @@
         <translation>ファイルに Tiller の設定がありません。</translation>
     </message>
     <message>
-        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
-        <translation>このファイルは新しい Tiller で作成されました。Tiller を更新してから取り込んでください。</translation>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <translation>このファイルは新しいバージョンの Tiller で作成されました。Tiller を更新してから取り込んでください。</translation>
     </message>
     <message>
-        <source>The file does not state its version.</source>
-        <translation>ファイルにバージョンの記載がありません。</translation>
+        <source>The file contains no version number.</source>
+        <translation>ファイルにバージョン番号がありません。</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>ファイルに値の一覧がないか、長すぎます。</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>ファイルに設定の一覧がないか、長すぎます。</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -3842,8 +3842,8 @@
 <context>
     <name>SpaceMouse</name>
     <message>
-        <source>left key</source>
-        <translation>左キー</translation>
+        <source>left button</source>
+        <translation>左ボタン</translation>
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
@@ -3978,7 +3978,7 @@
         <translation>ロボットが接続を終えました：再起動中か、ローカルとリモートが切り替えられた可能性があります。</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and the address.</source>
+        <source>The robot does not respond. Check the cable and the address.</source>
         <translation>ロボットが応答しません。ケーブルとアドレスを確認してください。</translation>
     </message>
     <message>
@@ -3990,8 +3990,8 @@
         <translation>応答が RTDE プロトコルに違反しています。アドレスとポートを確認してください。</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this.</source>
-        <translation>ロボットのソフトウェアが古すぎます。</translation>
+        <source>The robot&apos;s software is too old for this function.</source>
+        <translation>この機能にはロボットのソフトウェアが古すぎます。</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
@@ -4010,15 +4010,15 @@
         <translation>先に制御を取得してください。</translation>
     </message>
     <message>
-        <source>Bring the robot to Running and its safety to Normal first.</source>
-        <translation>先にロボットを「稼働中」、安全を「通常」にしてください。</translation>
+        <source>First bring the robot to mode Running and safety mode Normal.</source>
+        <translation>先にロボットをモード「稼働中」、安全モード「通常」にしてください。</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>ティーチペンダント右上でロボットをリモート制御に切り替えてください。</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>アームの範囲内の目標と上限内の速度を選んでください。</translation>
     </message>
     <message>
@@ -4026,7 +4026,7 @@
         <translation>アームはこの姿勢に到達できません：点を近づけるか、ツールを回してください。</translation>
     </message>
     <message>
-        <source>The robot could not run the program. See the log for the message of the controller.</source>
+        <source>The robot could not run the program. See the log for the controller&apos;s message.</source>
         <translation>ロボットはプログラムを実行できませんでした。コントローラーのメッセージはログにあります。</translation>
     </message>
     <message>
@@ -4158,8 +4158,8 @@
         <translation>離した</translation>
     </message>
     <message>
-        <source>pointer left the key</source>
-        <translation>ポインターがキーから外れた</translation>
+        <source>pointer left the button</source>
+        <translation>ポインターがボタンから外れた</translation>
     </message>
     <message>
         <source>focus lost</source>
@@ -4290,8 +4290,8 @@
         <translation>リンクが切れました。もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>Your script is running. Control returns when it ends.</source>
-        <translation>スクリプトが実行中です。終了すると制御が戻ります。</translation>
+        <source>Your script is running. Tiller regains control when it ends.</source>
+        <translation>スクリプトが実行中です。終了すると Tiller に制御が戻ります。</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -4365,8 +4365,8 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
-        <translation>「ルート」でウェイポイントに着くと、キーを押している間、この順に実行されます。</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <translation>「ルート」でウェイポイントに着くと、ボタンを押している間、この順に実行されます。</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
@@ -4441,8 +4441,8 @@
         <translation>タイムアウト（秒）</translation>
     </message>
     <message>
-        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：キーを押している間、最大 1 時間待ちます</translation>
+        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：ボタンを押している間、最大 1 時間待ちます</translation>
     </message>
 </context>
 <context>
@@ -4473,7 +4473,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or F2 to rename and scale.</source>
+Right-click or press F2 to rename or scale.</source>
         <translation>%1：%2
 右クリックか F2 で名前変更とスケール。</translation>
     </message>
@@ -4494,7 +4494,7 @@ Right-click or F2 to rename and scale.</source>
         <translation>%1 のスケール</translation>
     </message>
     <message>
-        <source>e.g. bar; empty: not scaled</source>
+        <source>e.g. bar; empty: no scaling</source>
         <translation>例：bar。空：換算なし</translation>
     </message>
     <message>
@@ -4521,12 +4521,12 @@ Right-click or F2 to rename and scale.</source>
         <translation>キーボードを有効に</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation>矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。クリックするか 30 秒待つとキーボードは無効になります。</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>有効な間、押している矢印キーがアームを動かします。ウィンドウは枠で囲まれます。</translation>
+        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <translation>キーボードが有効な間、押している矢印キーがアームを動かします。ウィンドウは枠で囲まれます。</translation>
     </message>
 </context>
 <context>
@@ -4536,16 +4536,16 @@ Right-click or F2 to rename and scale.</source>
         <translation>サイズ %1</translation>
     </message>
     <message>
-        <source>Drawn and checked</source>
-        <translation>表示・確認の対象</translation>
+        <source>Shown and checked for collisions</source>
+        <translation>表示と衝突確認の対象</translation>
     </message>
     <message>
         <source>Plane</source>
         <translation>平面</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>箱または平面には名前が必要です。</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>箱または平面の名前を入力してください。</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -4610,7 +4610,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>平面</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>最初の角を記録しました。</translation>
     </message>
     <message>
@@ -4686,16 +4686,16 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>Z方向の長さ</translation>
     </message>
     <message>
-        <source>Point on the plane X</source>
-        <translation>平面上の点 X</translation>
+        <source>Point on the plane, X</source>
+        <translation>平面上の点、X</translation>
     </message>
     <message>
-        <source>Point on the plane Y</source>
-        <translation>平面上の点 Y</translation>
+        <source>Point on the plane, Y</source>
+        <translation>平面上の点、Y</translation>
     </message>
     <message>
-        <source>Point on the plane Z</source>
-        <translation>平面上の点 Z</translation>
+        <source>Point on the plane, Z</source>
+        <translation>平面上の点、Z</translation>
     </message>
     <message>
         <source>Normal X, towards the arm</source>
@@ -4714,8 +4714,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>床</translation>
     </message>
     <message>
-        <source>When off, it is neither drawn nor checked.</source>
-        <translation>オフの場合は表示も確認もされません。</translation>
+        <source>When off, the floor is neither shown nor checked for collisions.</source>
+        <translation>オフの場合、床は表示も衝突確認もされません。</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
@@ -4730,7 +4730,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>安全距離</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
         <translation>ジョグは、セルとの間およびアームの各部の間がこの距離になると停止します。それより近づく動作は拒否されます。</translation>
     </message>
     <message>
@@ -4832,7 +4832,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>比較…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model, with different limits</source>
+        <source>Compare this recording with the arm model using other limits</source>
         <translation>この記録をアームのモデルと別の限界値で比較します</translation>
     </message>
     <message>
@@ -4840,8 +4840,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Go there</source>
-        <translation>そこへ移動</translation>
+        <source>Go to time</source>
+        <translation>時刻へ移動</translation>
     </message>
     <message>
         <source>Stop comparing</source>
@@ -4849,7 +4849,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
     </message>
     <message>
         <source>Place cursor A where arm and model diverge</source>
-        <translation>アームとモデルが分かれる時点にカーソル A を置きます</translation>
+        <translation>アームとモデルがずれ始める時点にカーソル A を置きます</translation>
     </message>
 </context>
 <context>
@@ -4859,8 +4859,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>アームのモデルと比較</translation>
     </message>
     <message>
-        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>関節への指令をシミュレーションのアームに与え、その動きを記録と比較します。シミュレーションのアームには何も触れず、摩擦もありません。</translation>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model includes neither contact nor friction.</source>
+        <translation>関節への指令をシミュレーションのアームに与え、その動きを記録と比較します。モデルには接触も摩擦も含まれません。</translation>
     </message>
     <message>
         <source>Arm model</source>
@@ -4913,7 +4913,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
+        <source>Enable motion (until Tiller is closed)</source>
         <translation>アームを動かす（Tiller を閉じるまで）</translation>
     </message>
     <message>
@@ -4933,15 +4933,15 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>アームが動く方向</translation>
     </message>
     <message>
-        <source>Dead-man</source>
-        <translation>デッドマン</translation>
+        <source>Hold-to-run</source>
+        <translation>イネーブル</translation>
     </message>
     <message>
-        <source>Would move</source>
-        <translation>動く向き</translation>
+        <source>Motion</source>
+        <translation>動作</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
         <translation>キーボード（有効な間、Ctrl+J）：矢印：X と Y、PgUp、PgDn：Z、Alt 併用：回転、1〜6 と + −：関節、Home：ホーム、End：整列、Backspace：戻る、F：フリードライブ、Ctrl：遅く、Shift：速く。Space と Esc で停止。</translation>
     </message>
     <message>
@@ -4961,8 +4961,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>○ 未押下：%1 を押し続けてください</translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
-        <translation>なし：中立</translation>
+        <source>none (neutral)</source>
+        <translation>なし（中立）</translation>
     </message>
 </context>
 <context>
@@ -4993,8 +4993,8 @@ Clear the search to see everything.</source>
         <translation>ブレーキ解除（ヘッダー）</translation>
     </message>
     <message>
-        <source>Take control, hold a pad key</source>
-        <translation>制御を取得、パッドのキーを押す</translation>
+        <source>Take control, hold a jog button</source>
+        <translation>制御を取得、ジョグボタンを押す</translation>
     </message>
     <message>
         <source>Teach here (T)</source>
@@ -5024,7 +5024,7 @@ Clear the search to see everything.</source>
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>The list will not appear again. Use the command “First steps” to show it.</source>
+        <source>The list will not appear again. Use the command “First steps” to reopen it.</source>
         <translation>一覧は自動では再表示されません。コマンド「最初のステップ」で表示できます。</translation>
     </message>
     <message>
@@ -5043,7 +5043,7 @@ Clear the search to see everything.</source>
         <translation>原点</translation>
     </message>
     <message>
-        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation>ベース座標系での値。Return で適用します。変わるのは座標系だけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -5147,8 +5147,8 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>座標系には名前が必要です。</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>座標系の名前を入力してください。</translation>
     </message>
     <message>
         <source>Base</source>
@@ -5167,7 +5167,7 @@ Clear the search to see everything.</source>
         <translation>「%1」は組み込みの座標系です。別の名前を選んでください。</translation>
     </message>
     <message>
-        <source>Another frame is named “%1”. Choose another name.</source>
+        <source>A frame named “%1” already exists. Choose another name.</source>
         <translation>「%1」は別の座標系の名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -5215,7 +5215,7 @@ Clear the search to see everything.</source>
         <translation>TCP %1</translation>
     </message>
     <message>
-        <source>Distance of the TCP, %1</source>
+        <source>Distance from the TCP, %1</source>
         <translation>TCP からの距離、%1</translation>
     </message>
 </context>
@@ -5253,48 +5253,48 @@ Clear the search to see everything.</source>
         <translation>+Y 側</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
-        <translation>ここを原点に取る</translation>
+        <source>Record the origin here</source>
+        <translation>ここを原点として記録</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
-        <translation>ここを +X 上の点に取る</translation>
+        <source>Record the point on +X here</source>
+        <translation>ここを +X 上の点として記録</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
-        <translation>ここを +Y 側の点に取る</translation>
+        <source>Record the point towards +Y here</source>
+        <translation>ここを +Y 側の点として記録</translation>
     </message>
     <message>
-        <source>Take</source>
-        <translation>取る</translation>
+        <source>Record</source>
+        <translation>記録</translation>
     </message>
     <message>
         <source>Create frame</source>
         <translation>座標系を作成</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
-        <translation>ロボットが有効な位置を送りませんでした。点を取り直してください。</translation>
+        <source>The robot sent an invalid position. Record the point again.</source>
+        <translation>ロボットが有効な位置を送りませんでした。点を記録し直してください。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
-        <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して取り直してください：遠いほど軸が正確です。</translation>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して記録し直してください：遠いほど軸が正確です。</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
-        <translation>3 点目は原点から %1 しか離れていません。%2 以上離して取り直してください。</translation>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
+        <translation>3 点目は原点から %1 しか離れていません。%2 以上離して記録し直してください。</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
-        <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して取り直してください。</translation>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
+        <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して記録し直してください。</translation>
     </message>
     <message>
         <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
         <translation>準備完了：+X 上の点は %1、3 点目は X 軸から %2。</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
-        <translation>先端を座標系の原点へジョグして取ってください (P)。</translation>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
+        <translation>先端を座標系の原点へジョグして記録してください (P)。</translation>
     </message>
     <message>
         <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
@@ -5305,12 +5305,12 @@ Clear the search to see everything.</source>
         <translation>次は +Y 側へ：X 軸から %1、最小 %2。</translation>
     </message>
     <message>
-        <source>Take  P</source>
-        <translation>取る  P</translation>
+        <source>Record  P</source>
+        <translation>記録  P</translation>
     </message>
     <message>
-        <source>Again</source>
-        <translation>もう一度</translation>
+        <source>Redo</source>
+        <translation>再記録</translation>
     </message>
 </context>
 <context>
@@ -5349,9 +5349,9 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>座標系はまだありません。
-先端をトレーやテーブルの角へジョグし、「TCP から」、または「3 点」で原点、+X、+Y を取ってください。</translation>
+先端をトレーやテーブルの角へジョグし、「TCP から」、または「3 点」で原点、+X、+Y を記録してください。</translation>
     </message>
     <message>
         <source>new frame</source>
@@ -5370,8 +5370,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>TCP の位置に、ツールの軸で座標系 (Shift+T)</translation>
     </message>
     <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
-        <translation>原点、+X 上の点、+Y 側の点 (Ctrl+Shift+T)</translation>
+        <source>Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>原点、+X 上の点、+Y 側の点から座標系を作成します (Ctrl+Shift+T)</translation>
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
@@ -5390,8 +5390,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>3 点から座標系を教示</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
-        <translation>座標系の次の点を取る</translation>
+        <source>Record the next point of the frame</source>
+        <translation>座標系の次の点を記録</translation>
     </message>
     <message>
         <source>Create frame from points</source>
@@ -5469,7 +5469,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>前のウェイポイント、押し続ける</translation>
     </message>
     <message>
-        <source>Moves to the previous waypoint while the key is held</source>
+        <source>Moves to the previous waypoint while the button is held</source>
         <translation>押している間、前のウェイポイントへ戻ります</translation>
     </message>
     <message>
@@ -5477,7 +5477,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>次のウェイポイント、押し続ける</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, and stops there</source>
         <translation>押している間、次のウェイポイントへ動き、そこで止まります</translation>
     </message>
     <message>
@@ -5505,8 +5505,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>すべて</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>キーを押している間、最後のウェイポイントの後に最初から繰り返します</translation>
+        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <translation>ボタンを押している間、最後のウェイポイントの後に最初から繰り返します</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
@@ -5539,8 +5539,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
-        <translation>キーを押し続けている間、ジョグ速度以下でウェイポイントを順に移動し、それぞれで決められた動作を行います。放すと一時停止し、次に押すと次のウェイポイントへ続きます。</translation>
+        <source>Moves from waypoint to waypoint while the button is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
+        <translation>ボタンを押し続けている間、ジョグ速度以下でウェイポイントを順に移動し、それぞれで決められた動作を行います。放すと一時停止し、次に押すと次のウェイポイントへ続きます。</translation>
     </message>
     <message>
         <source>At %1: %2</source>
@@ -5558,8 +5558,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>移動、押し続ける</translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
-        <translation>キーを押している間、選んだウェイポイントへアームを動かします (G)。ジョグ速度を超えません</translation>
+        <source>Moves the arm to the selected waypoint while the button or G is held, no faster than the jog speed</source>
+        <translation>ボタンまたは G を押している間、選んだウェイポイントへアームを動かします。ジョグ速度を超えません</translation>
     </message>
 </context>
 <context>
@@ -5621,8 +5621,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>グリッパー：閉じる</translation>
     </message>
     <message>
-        <source>Gripper: to %1</source>
-        <translation>グリッパー：%1 へ</translation>
+        <source>Gripper: move to %1</source>
+        <translation>グリッパー：%1 へ移動</translation>
     </message>
     <message>
         <source>Gripper type</source>
@@ -5725,8 +5725,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>%1（速度 %2、力 %3）</translation>
     </message>
     <message>
-        <source>Connect to a robot first: each robot remembers its gripper.</source>
-        <translation>先にロボットに接続してください：ロボットごとにグリッパーを覚えます。</translation>
+        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <translation>先にロボットに接続してください：グリッパーはロボットごとに保存されます。</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
@@ -5785,8 +5785,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>なし</translation>
     </message>
     <message>
-        <source>The gripper cannot be reached with this port offset.</source>
-        <translation>このポートオフセットではグリッパーに接続できません。</translation>
+        <source>The gripper is not available with this port offset.</source>
+        <translation>このポートオフセットではグリッパーを使えません。</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5892,7 +5892,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>停止指令から静止までの実測値。原因：%1</translation>
     </message>
     <message>
@@ -5927,11 +5927,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>ダイアログかメニューが開いています。先に閉じてください。</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
-        <translation>別のキーが押されています。</translation>
+        <source>Another button or key is already held.</source>
+        <translation>別のボタンまたはキーが押されています。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
         <translation>ディスプレイサーバーが応答しません：キーを離したことを検出できません。</translation>
     </message>
 </context>
@@ -5942,8 +5942,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>押す</translation>
     </message>
     <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>このキーを押し続けてください：押している間だけアームが動きます。</translation>
+        <source>Hold this button: the arm moves only while it is held.</source>
+        <translation>このボタンを押し続けてください：押している間だけアームが動きます。</translation>
     </message>
 </context>
 <context>
@@ -6001,13 +6001,13 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>
-Cannot be switched while the robot sends no data.</source>
+The output cannot be switched while the robot sends no data.</source>
         <translation>
-ロボットのデータが届かない間は切り替えられません。</translation>
+ロボットのデータが届かない間、出力は切り替えられません。</translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
 クリックで切替：%1。P：パルス。右クリック：パルス、名前変更。</translation>
     </message>
@@ -6039,7 +6039,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>グリッパー</translation>
     </message>
     <message>
-        <source>Page of I/O</source>
+        <source>I/O page</source>
         <translation>I/O のページ</translation>
     </message>
 </context>
@@ -6161,7 +6161,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>ホーム</translation>
     </message>
     <message>
-        <source>Moves every joint to the home position while held</source>
+        <source>Moves all joints to the home position while held</source>
         <translation>押している間、全関節をホーム位置へ動かします</translation>
     </message>
     <message>
@@ -6169,8 +6169,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>整列</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>押している間、選んだ座標系の最寄りの軸へツールを回します</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>押している間、選んだ座標系の最寄りの軸にツールを揃えます</translation>
     </message>
     <message>
         <source>Back</source>
@@ -6193,16 +6193,16 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>あと %1 s で終了</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
-        <translation>別のキーが押されています。</translation>
+        <source>Another button or key is already held.</source>
+        <translation>別のボタンまたはキーが押されています。</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>最後の停止：%1、%2 ms 後に静止、%3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>このキーを押している間、アームを手で動かせます：%1。右クリックで軸を選択</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
+        <translation>このボタンを押している間、アームを手で動かせます：%1。右クリックで軸を選択</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6213,8 +6213,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>フリードライブ…</translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
-        <translation>先にペイロードを確認（次の接続まで）</translation>
+        <source>Check the payload before Freedrive (until the next connection)</source>
+        <translation>フリードライブ前にペイロードを確認（次の接続まで）</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6231,8 +6231,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
 <context>
     <name>tiller::JogPad</name>
     <message>
-        <source>Jog keys</source>
-        <translation>ジョグキー</translation>
+        <source>Jog buttons</source>
+        <translation>ジョグボタン</translation>
     </message>
     <message>
         <source>Jog %1</source>
@@ -6266,16 +6266,16 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>動作</translation>
     </message>
     <message>
-        <source>Moves while the key is held</source>
-        <translation>キーを押している間動きます</translation>
+        <source>Moves while the button is held</source>
+        <translation>ボタンを押している間動きます</translation>
     </message>
     <message>
         <source>Rotation</source>
         <translation>回転</translation>
     </message>
     <message>
-        <source>Rotates while the key is held</source>
-        <translation>キーを押している間回ります</translation>
+        <source>Rotates while the button is held</source>
+        <translation>ボタンを押している間回ります</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -6286,7 +6286,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>画面の軸：X 右、Y 奥、Z 上</translation>
     </message>
     <message>
-        <source>Needs the 3D view</source>
+        <source>Requires the 3D view</source>
         <translation>3D ビューが必要です</translation>
     </message>
     <message>
@@ -6334,8 +6334,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>接触まで、%1 N</translation>
     </message>
     <message>
-        <source>Until contact, other force…</source>
-        <translation>接触まで、他の力…</translation>
+        <source>Other contact force…</source>
+        <translation>他の接触力…</translation>
     </message>
     <message>
         <source>Other speed…</source>
@@ -6441,8 +6441,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>重大度</translation>
     </message>
     <message>
-        <source>What happened</source>
-        <translation>できごと</translation>
+        <source>Event</source>
+        <translation>イベント</translation>
     </message>
     <message>
         <source>Open</source>
@@ -6547,7 +6547,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>経路の %1 で手首の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>経路の %1 で手首の特異点近くのため低速</translation>
     </message>
     <message>
@@ -6555,7 +6555,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>経路の %1 で肘の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>経路の %1 で肘の特異点近くのため低速</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>経路の %1 で肩の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>経路の %1 で肩の特異点近くのため低速</translation>
     </message>
     <message>
@@ -6611,11 +6611,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>ツール</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
         <translation>%1は%2に接触しており、この動作でさらに近づきます</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
         <translation>%1は%3まで%2しかなく、この動作でさらに近づきます</translation>
     </message>
     <message>
@@ -6719,8 +6719,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>記録を停止し、経路をウェイポイントとして保存します</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>もう一度押すまで、フリードライブやジョグでのアームの経路を記録し、ウェイポイントとして保存します。ロボットは動きません。</translation>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <translation>フリードライブやジョグでのアームの経路を記録し、ウェイポイントとして保存します。もう一度押すと終了します。ロボットは動きません。</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6764,8 +6764,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>ロボットからデータが来ません：記録するものがありません。</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop that recording first.</source>
-        <translation>読み込みませんでした：経路を記録中です。先に終えてください。</translation>
+        <source>Import refused: a path is being recorded. Stop recording first.</source>
+        <translation>読み込みませんでした：経路を記録中です。先に記録を停止してください。</translation>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
@@ -6881,16 +6881,16 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>適用</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>パターンには名前が必要です。</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>パターンの名前を入力してください。</translation>
     </message>
     <message>
-        <source>A pattern with this name exists. Choose another name.</source>
+        <source>A pattern with this name already exists. Choose another name.</source>
         <translation>その名前のパターンがあります。別の名前を選んでください。</translation>
     </message>
     <message>
-        <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>各隅のウェイポイントを選んでください。なければ先に三隅を教示してください。</translation>
+        <source>Teach the three corners first, then select a waypoint for each corner.</source>
+        <translation>先に三隅を教示し、次に各隅のウェイポイントを選んでください。</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
@@ -6941,7 +6941,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
     </message>
     <message>
         <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>場所をクリックすると除外／復帰します。最初の隅は左下です。</translation>
+        <translation>セルをクリックすると除外／復帰します。最初の隅は左下です。</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -6971,7 +6971,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>次の姿勢、押し続ける</translation>
     </message>
     <message>
-        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
+        <source>Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>押している間、手首を次の姿勢へ回します。ジョグ速度を超えません。ツールが回れる余地を確かめてください。</translation>
     </message>
     <message>
@@ -6987,12 +6987,12 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>Tiller は制御中ではありません。先に制御を取得してください。</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
-        <translation>アームが動きました。静止させ、何にも触れず、姿勢を取り直してください。</translation>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
+        <translation>アームが動きました。静止させ、何にも触れず、姿勢を記録し直してください。</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>ロボットが力を送りません。質量と重心を数値で入力してください。</translation>
+        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <translation>ロボットが力のデータを送りません。質量と重心を数値で入力してください。</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
@@ -7003,30 +7003,30 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>%1 kg、重心はフランジから %2。姿勢は %3 と %4 以内で一致。</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
-        <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を取ってください。</translation>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
+        <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を記録してください。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
-        <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ取ってください。</translation>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
+        <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ記録してください。</translation>
     </message>
     <message>
         <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
         <translation>%1 kg：軽すぎて重心を測定できません。手動で入力してください。</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
-        <translation>アームを静止させ、何にも触れず、姿勢を取ります。次にジョグか「次の姿勢」で手首を回し、さらに三つ取ります。</translation>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
+        <translation>アームを静止させ、何にも触れず、姿勢を記録します。次にジョグか「次の姿勢」で手首を回し、さらに三つ記録します。</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>手首を別の側に回して姿勢を取ってください。残り：%n</numerusform>
+            <numerusform>手首を別の側に回して姿勢を記録してください。残り：%n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
-        <translation>姿勢 %1 を取る</translation>
+        <source>Record pose %1</source>
+        <translation>姿勢 %1 を記録</translation>
     </message>
     <message>
         <source>Remove least accurate pose</source>
@@ -7068,11 +7068,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>使用中</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>ペイロードには名前が必要です。</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>ペイロードの名前を入力してください。</translation>
     </message>
     <message>
-        <source>Another payload is named “%1”. Choose another name.</source>
+        <source>A payload named “%1” already exists. Choose another name.</source>
         <translation>「%1」は別のペイロードの名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -7226,12 +7226,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>アームが動きました。静止させ、何にも触れず、もう一度確認してください。</translation>
     </message>
     <message>
-        <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>ロボットが力を送りません：ペイロードを確認できません。</translation>
+        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <translation>ロボットが力のデータを送りません：ペイロードを確認できません。</translation>
     </message>
     <message>
-        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
-        <translation>ペイロード %1 kg で、アームの測定値は %2 と %3 です。</translation>
+        <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
+        <translation>ペイロード %1 kg で、アームの測定値は力 %2、トルク %3 です。</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7358,7 +7358,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
-        <translation>この2つは同じ記録のものではありません。カーソル A と B をより短い範囲に置いてください。</translation>
+        <translation>これらの信号は異なる記録のものです。カーソル A と B をより短い範囲に置いてください。</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7424,14 +7424,14 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Time range of the plots. The mouse wheel zooms the time axis; over the value axis, or with Ctrl, it zooms the values. Double-click the value axis to scale automatically.</source>
-        <translation>グラフが表示する時間。グラフ上のホイールで拡大します。左の値の上、または Ctrl で値を拡大し、そこでダブルクリックすると曲線に任せます。</translation>
+        <translation>グラフが表示する時間。グラフ上のホイールで拡大します。左の値の上、または Ctrl で値を拡大し、そこでダブルクリックすると自動スケールになります。</translation>
     </message>
     <message>
         <source>Pause the plots</source>
         <translation>グラフを一時停止</translation>
     </message>
     <message>
-        <source>Zero the force shown</source>
+        <source>Zero the displayed force</source>
         <translation>表示の力をゼロに</translation>
     </message>
     <message>
@@ -7455,15 +7455,15 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>CSV ファイルに記録</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>ロボットのデータを CSV ファイルに記録します。隣の矢印ボタンで信号とフォルダーを設定します</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
+        <translation>ロボットのデータを CSV ファイルに記録します。信号とフォルダーは隣の矢印ボタンで選びます</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
         <translation>力をゼロにできませんでした：グラフにサンプルがありません。ロボットに接続するか、サンプルのある時刻に移ってください。</translation>
     </message>
     <message>
-        <source>Paused · %1 s back</source>
+        <source>Paused · %1 s ago</source>
         <translation>一時停止 · %1 s 前</translation>
     </message>
     <message>
@@ -7496,7 +7496,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Show the force as measured by the robot. %1</source>
-        <translation>力を再びロボットの測定どおりに表示。%1</translation>
+        <translation>ロボットが測定した力を表示。%1</translation>
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
@@ -7639,7 +7639,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>標準のグラフ</translation>
     </message>
     <message>
-        <source>Open a recording…</source>
+        <source>Open recording…</source>
         <translation>記録を開く…</translation>
     </message>
     <message>
@@ -7671,7 +7671,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>記録 %1 を開きました</translation>
     </message>
     <message>
-        <source>Open a recording</source>
+        <source>Open recording</source>
         <translation>記録を開く</translation>
     </message>
     <message>
@@ -7763,8 +7763,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>MCAPファイルに記録</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>ロボットのデータを MCAP ファイルに記録します。隣の矢印ボタンで信号とフォルダーを設定します</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
+        <translation>ロボットのデータを MCAP ファイルに記録します。信号とフォルダーは隣の矢印ボタンで選びます</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7793,8 +7793,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>カーソルAとBの間の値 (*%1)</translation>
     </message>
     <message>
-        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
-        <translation>このページには複数の記録、または記録とライブ信号が表示されています。ページには一つだけ表示してください。</translation>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
+        <translation>このページには複数の記録、または記録とライブ信号が表示されています。一つだけを表示してから、もう一度エクスポートしてください。</translation>
     </message>
     <message>
         <source>Live signals can only be exported as .csv. Record them first.</source>
@@ -7808,11 +7808,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
+        <source>%1 is above %2</source>
         <translation>%1 が %2 より上</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
+        <source>%1 is below %2</source>
         <translation>%1 が %2 より下</translation>
     </message>
 </context>
@@ -8011,12 +8011,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1 での TCP 姿勢</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
-        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリック：最後のキー操作からの移動</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
+        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリックすると最後の動作の開始からの移動を表示</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
-        <translation>姿勢の表記は設定どおり。Δ：最後のキー操作からの移動。クリック：ここをゼロに</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
+        <translation>姿勢の表記は設定どおり。Δ：最後の動作の開始からの移動。クリックでここをゼロに</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8034,11 +8034,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>ホーム</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>位置には名前が必要です。</translation>
+        <source>Enter a name for the position.</source>
+        <translation>位置の名前を入力してください。</translation>
     </message>
     <message>
-        <source>Another position is named “%1”. Choose another name.</source>
+        <source>A position named “%1” already exists. Choose another name.</source>
         <translation>「%1」は別の位置の名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -8064,7 +8064,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>%1。Return で適用します。変わるのは保存された位置だけで、ロボットは動きません。</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
+        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
         <translation>ベース座標系でこれより上には何もありません：TCP は横に動けます。</translation>
     </message>
     <message>
@@ -8124,8 +8124,8 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>「%1」をアームの位置に設定しますか？</translation>
     </message>
     <message>
-        <source>The Home key will move the arm there.</source>
-        <translation>ホームキーでアームがそこへ動きます。</translation>
+        <source>The Home button will move the arm there.</source>
+        <translation>ホームボタンでアームがそこへ動きます。</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -8184,12 +8184,12 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>安全高さなし</translation>
     </message>
     <message>
-        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>ホームキーは標準のホーム位置へ動かします：アームは直立し、自己衝突しません。</translation>
+        <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
+        <translation>ホームボタンはアームを標準のホーム位置へ動かします：直立し、自己衝突しません。</translation>
     </message>
     <message>
-        <source>%1: target of the Home key</source>
-        <translation>%1：ホームキーの目標</translation>
+        <source>%1: target of the Home button</source>
+        <translation>%1：ホームボタンの目標</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -8238,7 +8238,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>力 Fz（ニュートン）</translation>
     </message>
     <message>
-        <source>enter value, press Return</source>
+        <source>Enter value, press Return</source>
         <translation>値を入力して Return</translation>
     </message>
     <message>
@@ -8277,8 +8277,8 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>良好</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>要確認</translation>
+        <source>Warning</source>
+        <translation>注意</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -8314,15 +8314,15 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Keep everyone out of reach of the arm.
-Keep the emergency stop at hand: STOP in this window is a software stop.
+Keep the emergency stop within reach: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
-Watch the arm, not the screen, while you hold a key.
-Release the key to stop the arm.</source>
+Watch the arm, not the screen, while you hold a button.
+Release the button to stop the arm.</source>
         <translation>アームの届く範囲に人を入れないでください。
-非常停止を手元に置いてください：このウィンドウの STOP はソフトウェア停止です。
+非常停止を手の届く所に置いてください：このウィンドウの STOP はソフトウェア停止です。
 ゆっくり始めてください：最初の速度は %1 です。
-キーを押している間は画面ではなくアームを見てください。
-キーを離すとアームは止まります。</translation>
+ボタンを押している間は画面ではなくアームを見てください。
+ボタンを離すとアームは止まります。</translation>
     </message>
     <message>
         <source>Checking %1…</source>
@@ -8537,8 +8537,8 @@ Release the key to stop the arm.</source>
         <translation>URScript (*.script)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>書き出しました: %1</translation>
+        <source>Exported to %1</source>
+        <translation>%1 に書き出しました</translation>
     </message>
 </context>
 <context>
@@ -8623,7 +8623,7 @@ Release the key to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>%1の保存を再開しました</translation>
     </message>
     <message>
@@ -8995,7 +8995,7 @@ Release the key to stop the arm.</source>
         <translation>ロボットからのデータなし：ティーチペンダントで閉じてください。</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>ロボットに他 %n 件。</numerusform>
         </translation>
@@ -9048,8 +9048,8 @@ Release the key to stop the arm.</source>
         <translation>%1 に接続</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>安全は再び通常です</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>安全モードが「通常」に戻りました</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -9064,7 +9064,7 @@ Release the key to stop the arm.</source>
         <translation>ロボットのポップアップ：%1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>ロボットのプログラムがティーチペンダントでの応答を待っています：%1</translation>
     </message>
     <message>
@@ -9137,7 +9137,7 @@ Release the key to stop the arm.</source>
         <translation>グリッパーの値がありません。アームの電源を入れてください。直らなければ手首のグリッパーのケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>The gripper answers again</source>
+        <source>The gripper responds again</source>
         <translation>グリッパーが再び応答しています</translation>
     </message>
     <message>
@@ -9165,11 +9165,11 @@ Release the key to stop the arm.</source>
         <translation>%1 に失敗しました。%2</translation>
     </message>
     <message>
-        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>%1:%2 でグリッパーの応答がありません。ロボットに Robotiq の URCap を入れ、インストールでグリッパーを選んでください。</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>グリッパーが応答しません。手首のケーブルとロボットのインストールのページを確認してください。直らなければロボットを再起動してください。</translation>
     </message>
     <message>
@@ -9244,7 +9244,7 @@ Release the key to stop the arm.</source>
         <translation>「%1」：%2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>繰り返しには 2 つ以上のウェイポイントが必要です。ウェイポイントを追加で選択するか、繰り返しをオフにしてください。</translation>
     </message>
 </context>
@@ -9262,8 +9262,8 @@ Release the key to stop the arm.</source>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Default view, perspective</source>
-        <translation>標準の視点、透視</translation>
+        <source>Default view (perspective)</source>
+        <translation>標準の視点（透視）</translation>
     </message>
     <message>
         <source>Front</source>
@@ -9326,12 +9326,12 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>1 name hidden: zoom in</source>
-        <translation>名前 1 件を隠しています：近づいてください</translation>
+        <translation>名前 1 件を隠しています：拡大してください</translation>
     </message>
     <message numerus="yes">
         <source>%n names hidden: zoom in</source>
         <translation>
-            <numerusform>名前 %n 件を隠しています：近づいてください</numerusform>
+            <numerusform>名前 %n 件を隠しています：拡大してください</numerusform>
         </translation>
     </message>
     <message>
@@ -9367,14 +9367,14 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>%1 is not part of the same RTDE packets as the other signals.</source>
-        <translation>%1 は他と同じパケットで届きません。</translation>
+        <translation>%1 は他の信号と同じ RTDE パケットに含まれません。</translation>
     </message>
     <message>
         <source>Derived</source>
         <translation>派生</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>ロボットが一度に送れる信号を超えます：先に他を外してください。</translation>
     </message>
     <message>
@@ -9383,7 +9383,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The recording is empty.</source>
-        <translation>この記録に行がありません。</translation>
+        <translation>記録は空です。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9395,7 +9395,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>%1 を最後まで計算できませんでした: %2</translation>
+        <translation>%1 を完全には計算できませんでした: %2</translation>
     </message>
 </context>
 <context>
@@ -9459,7 +9459,7 @@ Release the key to stop the arm.</source>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>記録、セッション、最後のメッセージ</translation>
+        <translation>記録、プロジェクト、最後のメッセージ</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9518,8 +9518,8 @@ Release the key to stop the arm.</source>
         <translation>ソフトウェア停止。非常停止ではありません。電源は入ったままです。</translation>
     </message>
     <message>
-        <source>Space and Esc stop as well.</source>
-        <translation>SpaceとEscでも停止します。</translation>
+        <source>Space and Esc also stop the arm.</source>
+        <translation>SpaceとEscでもアームが停止します。</translation>
     </message>
     <message>
         <source>Click to stop. Space and Esc stop only while this window is in control.</source>
@@ -9541,8 +9541,8 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::StopPlot</name>
     <message>
-        <source>Highest value %1 in the last five seconds</source>
-        <translation>直近 5 秒の最大値 %1</translation>
+        <source>Maximum in the last five seconds: %1</source>
+        <translation>直近 5 秒の最大値：%1</translation>
     </message>
     <message>
         <source>max %1</source>
@@ -9556,11 +9556,11 @@ Release the key to stop the arm.</source>
         <translation>使用中</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>TCP には名前が必要です。</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>TCP の名前を入力してください。</translation>
     </message>
     <message>
-        <source>Another TCP is named “%1”. Choose another name.</source>
+        <source>A TCP named “%1” already exists. Choose another name.</source>
         <translation>「%1」は別の TCP の名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -9709,16 +9709,16 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
-        <translation>姿勢を取る</translation>
+        <source>Record pose</source>
+        <translation>姿勢を記録</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
-        <translation>最も不正確な姿勢を取り直す</translation>
+        <source>Redo least accurate pose</source>
+        <translation>最も不正確な姿勢を再記録</translation>
     </message>
     <message>
-        <source>Take</source>
-        <translation>取る</translation>
+        <source>Record</source>
+        <translation>記録</translation>
     </message>
     <message>
         <source>Keep TCP</source>
@@ -9729,8 +9729,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP を教示</translation>
     </message>
     <message>
-        <source>Take a pose for the rotation</source>
-        <translation>回転用の姿勢を取る</translation>
+        <source>Record pose for the rotation</source>
+        <translation>回転用の姿勢を記録</translation>
     </message>
     <message>
         <source>Rotation of the tool</source>
@@ -9757,21 +9757,21 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>先端は %1。姿勢は %2 (rms) で一致。姿勢 %3 が最も合わず、%4。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
-        <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ取ってください。</translation>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
+        <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ記録してください。</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
-        <translation>ロボットが有効な位置を送りませんでした。姿勢を取り直してください。</translation>
+        <source>The robot sent an invalid position. Record the poses again.</source>
+        <translation>ロボットが有効な位置を送りませんでした。姿勢を記録し直してください。</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
-        <translation>先端を固定された尖った点へジョグし、姿勢を取ります。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <translation>先端を固定された尖った点へジョグし、姿勢を記録します。全部で四回：先端は同じ点、ツールは毎回別の側に傾けます。</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
-            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を取ってください。残り：%n</numerusform>
+            <numerusform>ツールを別の側に傾け、先端を同じ点に合わせて姿勢を記録してください。残り：%n</numerusform>
         </translation>
     </message>
     <message>
@@ -9779,56 +9779,56 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>ツールは現在の回転を保ちます。</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
-        <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、取ってください。</translation>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
+        <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、記録してください。</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
-        <translation>回転を取りました。取り直すと置き換わります。</translation>
+        <source>Rotation recorded. Record it again to replace it.</source>
+        <translation>回転を記録しました。記録し直すと置き換わります。</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
-        <translation>現在の位置で姿勢を取ります。以後ツールを回さず、X、Y、Z だけジョグしてください。</translation>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <translation>現在の位置で姿勢を記録します。以後ツールを回さず、X、Y、Z だけジョグしてください。</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
-        <translation>ツールを自身の +Z に沿ってフランジから %1 以上離し、取ってください。</translation>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
+        <translation>ツールを自身の +Z に沿ってフランジから %1 以上離し、記録してください。</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
-        <translation>次に +X 側へ %1 以上動かし、取ってください。</translation>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
+        <translation>次に +X 側へ %1 以上動かし、記録してください。</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>回転を取りました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>回転を記録しました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
-        <translation>フランジが最大 %1 回転しました（姿勢 %2）。ツールを回さずに三つの姿勢を取り直してください。</translation>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
+        <translation>フランジが最大 %1 回転しました（姿勢 %2）。ツールを回さずに三つの姿勢を記録し直してください。</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>+Z に沿った距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
+        <translation>+Z に沿った距離が %1 だけです。%2 以上離して三つを記録し直してください。</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
-        <translation>+X 側への距離が %1 だけです。%2 以上離して三つを取り直してください。</translation>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
+        <translation>+X 側への距離が %1 だけです。%2 以上離して三つを記録し直してください。</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
-        <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを取り直してください。</translation>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
+        <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを記録し直してください。</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
-        <translation>ロボットが有効な位置を送りませんでした。三つを取り直してください。</translation>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
+        <translation>ロボットが有効な位置を送りませんでした。三つを記録し直してください。</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
-        <translation>最後の姿勢を取り直す</translation>
+        <source>Redo last pose</source>
+        <translation>最後の姿勢を再記録</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
-        <translation>姿勢 %1 を取る</translation>
+        <source>Record pose %1</source>
+        <translation>姿勢 %1 を記録</translation>
     </message>
     <message>
         <source>Pose %1</source>
@@ -9839,8 +9839,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>  ◀ 最も不正確</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
-        <translation>ロボットがデータを送っている間に姿勢を取れます。</translation>
+        <source>Poses can be recorded only while the robot sends data.</source>
+        <translation>ロボットがデータを送っている間に姿勢を記録できます。</translation>
     </message>
 </context>
 <context>
@@ -9877,7 +9877,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>%1：%3 の限界まで残り %2</translation>
     </message>
     <message>
-        <source>%1: %2 left to the end of reach or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation>%1：残り %2、その先は到達限界か特異点</translation>
     </message>
     <message>
@@ -9934,8 +9934,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>座標系</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>ウェイポイントの基準座標系。空間での位置は変わりません。—：関節位置が優先</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>ウェイポイントの基準座標系。空間での位置は変わりません。「—」：座標系なし、関節位置が優先</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -9977,7 +9977,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Shows the route controls instead of the values.</source>
-        <translation>数値の代わりにルートのキーを表示します。</translation>
+        <translation>数値の代わりにルートの操作を表示します。</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9985,7 +9985,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Shows the values instead of the route controls.</source>
-        <translation>ルートのキーの代わりに数値を表示します。</translation>
+        <translation>ルートの操作の代わりに数値を表示します。</translation>
     </message>
 </context>
 <context>
@@ -10028,7 +10028,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
-        <translation>パターンの場所を選んでください。</translation>
+        <translation>パターンのセルを選んでください。</translation>
     </message>
     <message>
         <source>Delete the pattern “%1”</source>
@@ -10064,7 +10064,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Import failed</source>
-        <translation>何も取り込みませんでした</translation>
+        <translation>インポートに失敗しました</translation>
     </message>
     <message>
         <source>%1 is too large for a waypoint file.</source>
@@ -10094,7 +10094,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Export failed</source>
-        <translation>何もエクスポートしませんでした</translation>
+        <translation>エクスポートに失敗しました</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints written to %1</source>
@@ -10127,7 +10127,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Paste failed</source>
-        <translation>何も貼り付けませんでした</translation>
+        <translation>貼り付けに失敗しました</translation>
     </message>
     <message>
         <source>There are no waypoints on the clipboard.</source>
@@ -10172,11 +10172,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Position: moved by %1 (%2, base frame)</source>
-        <translation>位置：%1 動いた（%2、ベース座標系）</translation>
+        <translation>位置：%1 移動（%2、ベース座標系）</translation>
     </message>
     <message>
         <source>Joints: largest change %2 (%1)</source>
-        <translation>関節：%1 が最大で %2 回った</translation>
+        <translation>関節：最大変化 %2（%1）</translation>
     </message>
     <message>
         <source>joints have priority</source>
@@ -10215,8 +10215,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>ブレンド：%1、今は %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another TCP</source>
-        <translation>TCP：別のもので教示</translation>
+        <source>TCP: taught with a different TCP</source>
+        <translation>TCP：別の TCP で教示</translation>
     </message>
     <message>
         <source>Group: “%1”, now “%2”</source>
@@ -10232,14 +10232,14 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Actions: changed</source>
-        <translation>アクション：今と異なる</translation>
+        <translation>アクション：変更</translation>
     </message>
     <message>
         <source>Not changed since it was taught.</source>
         <translation>教示以来変更されていません。</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
+        <source>The version before this change is identical to the current version.</source>
         <translation>この変更前の版は現在の版と同じです。</translation>
     </message>
     <message>
@@ -10334,11 +10334,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>到達</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>ウェイポイントには名前が必要です。</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>ウェイポイントの名前を入力してください。</translation>
     </message>
     <message>
-        <source>Waypoint %2 is named “%1”. Choose another name.</source>
+        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
         <translation>「%1」はウェイポイント %2 の名前です。別の名前を選んでください。</translation>
     </message>
     <message>
@@ -10371,7 +10371,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
-        <translation>「%1」を %2 で与える</translation>
+        <translation>「%1」の座標系を %2 に変更</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -10609,7 +10609,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrors across the plane through the origin that is perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>原点を通り軸に垂直な平面で鏡像にします。ツールは鏡像側から近づきます。</translation>
     </message>
     <message>
@@ -10778,7 +10778,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Convert pattern to waypoints</source>
-        <translation>パターンの場所を普通のウェイポイントにする</translation>
+        <translation>パターンをウェイポイントに変換</translation>
     </message>
     <message>
         <source>Delete the pattern and its waypoints</source>
@@ -10817,7 +10817,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Type a command or keyword</source>
-        <translation>したいことを入力してください</translation>
+        <translation>コマンドまたはキーワードを入力</translation>
     </message>
     <message>
         <source>Commands found</source>
@@ -10859,7 +10859,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>接続</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>実機を動かす前に：届く範囲に人を入れず、非常停止を手元に置き、ペイロードと TCP を確認し、ゆっくり始めてください。このウィンドウの STOP は非常停止ではありません。</translation>
     </message>
     <message>
@@ -10867,11 +10867,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Open a project…</source>
+        <source>Open project…</source>
         <translation>プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything works except motion.</source>
+        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
         <translation>ロボットなしでファイルのウェイポイントを開きます：動作以外はすべて使えます。</translation>
     </message>
     <message>
@@ -10895,7 +10895,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ロボットのアドレスかホスト名</translation>
     </message>
     <message>
-        <source>Name shown for the robot</source>
+        <source>Display name of the robot</source>
         <translation>表示するロボット名</translation>
     </message>
     <message>
@@ -10911,8 +10911,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>名前</translation>
     </message>
     <message>
-        <source>Robots connected to before</source>
-        <translation>以前に接続したロボット</translation>
+        <source>Recently connected robots</source>
+        <translation>最近接続したロボット</translation>
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
@@ -10998,8 +10998,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ロボットは理由を報告していません</translation>
     </message>
     <message>
-        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
-        <translation>押し直し             %1 回：離す前に動作が止まっていました</translation>
+        <source>pressed again        %1 times: the motion had stopped before the button was released</source>
+        <translation>押し直し             %1 回：ボタンを離す前に動作が止まっていました</translation>
     </message>
     <message>
         <source>jogged               </source>
@@ -11040,8 +11040,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ファイル                </translation>
     </message>
     <message>
-        <source>there is no key “%1” in the window</source>
-        <translation>ウィンドウに「%1」というキーがありません</translation>
+        <source>the window has no button “%1”</source>
+        <translation>ウィンドウに「%1」というボタンがありません</translation>
     </message>
 </context>
 <context>
@@ -11091,7 +11091,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>指数 </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1：均一。大きいほど中央付近は緩やか、端で速くなります。</translation>
     </message>
     <message>
@@ -11119,8 +11119,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ゲームパッドも SpaceMouse も見つかりません。接続すると自動で検出されます。</translation>
     </message>
     <message>
-        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
-        <translation>デッドマンを押している間だけアームを動かします。保存されません：再起動後はどのデバイスもアームを動かしません。</translation>
+        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <translation>イネーブルボタンを押している間だけアームを動かします。保存されません：再起動後はどのデバイスもアームを動かしません。</translation>
     </message>
 </context>
 <context>
@@ -11161,8 +11161,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>&lt;h2&gt;このコンピューターにはマニュアルがインストールされていません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドする場合は、パッケージ python3-sphinx をインストールしてください。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。ソースコードのフォルダー packaging/manual でテキストとして読むこともできます。ジョグの規則とすべてのキーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;パッドのキーを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがキーから外れる、第二ボタンが押される、別の手が加わる；&lt;/li&gt;&lt;li&gt;押しているキーボードのキーの横で修飾キーや矛盾するキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、何かが上に開く、別の座標系、速度、ステップ、タブが選ばれる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが固まる、ロボットが「稼働中」、その安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、デバイスが抜かれるか黙る；&lt;/li&gt;&lt;li&gt;キーがまだ押されていると誰も証明できない：X11 ではボタンやキーが押されているかを毎秒 100 回ディスプレイサーバーに尋ね、「いいえ」または 100 ms の無応答で動作を終えます。尋ねる相手がいない場合はヘッダーと設定に示されます；&lt;/li&gt;&lt;li&gt;長く押された：ジョグは %1 s（設定）、フリードライブは 5 分、ある場所への移動は所要時間より 5 s。最後の 3 s は秒読みします。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;止まった動作には新しく押すことが必要です。制御中は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでも停止します。制御していないときはフォーカスのある部品のキーになります。他のクライアントのプログラムは &lt;b&gt;STOP&lt;/b&gt; をクリックして停止してください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; は十倍細かく、&lt;b&gt;Shift&lt;/b&gt; は三倍速くしますが、上限を超えません。ラテン文字のないキーボードでは、下の文字は US 配列でのその位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;ジョグボタンを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがボタンから外れる、マウスの別のボタンが押される、または別の入力デバイスが使われる；&lt;/li&gt;&lt;li&gt;キーボードのキーを押している間に、修飾キーや反対方向のキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、ダイアログやメニューが開く、または座標系、速度、ステップ、タブが変わる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが応答しない、またはロボットが「稼働中」、現在の安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、または入力デバイスが取り外されるかデータを送らなくなる；&lt;/li&gt;&lt;li&gt;キー状態の確認に失敗する：X11 では、ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。押されていない場合、またはサーバーが 100 ms 応答しない場合、動作は終わります。この確認が使えない場合は、ヘッダーと設定に表示されます；&lt;/li&gt;&lt;li&gt;最大保持時間に達する：ジョグは %1 s（設定）、フリードライブは 5 分、ある位置への移動は所要時間と 5 s。最後の 3 s はカウントダウンされます。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止後は、もう一度押す必要があります。Tiller が制御している間は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでもアームが停止します。制御していないときは、フォーカスのある要素に働きます。他のクライアントのプログラムを停止するには &lt;b&gt;STOP&lt;/b&gt; をクリックしてください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; を押すと動作は 10 倍細かく、&lt;b&gt;Shift&lt;/b&gt; を押すと 3 倍速くなりますが、上限は超えません。ラテン文字のないキーボードでは、下の文字は US 配列での位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>
@@ -11255,7 +11255,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>キーボードジョグ有効：矢印は X と Y、PgUp と PgDn は Z、Alt で回転、1〜6 と + − で関節が動きます。Space と Esc で停止。</translation>
     </message>
     <message>
@@ -11295,7 +11295,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>%1 が切断されました。アームを止めました。</translation>
     </message>
     <message>
-        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
+        <source>%1 stopped sending data while it was moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 はアームを動かしている間にデータを送らなくなりました。アームを停止しました。デバイスから手を離してください。繰り返す場合は接続し直してください。</translation>
     </message>
     <message>
@@ -11319,8 +11319,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>見本プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>シミュレートされたロボットで試せる三つのプロジェクトの一つをコピーとして開きます。</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>シミュレートされたロボットで試せる見本プロジェクトのコピーを開きます。</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11348,7 +11348,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows this tab.</source>
-        <translation>このタブを手前に出します。</translation>
+        <translation>このタブを表示します。</translation>
     </message>
     <message>
         <source>Show gripper</source>
@@ -11375,8 +11375,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>暗い色</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for the next start.</source>
-        <translation>配色をすぐに変更し、次回の起動時にも使います。</translation>
+        <source>Changes the colour theme now and for later starts.</source>
+        <translation>配色をすぐに変更し、以後の起動時にも使います。</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11415,7 +11415,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>設定を取り込む…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
+        <source>Shows which settings a file will replace, then imports them.</source>
         <translation>置き換えられる内容を表示してから、ファイルの設定を取り込みます。</translation>
     </message>
     <message>
@@ -11497,7 +11497,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>問題を報告…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
         <translation>バージョン、ログ、設定を1つのファイルにまとめます。先に内容を表示します。</translation>
     </message>
     <message>
@@ -11533,7 +11533,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>プロジェクトをこのロボットに合わせる…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
         <translation>別のロボットモデルのプロジェクトを変換します：姿勢または関節を維持します。</translation>
     </message>
     <message>
@@ -11758,16 +11758,16 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>これ以上のパースペクティブは保存できません。先に一つ削除してください。</translation>
     </message>
     <message>
-        <source>A perspective with this name exists. Choose another name.</source>
+        <source>A perspective with this name already exists. Choose another name.</source>
         <translation>この名前のパースペクティブがあります。別の名前を選んでください。</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。記憶されます。</translation>
+        <translation>パネルはパースペクティブ「%1」の配置です：前のバージョンの配置はこのバージョンに合いません。並べ直してください。配置は保存されます。</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。記憶されます。</translation>
+        <translation>パネルはパースペクティブ「%1」の配置です：設定の配置が壊れているか別のバージョンのものです。並べ直してください。配置は保存されます。</translation>
     </message>
 </context>
 <context>
@@ -11890,8 +11890,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>できごと</translation>
     </message>
     <message>
-        <source>What did you do, what did you expect, what happened?</source>
-        <translation>何をして、何を期待し、何が起きましたか?</translation>
+        <source>What did you do? What did you expect? What happened?</source>
+        <translation>何をしましたか？何を期待しましたか？何が起きましたか？</translation>
     </message>
     <message>
         <source>Files of the report</source>
@@ -11933,8 +11933,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>見本プロジェクトを開く</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで実行できます。コピーで作業します：保存時に新しいファイルを指定します。</translation>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで実行できます。コピーで作業します：保存するには新しいファイルを指定してください。</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11984,7 +11984,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>設定を取り込む…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
+        <source>Show which settings a file will replace, then import them</source>
         <translation>置き換えられる内容を表示してから、ファイルの設定を取り込む</translation>
     </message>
     <message>
@@ -12060,12 +12060,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
-        <translation>この時間でジョグは終わり、キーを押し直す必要があります。フリードライブは 5 分、ある場所への移動は所要時間と 5 s です。</translation>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <translation>この時間でジョグは止まり、ボタンを押し直す必要があります。フリードライブは 5 分、ある位置への移動は所要時間と 5 s です。</translation>
     </message>
     <message>
-        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
-        <translation>タッチ：指に必要な高さ。高さ %1 px 未満のウィンドウでは関節、タブ、タイトルバーのキーは小さいままです。</translation>
+        <source>Touch: large enough for fingers. In windows less than %1 px high, joint buttons, tabs and title bars remain smaller.</source>
+        <translation>タッチ：指で押せる大きさ。高さ %1 px 未満のウィンドウでは、関節ボタン、タブ、タイトルバーは小さいままです。</translation>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
@@ -12092,7 +12092,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>▲ %1 を超えています。PC からのジョグを制限するものは他にありません：手動モードもペンダントのイネーブル装置も働きません。ヘッダーに警告が表示されます。上限は Tiller を閉じると元に戻ります。</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
         <translation>Tiller の全動作での TCP と肘の最高速度です。すぐに有効になり、実行中の動作を停止します。</translation>
     </message>
     <message>
@@ -12140,7 +12140,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>アームを止め、制御を返却して接続し直します。グラフは最初から表示されます。プロジェクトは保存されます。</translation>
     </message>
     <message>
-        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
+        <source>Language of the window and of the connection check. Files and scripts are not affected.</source>
         <translation>ウィンドウと接続チェックの言語です。ファイルとスクリプトには影響しません。</translation>
     </message>
     <message>
@@ -12164,8 +12164,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>監視のみ（コマンドラインで指定）</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
-        <translation>欄で新しいショートカットを押します。Backspaceで削除します。制御中はSpaceとEscで必ずアームが停止します。</translation>
+        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <translation>欄で新しいショートカットを押します。Backspaceで削除します。Tiller が制御している間は、SpaceとEscで必ずアームが停止します。</translation>
     </message>
 </context>
 <context>
@@ -12202,7 +12202,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>最初のステップ</translation>
     </message>
     <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <source>Shows a checklist in the view, from powering on to recording.</source>
         <translation>ビューに電源オンから記録までのチェックリストを表示します。</translation>
     </message>
     <message>
@@ -12210,8 +12210,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>練習課題</translation>
     </message>
     <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>シミュレートされたロボットでの五つの課題。それぞれに確認があります。</translation>
+        <source>Five tasks on the simulated robot. Each task checks the result.</source>
+        <translation>シミュレートされたロボットでの五つの課題。課題ごとに結果を確認します。</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>

@@ -12,12 +12,12 @@
         <translation>运行路线</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 未在 %2 s 内接通。请检查所连接的设备，然后再次按下。</translation>
+        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 未在 %2 s 内接通。请检查所连接的设备，然后重试。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then press again.</source>
-        <translation>%1 未在 %2 s 内断开。请检查所连接的设备，然后再次按下。</translation>
+        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <translation>%1 未在 %2 s 内断开。请检查所连接的设备，然后重试。</translation>
     </message>
     <message>
         <source>%1 was not completed. %2</source>
@@ -83,8 +83,8 @@
         <translation>移动面板</translation>
     </message>
     <message>
-        <source>Program Tiller</source>
-        <translation>程序 Tiller</translation>
+        <source>Application</source>
+        <translation>应用程序</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -181,8 +181,8 @@
         <translation>打开此项目文件 (.tiller)。</translation>
     </message>
     <message>
-        <source>Colours: light or dark.</source>
-        <translation>颜色：light（浅色）或 dark（深色）。</translation>
+        <source>Colour theme: light or dark.</source>
+        <translation>配色：light（浅色）或 dark（深色）。</translation>
     </message>
     <message>
         <source>see tiller --help</source>
@@ -193,7 +193,7 @@
         <translation>意外的参数 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--theme takes light or dark, not &quot;%1&quot;</source>
+        <source>--theme must be light or dark, not &quot;%1&quot;</source>
         <translation>--theme 只接受 light 或 dark，而不是 &quot;%1&quot;</translation>
     </message>
     <message>
@@ -201,15 +201,15 @@
         <translation>--robot 与 --simulator 不能同时使用</translation>
     </message>
     <message>
-        <source>--demo works on the simulated robot only and cannot be combined with --robot</source>
+        <source>--demo works only on the simulated robot and cannot be combined with --robot</source>
         <translation>--demo 只能在模拟机器人上运行，不能与 --robot 一起使用</translation>
     </message>
     <message>
-        <source>--demo needs a folder</source>
+        <source>--demo requires a folder</source>
         <translation>--demo 需要一个文件夹</translation>
     </message>
     <message>
-        <source>--robot needs an address, e.g. --robot 192.168.0.10</source>
+        <source>--robot requires an address, e.g. --robot 192.168.0.10</source>
         <translation>--robot 需要一个地址，例如 --robot 192.168.0.10</translation>
     </message>
     <message>
@@ -217,8 +217,8 @@
         <translation>只能打开一个项目，不能再打开 &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>Monitor only: change nothing on the robot; only STOP works. Cannot be turned off in Settings.</source>
-        <translation>仅监视：不更改机器人的任何状态，只有 STOP 有效。无法在设置中关闭。</translation>
+        <source>Monitor only: do not change anything on the robot; STOP still works. Cannot be turned off in Settings.</source>
+        <translation>仅监视：不更改机器人的任何状态，STOP 仍然有效。无法在设置中关闭。</translation>
     </message>
     <message>
         <source>--demo moves the simulated robot and cannot be combined with --monitor-only</source>
@@ -278,19 +278,19 @@
     </message>
     <message>
         <source>Arm and model diverge at %1 s: %2 deviates by %3</source>
-        <translation>机械臂与模型在 %1 s 分离：%2 偏差 %3</translation>
+        <translation>机械臂与模型在 %1 s 出现偏差：%2 偏差 %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the TCP deviates by %2</source>
-        <translation>机械臂与模型在 %1 s 分离：TCP 偏差 %2</translation>
+        <translation>机械臂与模型在 %1 s 出现偏差：TCP 偏差 %2</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: the current of %2 deviates by %3</source>
-        <translation>机械臂与模型在 %1 s 分离：%2 的电流偏差 %3</translation>
+        <translation>机械臂与模型在 %1 s 出现偏差：%2 的电流偏差 %3</translation>
     </message>
     <message>
         <source>Arm and model diverge at %1 s: a force of %2 acts on the TCP</source>
-        <translation>机械臂与模型在 %1 s 分离：有 %2 的力作用在 TCP 上</translation>
+        <translation>机械臂与模型在 %1 s 出现偏差：有 %2 的力作用在 TCP 上</translation>
     </message>
     <message>
         <source>The motion matches the model of a %1</source>
@@ -301,7 +301,7 @@
         <translation>无可比较内容：整个录制期间机械臂未上电或被手动引导。</translation>
     </message>
     <message>
-        <source>Arm and model differ from the first sample on: check the payload, the robot model and contact with the arm.</source>
+        <source>Arm and model differ from the first sample on. Check the payload and the robot model, and make sure that nothing touches the arm.</source>
         <translation>机械臂与模型从第一个样本起就不一致：请检查有效负载、机器人型号以及机械臂是否被触碰。</translation>
     </message>
     <message>
@@ -340,11 +340,11 @@
         <translation>接近工具方向极限</translation>
     </message>
     <message>
-        <source>The tool turned close to the limit set in the safety configuration.</source>
+        <source>The tool orientation came close to the limit set in the safety configuration.</source>
         <translation>工具转到了安全配置所设极限附近。</translation>
     </message>
     <message>
-        <source>Turn the tool back, or change the waypoint.</source>
+        <source>Rotate the tool back, or change the waypoint.</source>
         <translation>把工具转回来，或更改路点。</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation>直线动作经过机械臂的奇异位置。</translation>
     </message>
     <message>
-        <source>Jog individual joints out of it; use MoveJ through this region.</source>
+        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
         <translation>逐个点动关节离开奇异点；在此区域使用 MoveJ。</translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation>无法保持位置</translation>
     </message>
     <message>
-        <source>The arm sagged or was pushed at standstill.</source>
+        <source>The arm sagged or was pushed while at standstill.</source>
         <translation>机械臂静止时下沉或被推动。</translation>
     </message>
     <message>
@@ -404,7 +404,7 @@
         <translation>测得的力与有效负载不符，或自由驱动开始时机械臂被推动。</translation>
     </message>
     <message>
-        <source>Correct payload and mounting, release the arm, and try again.</source>
+        <source>Correct the payload and the mounting, release the arm, and try again.</source>
         <translation>更正有效负载和安装，松开机械臂，然后重试。</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>某个关节所需的力矩超出运动所需。</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there was none, check the payload.</source>
+        <source>Remove the obstacle; if there is none, check the payload.</source>
         <translation>移除障碍物；若没有障碍物，检查有效负载。</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>目标位置突变</translation>
     </message>
     <message>
-        <source>A program commanded a step in position.</source>
+        <source>A program commanded an abrupt change of position.</source>
         <translation>程序指令了位置跳变。</translation>
     </message>
     <message>
@@ -468,7 +468,7 @@
         <translation>目标速度突变</translation>
     </message>
     <message>
-        <source>A program commanded a step in speed.</source>
+        <source>A program commanded an abrupt change of speed.</source>
         <translation>程序指令了速度跳变。</translation>
     </message>
     <message>
@@ -492,7 +492,7 @@
         <translation>机器人处于本地控制</translation>
     </message>
     <message>
-        <source>A script was sent, but the robot accepts commands from its teach pendant only.</source>
+        <source>A script was sent, but the robot accepts commands only from its teach pendant.</source>
         <translation>已发送脚本，但机器人只接受来自示教器的命令。</translation>
     </message>
     <message>
@@ -569,11 +569,11 @@
         <translation>%1 以及另外 %2</translation>
     </message>
     <message>
-        <source>This software is too old. Update the robot to %1.%2 or newer.</source>
-        <translation>此软件太旧。请将机器人更新到 %1.%2 或更新版本。</translation>
+        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <translation>机器人的软件版本过旧。请更新到 %1.%2 或更高版本。</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot to %1.%2 or newer.</source>
+        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>缺少一些数值和用于控制的寄存器。请将机器人更新到 %1.%2 或更新版本。</translation>
     </message>
     <message>
@@ -585,7 +585,7 @@
         <translation>用页眉中的按钮上电并松开制动器。</translation>
     </message>
     <message>
-        <source>the RTDE port accepts connections but does not answer</source>
+        <source>the RTDE port accepts connections but does not respond</source>
         <translation>RTDE 端口接受连接但不应答</translation>
     </message>
     <message>
@@ -593,7 +593,7 @@
         <translation>端口 %1 上的服务不使用 RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients, or the controller has hung: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
         <translation>RTDE 客户端过多，或控制器没有响应：请关闭其他程序，然后重启控制器。</translation>
     </message>
     <message>
@@ -617,8 +617,8 @@
         <translation>此软件版本没有寄存器 24 至 47</translation>
     </message>
     <message>
-        <source>Update the robot&apos;s software to 3.9 or 5.3.</source>
-        <translation>将机器人软件更新到 3.9 或 5.3。</translation>
+        <source>Update the robot&apos;s software to 3.9, 5.3 or newer.</source>
+        <translation>将机器人软件更新到 3.9、5.3 或更高版本。</translation>
     </message>
     <message>
         <source>registers 24 to 47 are free</source>
@@ -649,7 +649,7 @@
         <translation>每秒 %1 / %2 个数据包</translation>
     </message>
     <message>
-        <source>Packets are missing: use a cable instead of a wireless link; close other programs that load the robot or this PC.</source>
+        <source>Packets are missing: use a cable instead of a wireless link; close other programs that put load on the robot or this PC.</source>
         <translation>缺少数据包：使用网线而不是无线；关闭给机器人或本 PC 造成负载的其他程序。</translation>
     </message>
     <message>
@@ -661,12 +661,12 @@
         <translation>系统未授予此用户实时优先级</translation>
     </message>
     <message>
-        <source>permitted; real-time loops request it</source>
-        <translation>已允许，由实时循环请求</translation>
+        <source>permitted; real-time loops use it</source>
+        <translation>已允许，由实时循环使用</translation>
     </message>
     <message>
-        <source>CPUs may enter deep sleep states, which delay loops</source>
-        <translation>CPU 可能进入深度睡眠状态，使循环延迟</translation>
+        <source>CPUs may enter deep sleep states, which delay real-time loops</source>
+        <translation>CPU 可能进入深度睡眠状态，使实时循环延迟</translation>
     </message>
     <message>
         <source>TCP %1 mm from the flange, payload %2 kg</source>
@@ -677,7 +677,7 @@
         <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时下沉。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an address, and no host of that name was found</source>
+        <source>&quot;%1&quot; is not an address, and no host with this name was found</source>
         <translation>&quot;%1&quot; 不是地址，也未找到同名主机</translation>
     </message>
     <message>
@@ -685,31 +685,31 @@
         <translation>输入示教器“关于”中显示的四个数字，或向网络管理员询问名称。</translation>
     </message>
     <message>
-        <source>%1 does not answer</source>
+        <source>%1 does not respond</source>
         <translation>%1 不应答</translation>
     </message>
     <message>
-        <source>There is no route to %1</source>
-        <translation>没有到 %1 的路由</translation>
+        <source>no network route to %1</source>
+        <translation>没有到 %1 的网络路由</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and no firewall blocks the connection.</source>
         <translation>检查机器人是否已开机、网线是否插好，以及防火墙是否阻止连接。</translation>
     </message>
     <message>
-        <source>Give this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
+        <source>Assign this PC an address in the robot&apos;s network (the same first three numbers), and check the cable.</source>
         <translation>给本 PC 设置机器人网络中的地址（前三个数字相同），并检查网线。</translation>
     </message>
     <message>
-        <source>%1 answers, but provides no robot services</source>
+        <source>%1 responds, but provides no robot services</source>
         <translation>%1 有应答，但不提供机器人服务</translation>
     </message>
     <message>
-        <source>Check that this is the address of the robot. A robot that has just been switched on needs another minute.</source>
-        <translation>检查这是否为机器人的地址。刚开机的机器人还需要一分钟。</translation>
+        <source>Check that this is the address of the robot. A robot that has just been switched on may need another minute.</source>
+        <translation>检查这是否为机器人的地址。刚开机的机器人可能还需要一分钟。</translation>
     </message>
     <message>
-        <source>%1 answers</source>
+        <source>%1 responds</source>
         <translation>%1 应答</translation>
     </message>
     <message>
@@ -725,7 +725,7 @@
         <translation>端口 %1 已关闭</translation>
     </message>
     <message>
-        <source>port %1 does not answer</source>
+        <source>port %1 does not respond</source>
         <translation>端口 %1 不应答</translation>
     </message>
     <message>
@@ -741,7 +741,7 @@
         <translation>在示教器右上角把机器人切换到远程控制。在此之前 Tiller 只能监视。</translation>
     </message>
     <message>
-        <source>the dashboard accepts connections but does not answer</source>
+        <source>the dashboard accepts connections but does not respond</source>
         <translation>仪表板接受连接但不应答</translation>
     </message>
     <message>
@@ -773,7 +773,7 @@
         <translation>仪表板（端口 %1）和 Robot API（端口 %2）均不可用</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X needs 10.11 or newer for the Robot API.</source>
+        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation>在机器人上打开 Dashboard Server：设置、安全、服务。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
     </message>
     <message>
@@ -781,7 +781,7 @@
         <translation>Robot API %1，端口 %2；弹窗须在示教器上关闭</translation>
     </message>
     <message>
-        <source>the primary interface does not describe the arm</source>
+        <source>the primary interface sends no data about the arm</source>
         <translation>主接口没有提供机械臂的信息</translation>
     </message>
     <message>
@@ -793,7 +793,7 @@
         <translation>此版本的 Tiller 不支持机器人型号 %1</translation>
     </message>
     <message>
-        <source>Monitoring works. Limits and previews use the dimensions the robot reports; jog slowly at first.</source>
+        <source>Monitoring works. Limits and previews use the dimensions that the robot reports; jog slowly at first.</source>
         <translation>可以监视。极限和预览使用机器人报告的尺寸；开始时请慢速点动。</translation>
     </message>
     <message>
@@ -801,7 +801,7 @@
         <translation>地址解析</translation>
     </message>
     <message>
-        <source>Host answers</source>
+        <source>Host responds</source>
         <translation>主机应答</translation>
     </message>
     <message>
@@ -853,7 +853,7 @@
         <translation>控制寄存器空闲</translation>
     </message>
     <message>
-        <source>No fieldbus uses registers</source>
+        <source>No fieldbus uses the registers</source>
         <translation>没有现场总线使用寄存器</translation>
     </message>
     <message>
@@ -900,8 +900,8 @@
         <translation>请等待静止后再启动自由驱动。</translation>
     </message>
     <message>
-        <source>The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct payload and TCP.</source>
-        <translation>有效负载为 %2 kg 时机械臂测得 %1，会漂移。请松开工具，或更正有效负载和 TCP。</translation>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <translation>机械臂会漂移：有效负载为 %2 kg 时测得 %1。请松开工具，或更正有效负载和 TCP。</translation>
     </message>
 </context>
 <context>
@@ -918,8 +918,8 @@
 <context>
     <name>InterfaceSize</name>
     <message>
-        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, keys and plots.</source>
-        <translation>此屏幕分辨率较高。增大设置中的“界面大小”可放大文字、按键和曲线图。</translation>
+        <source>This screen has a high resolution. Increase “Interface size” in Settings to enlarge text, controls and plots.</source>
+        <translation>此屏幕分辨率较高。增大设置中的“界面大小”可放大文字、控件和曲线图。</translation>
     </message>
 </context>
 <context>
@@ -933,12 +933,12 @@
         <translation>点动步长 %1，%2°</translation>
     </message>
     <message>
-        <source>Arm or disarm the keyboard</source>
-        <translation>启用或停用键盘</translation>
+        <source>Arm or disarm keyboard jogging</source>
+        <translation>启用或停用键盘点动</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm and a border surrounds the window. Disarms after 30 s without use.</source>
-        <translation>启用后，方向键移动机械臂，窗口四周出现边框。30 秒未使用后停用。</translation>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <translation>键盘启用后，方向键移动机械臂，窗口四周出现边框。30 秒未使用后停用。</translation>
     </message>
     <message>
         <source>Gamepad and SpaceMouse…</source>
@@ -953,60 +953,60 @@
         <translation>此处归零</translation>
     </message>
     <message>
-        <source>Measures the TCP displacement from here. Press again to measure from the last key press.</source>
-        <translation>从当前位置测量 TCP 位移。再次按下则从最后一次按键起测量。</translation>
+        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <translation>显示从当前位置起的 TCP 位移。再次按下则显示自上次运动开始起的位移。</translation>
     </message>
     <message>
         <source>Stops the arm. The next press uses this speed.</source>
         <translation>停止机械臂；下次按下使用此速度。</translation>
     </message>
     <message>
-        <source>Moves by this distance, only while the key is held.</source>
-        <translation>仅在按住按键时移动此距离。</translation>
+        <source>Moves the arm by this distance while the button is held.</source>
+        <translation>按住按钮时将机械臂移动此距离。</translation>
     </message>
     <message>
-        <source>Moves by this distance at each press.</source>
-        <translation>每次按下移动此距离。</translation>
+        <source>Each press moves the arm by this distance.</source>
+        <translation>每次按下使机械臂移动此距离。</translation>
     </message>
     <message>
         <source>Jog until contact (%1 N)</source>
         <translation>点动直到接触（%1 N）</translation>
     </message>
     <message>
-        <source>Moves slowly while the key is held and stops when the tool reaches this force.</source>
-        <translation>按住按键时缓慢移动，工具受力达到此值时停止。</translation>
+        <source>Moves slowly while the button is held and stops when the contact force reaches this value.</source>
+        <translation>按住按钮时缓慢移动，接触力达到此值时停止。</translation>
     </message>
     <message>
-        <source>Jog speed, other…</source>
+        <source>Other jog speed…</source>
         <translation>其他点动速度…</translation>
     </message>
     <message>
-        <source>Asks for the TCP speed. Rotation and joint speeds change in proportion.</source>
-        <translation>输入 TCP 速度。旋转和关节速度按比例变化。</translation>
+        <source>Sets the TCP speed. Rotation and joint speeds change in proportion.</source>
+        <translation>设置 TCP 速度。旋转和关节速度按比例变化。</translation>
     </message>
     <message>
-        <source>Jog step, other…</source>
+        <source>Other jog step…</source>
         <translation>其他点动步长…</translation>
     </message>
     <message>
-        <source>Asks for the step length. The step angle does not change.</source>
-        <translation>输入步长。步进角度不变。</translation>
+        <source>Sets the step length. The step angle does not change.</source>
+        <translation>设置步长。步进角度不变。</translation>
     </message>
     <message>
-        <source>Jog angle, other…</source>
+        <source>Other jog angle…</source>
         <translation>其他旋转步长…</translation>
     </message>
     <message>
-        <source>Asks for the step angle of tool and joint rotations. The step length does not change.</source>
-        <translation>输入工具和关节旋转的步进角度。步长不变。</translation>
+        <source>Sets the step angle of tool and joint rotations. The step length does not change.</source>
+        <translation>设置工具和关节旋转的步进角度。步长不变。</translation>
     </message>
     <message>
-        <source>Jog until contact, other force…</source>
-        <translation>点动直到接触，其他力…</translation>
+        <source>Other contact force for jogging…</source>
+        <translation>点动的其他接触力…</translation>
     </message>
     <message>
-        <source>Asks for the contact force in N that ends the motion.</source>
-        <translation>输入结束运动的接触力（N）。</translation>
+        <source>Sets the contact force in N that ends the motion.</source>
+        <translation>设置结束运动的接触力（N）。</translation>
     </message>
     <message>
         <source>Freedrive: %1</source>
@@ -1062,16 +1062,16 @@
 <context>
     <name>KeyStateProbe</name>
     <message>
-        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events for held keys.</source>
-        <translation>此平台无法进行按键状态检查（%1）：Tiller 依靠窗口事件判断按键是否被按住。</translation>
+        <source>Key-state check unavailable on this platform (%1): Tiller relies on window events to detect key releases.</source>
+        <translation>此平台无法进行按键状态检查（%1）：Tiller 依靠窗口事件检测按键松开。</translation>
     </message>
     <message>
-        <source>Key-state check active: Tiller asks the display server every 10 ms whether the button or key is still pressed.</source>
-        <translation>按键状态检查已启用：Tiller 每 10 ms 向显示服务器查询按钮或按键是否仍被按下。</translation>
+        <source>Key-state check active: Tiller checks with the display server every 10 ms whether the button or key is still pressed.</source>
+        <translation>按键状态检查已启用：Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。</translation>
     </message>
     <message>
-        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events for held keys.</source>
-        <translation>无法进行按键状态检查：没有到显示服务器的第二个连接。Tiller 依靠窗口事件判断按键是否被按住。</translation>
+        <source>Key-state check unavailable: no second connection to the display server. Tiller relies on window events to detect key releases.</source>
+        <translation>无法进行按键状态检查：没有到显示服务器的第二个连接。Tiller 依靠窗口事件检测按键松开。</translation>
     </message>
 </context>
 <context>
@@ -1149,7 +1149,7 @@
         <translation>肘部达到速度上限：%1</translation>
     </message>
     <message>
-        <source>move less sideways</source>
+        <source>reduce sideways motion</source>
         <translation>减少侧向移动</translation>
     </message>
     <message>
@@ -1203,8 +1203,8 @@
         <translation>运动中</translation>
     </message>
     <message>
-        <source>The robot confirms that the arm moves.</source>
-        <translation>机器人确认机械臂在移动。</translation>
+        <source>The robot reports that the arm is moving.</source>
+        <translation>机器人报告机械臂正在移动。</translation>
     </message>
     <message>
         <source>Remote</source>
@@ -1267,24 +1267,24 @@
         <translation>数据包延迟或丢失：点动可能停止，曲线图会有空缺。请使用网线代替无线连接，并关闭其他程序。</translation>
     </message>
     <message>
-        <source>Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.</source>
-        <translation>命令耗时超过 20 ms：机械臂对按键的响应有延迟。请慢速点动。</translation>
+        <source>Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.</source>
+        <translation>命令耗时超过 20 ms：机械臂响应有延迟。请慢速点动。</translation>
     </message>
     <message>
-        <source>Good: the arm responds to keys at once, and stops within 250 ms if the link fails.</source>
-        <translation>良好：机械臂立即响应按键，连接中断时在 250 ms 内停止。</translation>
+        <source>Good: the arm responds immediately and stops within 250 ms if the link fails.</source>
+        <translation>良好：机械臂立即响应，连接中断时在 250 ms 内停止。</translation>
     </message>
     <message>
         <source>Last 10 s: %1 packets, %2 late, %3 lost</source>
-        <translation>最近 10 s：%1 个数据包，%2 迟到，%3 丢失</translation>
+        <translation>最近 10 s：%1 个数据包，%2 延迟，%3 丢失</translation>
     </message>
     <message>
         <source>Since connecting: %1 packets, %2 late, %3 lost</source>
-        <translation>连接以来：%1 个数据包，%2 迟到，%3 丢失</translation>
+        <translation>连接以来：%1 个数据包，%2 延迟，%3 丢失</translation>
     </message>
     <message>
         <source>A packet counts as late when it arrives more than half a period after its expected time.</source>
-        <translation>数据包比预期时间晚半个周期以上到达时计为迟到。</translation>
+        <translation>数据包比预期时间晚半个周期以上到达时计为延迟。</translation>
     </message>
     <message>
         <source>No robot connected</source>
@@ -1296,7 +1296,7 @@
     </message>
     <message>
         <source>Late: %1 s</source>
-        <translation>迟到：%1 s</translation>
+        <translation>延迟：%1 s</translation>
     </message>
     <message>
         <source>%1 Hz</source>
@@ -1304,7 +1304,7 @@
     </message>
     <message>
         <source> · %1 late</source>
-        <translation> · %1 迟到</translation>
+        <translation> · %1 延迟</translation>
     </message>
     <message>
         <source> · %1 lost</source>
@@ -1371,7 +1371,7 @@
         <translation>数据延迟</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>在机器人上启动控制程序。停止其他程序前会先询问。</translation>
     </message>
 </context>
@@ -1422,7 +1422,7 @@
         <translation>上电</translation>
     </message>
     <message>
-        <source>The arm is powered and initializing. Wait a moment.</source>
+        <source>The arm is powered on and initializing. Wait a moment.</source>
         <translation>机械臂已上电，正在初始化。请稍候。</translation>
     </message>
     <message>
@@ -1438,7 +1438,7 @@
         <translation>反向驱动</translation>
     </message>
     <message>
-        <source>The arm is being moved by hand with brakes released. Release the Freedrive button.</source>
+        <source>The arm is being moved by hand with its brakes released. Release the Freedrive button.</source>
         <translation>制动器已松开，正在用手移动机械臂。请松开自由驱动按钮。</translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
         <translation>更新固件</translation>
     </message>
     <message>
-        <source>The joints&apos; firmware is being updated. Keep the power on until the update is complete.</source>
+        <source>The joints&apos; firmware is being updated. Do not switch off the power until the update is complete.</source>
         <translation>正在更新关节固件。更新完成前请勿断电。</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@
         <translation>保护性停止</translation>
     </message>
     <message>
-        <source>The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).</source>
+        <source>The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).</source>
         <translation>控制器停止了机械臂。找出原因，然后解锁（5 s 后）。</translation>
     </message>
     <message>
@@ -1566,8 +1566,8 @@
         <translation>示教器使能停止</translation>
     </message>
     <message>
-        <source>The pendant&apos;s enabling key is not held. Hold it in its middle position.</source>
-        <translation>未按住示教器的使能键。请保持在中间位置。</translation>
+        <source>The pendant&apos;s enabling button is not held. Hold it in its middle position.</source>
+        <translation>未按住示教器的使能按钮。请保持在中间位置。</translation>
     </message>
     <message>
         <source>IMMI emergency stop</source>
@@ -1598,24 +1598,24 @@
         <translation>PROFIsafe 自动停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.</source>
-        <translation>PROFIsafe 控制器使自动模式的防护保持打开。请在那里关闭。</translation>
+        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <translation>PROFIsafe 控制器请求自动模式的防护停止。请在该控制器上解除请求。</translation>
     </message>
     <message>
         <source>PROFIsafe safeguard stop</source>
         <translation>PROFIsafe 防护停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller holds a safeguard open. Close it there.</source>
-        <translation>PROFIsafe 控制器使防护保持打开。请在那里关闭。</translation>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <translation>PROFIsafe 控制器请求防护停止。请在该控制器上解除请求。</translation>
     </message>
     <message>
         <source>PROFIsafe emergency stop</source>
         <translation>PROFIsafe 紧急停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Release it there, then power on and release the brakes.</source>
-        <translation>PROFIsafe 控制器要求紧急停止。在那里松开，然后上电并松开制动器。</translation>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
+        <translation>PROFIsafe 控制器请求紧急停止。请在该控制器上解除请求，然后上电并松开制动器。</translation>
     </message>
     <message>
         <source>Safety API stop</source>
@@ -1630,8 +1630,8 @@
         <translation>I/O 平面停止</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it out with the teach pendant, or switch the input off.</source>
-        <translation>工具越过了由输入打开的安全平面。用示教器移出，或关闭该输入。</translation>
+        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <translation>工具越过了由输入启用的安全平面。用示教器将其移回，或关闭该输入。</translation>
     </message>
     <message>
         <source>Program stopping</source>
@@ -1646,7 +1646,7 @@
         <translation>无程序</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>机器人上没有程序运行。</translation>
     </message>
     <message>
@@ -1654,7 +1654,7 @@
         <translation>程序运行</translation>
     </message>
     <message>
-        <source>A program runs on the robot and may move the arm.</source>
+        <source>A program is running on the robot and may move the arm.</source>
         <translation>机器人上有程序运行，可能移动机械臂。</translation>
     </message>
     <message>
@@ -1670,8 +1670,8 @@
         <translation>程序已暂停</translation>
     </message>
     <message>
-        <source>Play continues the interrupted motion. Stop the program to discard it.</source>
-        <translation>播放会继续被中断的动作；停止程序则放弃它。</translation>
+        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <translation>按“播放”继续被中断的动作，或停止程序以放弃它。</translation>
     </message>
     <message>
         <source>Program resuming</source>
@@ -1828,8 +1828,8 @@
         <translation>搜索日志</translation>
     </message>
     <message>
-        <source>Shows only entries that contain these words.</source>
-        <translation>只显示含有这些词的条目。</translation>
+        <source>Shows only entries that contain the search text.</source>
+        <translation>只显示包含搜索文字的条目。</translation>
     </message>
     <message>
         <source>Log: show all</source>
@@ -1876,8 +1876,8 @@
         <translation>新建曲线图页</translation>
     </message>
     <message>
-        <source>Adds an empty page after the others. All pages share the time axis.</source>
-        <translation>在其他页之后添加空白页。所有页共用时间轴。</translation>
+        <source>Adds an empty page at the end. All pages share the time axis.</source>
+        <translation>在末尾添加空白页。所有页共用时间轴。</translation>
     </message>
     <message>
         <source>Show the entire history</source>
@@ -1974,8 +1974,8 @@
         <translation>机械臂处于保护性停止。请按页眉中的“恢复…”。</translation>
     </message>
     <message>
-        <source>Unlocked. The arm is not running yet: follow the recovery page.</source>
-        <translation>已解锁。机械臂尚未运行：按恢复页面操作。</translation>
+        <source>Unlocked. The arm is not running yet: follow the steps on the recovery page.</source>
+        <translation>已解锁。机械臂尚未运行：请按恢复页面上的步骤操作。</translation>
     </message>
     <message>
         <source>Unlocked. Take control again.</source>
@@ -2006,8 +2006,8 @@
         <translation>“%1”不是用机械臂示教的：TCP 从未到过其原点。</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Start adds a new one.</source>
-        <translation>路点已删除。“开始”会添加一个新的。</translation>
+        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <translation>路点已删除。按“开始”添加一个新的。</translation>
     </message>
     <message>
         <source>“%1” has not changed. The arm is %2 away from it along X.</source>
@@ -2042,8 +2042,8 @@
         <translation>已到达极限。现在点动返回：%1 / %2。</translation>
     </message>
     <message>
-        <source>You reached the limit and moved out of it again.</source>
-        <translation>您已到达极限并退出。</translation>
+        <source>You reached the limit and moved back.</source>
+        <translation>您已到达极限并返回。</translation>
     </message>
     <message>
         <source>Recording: %1 s of %2 s.</source>
@@ -2066,8 +2066,8 @@
         <translation>%1 与录制不符。请看 Fz 曲线。</translation>
     </message>
     <message>
-        <source>Correct: it was %1.</source>
-        <translation>正确：是 %1。</translation>
+        <source>Correct: the force was %1.</source>
+        <translation>正确：力为 %1。</translation>
     </message>
     <message>
         <source>Recover from a protective stop</source>
@@ -2090,24 +2090,24 @@
         <translation>录制并测量</translation>
     </message>
     <message>
-        <source>Start simulates a collision, which causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
-        <translation>“开始”模拟一次碰撞，引发保护性停止。查明机械臂停止的原因，等待五秒，解锁并再次获取控制。</translation>
+        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <translation>按“开始”模拟一次引发保护性停止的碰撞。查明机械臂停止的原因，等待五秒，解锁并再次获取控制。</translation>
     </message>
     <message>
-        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: take the origin, then a point further along Y+, then a point further along X−.</source>
+        <source>Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ direction and its Z axis up: record the origin, then a point further along Y+, then a point further along X−.</source>
         <translation>在坐标系选项卡中用三点示教坐标系。其 X 轴须沿基座的 Y+ 方向，Z 轴向上：先取原点，再取沿 Y+ 方向的点，然后取沿 X− 方向的点。</translation>
     </message>
     <message>
-        <source>Start adds a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
-        <translation>“开始”在机械臂的当前位置添加路点“工件”。随后工件沿基座 X+ 方向移动 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
+        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <translation>按“开始”在机械臂的当前位置添加路点“工件”。随后工件沿基座 X+ 方向移动 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
     </message>
     <message>
         <source>Jog outwards, away from the base, until a limit reduces the speed to half. The line below the pad names the limit and how to leave it. Then jog back by %1.</source>
         <translation>从基座向外点动，直到某个极限将速度降到一半。操作盘下方的行显示该极限和退出方法。然后点动返回 %1。</translation>
     </message>
     <message>
-        <source>Start simulates a hand that presses on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
-        <translation>“开始”模拟一只手从上方按压工具。至少录制三秒后停止。在曲线图中读取力 Fz 并输入。</translation>
+        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <translation>按“开始”模拟一只手从上方按压工具。至少录制三秒后停止。在曲线图中读取力 Fz 并输入。</translation>
     </message>
     <message>
         <source>part</source>
@@ -2144,16 +2144,16 @@
         <translation>“%1”的值无效。</translation>
     </message>
     <message>
-        <source>“%1” is %2; it can be %3 to %4.</source>
-        <translation>“%1”为 %2；允许 %3 至 %4。</translation>
+        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <translation>“%1”为 %2；必须在 %3 至 %4 之间。</translation>
     </message>
     <message>
-        <source>No waypoint belongs to the group “%1”.</source>
-        <translation>没有路点属于组“%1”。</translation>
+        <source>The group “%1” contains no waypoints.</source>
+        <translation>组“%1”不包含路点。</translation>
     </message>
     <message>
-        <source>“%1” refers to something that is no longer in the project.</source>
-        <translation>“%1”引用的内容已不在项目中。</translation>
+        <source>“%1” refers to an item that was deleted from the project.</source>
+        <translation>“%1”引用的项已从项目中删除。</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2172,19 +2172,19 @@
         <translation>“%1”不能包含步骤。</translation>
     </message>
     <message>
-        <source>This version of Tiller has no step “%1”.</source>
-        <translation>此版本的 Tiller 没有步骤“%1”。</translation>
+        <source>This version of Tiller does not support the step “%1”.</source>
+        <translation>此版本的 Tiller 不支持步骤“%1”。</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
         <translation>程序只能从顶层步骤开始，不能从“如果”与“否则”等部分之间开始。</translation>
     </message>
     <message>
-        <source>The project has no such program.</source>
+        <source>The project does not contain this program.</source>
         <translation>项目中没有此程序。</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, and the robot is a %2.</source>
+        <source>The project was taught with a %1, but the robot is a %2.</source>
         <translation>项目用 %1 示教，而机器人是 %2。</translation>
     </message>
     <message>
@@ -2196,7 +2196,7 @@
         <translation>程序没有步骤。</translation>
     </message>
     <message>
-        <source>The variable “%1” has another type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program.</source>
         <translation>变量“%1”在程序其他位置有不同类型。</translation>
     </message>
     <message>
@@ -2208,7 +2208,7 @@
         <translation>调用嵌套过深。</translation>
     </message>
     <message>
-        <source>“%1” was taught with another TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
+        <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>“%1”与之前路点使用的 TCP 不同。请设置当前 TCP，或将步骤放入 TCP 段。</translation>
     </message>
     <message>
@@ -2348,7 +2348,7 @@
         <translation>值</translation>
     </message>
     <message>
-        <source>The program “%1” needs %2 comma-separated values, but %3 are given.</source>
+        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
         <translation>程序“%1”需要 %2 个以逗号分隔的值，但只给出 %3 个。</translation>
     </message>
     <message>
@@ -2428,7 +2428,7 @@
         <translation>基座</translation>
     </message>
     <message>
-        <source>Frame of section</source>
+        <source>Section frame</source>
         <translation>段的坐标系</translation>
     </message>
     <message>
@@ -2488,12 +2488,12 @@
         <translation>如果输入断开</translation>
     </message>
     <message>
-        <source>Opening and closing need different outputs.</source>
-        <translation>打开和关闭需要不同的输出。</translation>
+        <source>Select different outputs for opening and closing.</source>
+        <translation>请为打开和关闭选择不同的输出。</translation>
     </message>
     <message>
-        <source>The gripper is not holding a part.</source>
-        <translation>夹爪未夹持工件。</translation>
+        <source>The gripper is not holding an object.</source>
+        <translation>夹爪未夹持物体。</translation>
     </message>
     <message>
         <source>If</source>
@@ -2728,8 +2728,8 @@
         <translation>提问</translation>
     </message>
     <message>
-        <source>Questions need software 5.6 or newer.</source>
-        <translation>提问需要软件 5.6 或更高版本。</translation>
+        <source>Questions require robot software 5.6 or newer.</source>
+        <translation>提问需要机器人软件 5.6 或更高版本。</translation>
     </message>
     <message>
         <source>URScript</source>
@@ -2772,8 +2772,8 @@
         <translation>寄存器</translation>
     </message>
     <message>
-        <source>The last register that a program can set is %1.</source>
-        <translation>程序可设置的最后一个寄存器是 %1。</translation>
+        <source>Programs can set registers up to %1.</source>
+        <translation>程序可设置的寄存器最大编号为 %1。</translation>
     </message>
     <message>
         <source>Speed section</source>
@@ -2784,7 +2784,7 @@
         <translation>选择</translation>
     </message>
     <message>
-        <source>A Switch needs at least one Case.</source>
+        <source>A Switch must contain at least one Case.</source>
         <translation>“选择”至少需要一个“情况”。</translation>
     </message>
     <message>
@@ -2800,7 +2800,7 @@
         <translation>尝试</translation>
     </message>
     <message>
-        <source>“Try” needs “On error” directly after it.</source>
+        <source>“Try” must be followed directly by “On error”.</source>
         <translation>“尝试”之后必须紧跟“出错时”。</translation>
     </message>
     <message>
@@ -2887,7 +2887,7 @@
     </message>
     <message>
         <source>Robot data are late. Waiting for new data.</source>
-        <translation>机器人数据迟到。正在等待新数据。</translation>
+        <translation>机器人数据延迟。正在等待新数据。</translation>
     </message>
     <message>
         <source>Taking control…</source>
@@ -2916,11 +2916,11 @@
 <context>
     <name>RecoveryGuide</name>
     <message>
-        <source>Safety is normal again</source>
-        <translation>安全已恢复正常</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>安全模式已恢复“正常”</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions from before the stop do not resume: every motion needs a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
         <translation>机械臂可以移动。停止前的运动不会恢复：每次运动都需要重新按下。</translation>
     </message>
     <message>
@@ -2944,7 +2944,7 @@
         <translation>我检查了机械臂：没有人触碰它，也没有东西被夹住。</translation>
     </message>
     <message>
-        <source>The cause of the stop is known and removed.</source>
+        <source>The cause of the stop is known and has been removed.</source>
         <translation>停止的原因已知并已消除。</translation>
     </message>
     <message>
@@ -2960,7 +2960,7 @@
         <translation>我检查了机械臂和机器人的日志：原因已知。</translation>
     </message>
     <message>
-        <source>The cause is removed, and no one is within reach of the arm.</source>
+        <source>The cause has been removed, and no one is within reach of the arm.</source>
         <translation>原因已消除，机械臂可达范围内没有人。</translation>
     </message>
     <message>
@@ -3014,7 +3014,7 @@
 <context>
     <name>RetracePath</name>
     <message>
-        <source>back: no recorded motion left</source>
+        <source>back: no recorded motion left to retrace</source>
         <translation>返回：没有剩余的已记录运动</translation>
     </message>
 </context>
@@ -3029,7 +3029,7 @@
         <translation>请先交还控制。</translation>
     </message>
     <message>
-        <source>No program runs on the robot.</source>
+        <source>No program is running on the robot.</source>
         <translation>机器人上没有程序运行。</translation>
     </message>
     <message>
@@ -3169,7 +3169,7 @@
         <translation>停止机器人上的程序。</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
         <translation>在机器人上启动控制程序。停止其他程序前会先询问。</translation>
     </message>
 </context>
@@ -3220,7 +3220,7 @@
         <translation>%1：断开 %2 s</translation>
     </message>
     <message>
-        <source>Pulses are timed by the robot and need control. Take control first, or switch the output on and off.</source>
+        <source>Pulses are timed by the robot and require control. Take control first, or switch the output on and off.</source>
         <translation>脉冲由机器人计时，需要控制。请先获取控制，或手动打开和关闭输出。</translation>
     </message>
     <message>
@@ -3333,7 +3333,7 @@
         <translation>沿路径涂胶</translation>
     </message>
     <message>
-        <source>Applies a bead around a lid with rounded corners, slowly and in straight lines. Blends keep the nozzle moving through the corners.</source>
+        <source>Applies a bead around a lid with rounded corners in slow, straight moves. Blends keep the nozzle moving through the corners.</source>
         <translation>沿圆角盖的周边以直线缓慢涂胶。交融使喷嘴在拐角处保持运动。</translation>
     </message>
     <message>
@@ -3341,19 +3341,19 @@
         <translation>测量</translation>
     </message>
     <message>
-        <source>A probe touches a part from above and from four sides, each from an approach waypoint with a tilted tool.</source>
-        <translation>测头从上方和四个侧面接触工件，每次从接近点开始，工具倾斜。</translation>
+        <source>A probe touches a part from above and from four sides. Each touch starts at an approach waypoint with the tool tilted.</source>
+        <translation>测头从上方和四个侧面接触工件。每次接触都从接近点开始，工具倾斜。</translation>
     </message>
 </context>
 <context>
     <name>SceneActions</name>
     <message>
-        <source>Default view, perspective</source>
-        <translation>默认视图，透视</translation>
+        <source>Default view (perspective)</source>
+        <translation>默认视图（透视）</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly above, with everything visible.</source>
-        <translation>从正面与侧面之间略高处观察，显示全部。</translation>
+        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <translation>从正面与侧面之间略高处观察，并使全部内容适合视图。</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -3428,16 +3428,16 @@
         <translation>文件中没有 Tiller 设置。</translation>
     </message>
     <message>
-        <source>The file was written by a newer Tiller. Update Tiller to import it.</source>
-        <translation>文件由更新的 Tiller 写入。请更新 Tiller 后再导入。</translation>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <translation>文件由更新版本的 Tiller 写入。请更新 Tiller 后再导入。</translation>
     </message>
     <message>
-        <source>The file does not state its version.</source>
-        <translation>文件未注明其版本。</translation>
+        <source>The file contains no version number.</source>
+        <translation>文件中没有版本号。</translation>
     </message>
     <message>
-        <source>The list of values is missing or too long.</source>
-        <translation>文件没有数值列表，或列表太长。</translation>
+        <source>The list of settings is missing or too long.</source>
+        <translation>文件中没有设置列表，或列表太长。</translation>
     </message>
     <message>
         <source>“%1” is not a valid setting name.</source>
@@ -3842,8 +3842,8 @@
 <context>
     <name>SpaceMouse</name>
     <message>
-        <source>left key</source>
-        <translation>左键</translation>
+        <source>left button</source>
+        <translation>左按钮</translation>
     </message>
     <message>
         <source>The tool follows the motion of the cap.</source>
@@ -3978,7 +3978,7 @@
         <translation>机器人结束了连接：可能正在重启，或在本地与远程之间切换。</translation>
     </message>
     <message>
-        <source>The robot does not answer. Check the cable and the address.</source>
+        <source>The robot does not respond. Check the cable and the address.</source>
         <translation>机器人不应答。请检查网线和地址。</translation>
     </message>
     <message>
@@ -3990,7 +3990,7 @@
         <translation>应答不符合 RTDE 协议。请检查地址和端口。</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this.</source>
+        <source>The robot&apos;s software is too old for this function.</source>
         <translation>机器人的软件版本过旧，不支持此功能。</translation>
     </message>
     <message>
@@ -4010,15 +4010,15 @@
         <translation>请先获取控制。</translation>
     </message>
     <message>
-        <source>Bring the robot to Running and its safety to Normal first.</source>
-        <translation>请先使机器人进入“运行”，安全为“正常”。</translation>
+        <source>First bring the robot to mode Running and safety mode Normal.</source>
+        <translation>请先使机器人进入模式“运行”和安全模式“正常”。</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>在示教器右上角把机器人切换到远程控制。</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed within the cap.</source>
+        <source>Choose a target within the range of the arm and a speed below the cap.</source>
         <translation>选择机械臂范围内的目标和上限内的速度。</translation>
     </message>
     <message>
@@ -4026,7 +4026,7 @@
         <translation>机械臂无法到达此位姿：把点移近或转动工具。</translation>
     </message>
     <message>
-        <source>The robot could not run the program. See the log for the message of the controller.</source>
+        <source>The robot could not run the program. See the log for the controller&apos;s message.</source>
         <translation>机器人无法运行程序。控制器的消息见日志。</translation>
     </message>
     <message>
@@ -4158,8 +4158,8 @@
         <translation>已松开</translation>
     </message>
     <message>
-        <source>pointer left the key</source>
-        <translation>指针离开按键</translation>
+        <source>pointer left the button</source>
+        <translation>指针离开按钮</translation>
     </message>
     <message>
         <source>focus lost</source>
@@ -4290,8 +4290,8 @@
         <translation>链路已中断。请再次获取控制。</translation>
     </message>
     <message>
-        <source>Your script is running. Control returns when it ends.</source>
-        <translation>您的脚本正在运行。结束后恢复控制。</translation>
+        <source>Your script is running. Tiller regains control when it ends.</source>
+        <translation>您的脚本正在运行。结束后 Tiller 恢复控制。</translation>
     </message>
     <message>
         <source>Free some space on the disk, then save or record again.</source>
@@ -4365,8 +4365,8 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint, while its key is held.</source>
-        <translation>“运行路线”到达路点时，在按住按键期间按此顺序执行动作。</translation>
+        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <translation>“运行路线”到达路点时，在按住按钮期间按此顺序执行动作。</translation>
     </message>
     <message>
         <source>These waypoints have different actions. “Apply” replaces them all with the actions below.</source>
@@ -4441,8 +4441,8 @@
         <translation>超时（秒）</translation>
     </message>
     <message>
-        <source>After this time the wait fails with a message. 0: waits while the key is held, for one hour at most</source>
-        <translation>超过此时间则等待失败并显示消息。0：按住按键期间等待，最长一小时</translation>
+        <source>After this time, the wait fails with a message. 0: waits while the button is held, for at most one hour</source>
+        <translation>超过此时间则等待失败并显示消息。0：按住按钮期间等待，最长一小时</translation>
     </message>
 </context>
 <context>
@@ -4473,7 +4473,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or F2 to rename and scale.</source>
+Right-click or press F2 to rename or scale.</source>
         <translation>%1：%2
 右键或 F2 可重命名和缩放。</translation>
     </message>
@@ -4494,7 +4494,7 @@ Right-click or F2 to rename and scale.</source>
         <translation>%1 的比例</translation>
     </message>
     <message>
-        <source>e.g. bar; empty: not scaled</source>
+        <source>e.g. bar; empty: no scaling</source>
         <translation>例如 bar；空：不换算</translation>
     </message>
     <message>
@@ -4521,12 +4521,12 @@ Right-click or F2 to rename and scale.</source>
         <translation>启用键盘</translation>
     </message>
     <message>
-        <source>Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
+        <source>Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.</source>
         <translation>方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。点击或等待 30 秒可停用键盘。</translation>
     </message>
     <message>
-        <source>While armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
-        <translation>启用后，按住方向键时移动机械臂。窗口四周出现边框。</translation>
+        <source>While the keyboard is armed, the arrow keys move the arm as long as they are held. A border surrounds the window.</source>
+        <translation>键盘启用后，按住方向键时移动机械臂。窗口四周出现边框。</translation>
     </message>
 </context>
 <context>
@@ -4536,16 +4536,16 @@ Right-click or F2 to rename and scale.</source>
         <translation>尺寸 %1</translation>
     </message>
     <message>
-        <source>Drawn and checked</source>
-        <translation>绘制并检查</translation>
+        <source>Shown and checked for collisions</source>
+        <translation>显示并进行碰撞检查</translation>
     </message>
     <message>
         <source>Plane</source>
         <translation>平面</translation>
     </message>
     <message>
-        <source>A box or plane needs a name.</source>
-        <translation>长方体或平面需要名称。</translation>
+        <source>Enter a name for the box or plane.</source>
+        <translation>请输入长方体或平面的名称。</translation>
     </message>
     <message>
         <source>The cell already contains “%1”. Choose another name.</source>
@@ -4610,7 +4610,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>平面</translation>
     </message>
     <message>
-        <source>First corner taken.</source>
+        <source>First corner recorded.</source>
         <translation>已记录第一个角。</translation>
     </message>
     <message>
@@ -4686,16 +4686,16 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>沿 Z 的长度</translation>
     </message>
     <message>
-        <source>Point on the plane X</source>
-        <translation>平面上的点 X</translation>
+        <source>Point on the plane, X</source>
+        <translation>平面上的点，X</translation>
     </message>
     <message>
-        <source>Point on the plane Y</source>
-        <translation>平面上的点 Y</translation>
+        <source>Point on the plane, Y</source>
+        <translation>平面上的点，Y</translation>
     </message>
     <message>
-        <source>Point on the plane Z</source>
-        <translation>平面上的点 Z</translation>
+        <source>Point on the plane, Z</source>
+        <translation>平面上的点，Z</translation>
     </message>
     <message>
         <source>Normal X, towards the arm</source>
@@ -4714,8 +4714,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>地面</translation>
     </message>
     <message>
-        <source>When off, it is neither drawn nor checked.</source>
-        <translation>关闭时不绘制也不检查。</translation>
+        <source>When off, the floor is neither shown nor checked for collisions.</source>
+        <translation>关闭时不显示地面，也不进行碰撞检查。</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
@@ -4730,7 +4730,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>安全距离</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
         <translation>点动在距单元以及机械臂各部分之间达到此距离时停止。更接近的运动会被拒绝。</translation>
     </message>
     <message>
@@ -4832,16 +4832,16 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>比较…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model, with different limits</source>
-        <translation>用其他限值将此记录与其机械臂模型比较</translation>
+        <source>Compare this recording with the arm model using other limits</source>
+        <translation>用其他限值将此录制与机械臂模型比较</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Go there</source>
-        <translation>转到该处</translation>
+        <source>Go to time</source>
+        <translation>转到时刻</translation>
     </message>
     <message>
         <source>Stop comparing</source>
@@ -4849,7 +4849,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
     </message>
     <message>
         <source>Place cursor A where arm and model diverge</source>
-        <translation>将光标 A 置于机械臂与模型分离处</translation>
+        <translation>将游标 A 置于机械臂与模型出现偏差处</translation>
     </message>
 </context>
 <context>
@@ -4859,8 +4859,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>与机械臂模型比较</translation>
     </message>
     <message>
-        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model has no contact and no friction.</source>
-        <translation>模拟机械臂跟随录制的关节目标，并将其运动与录制的运动比较。模型没有接触，也没有摩擦。</translation>
+        <source>The simulated arm follows the recorded joint targets, and its motion is compared with the recorded motion. The model includes neither contact nor friction.</source>
+        <translation>模拟机械臂跟随录制的关节目标，并将其运动与录制的运动比较。模型不包含接触和摩擦。</translation>
     </message>
     <message>
         <source>Arm model</source>
@@ -4913,7 +4913,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::DeviceTrainer</name>
     <message>
-        <source>Moves the arm (until Tiller is closed)</source>
+        <source>Enable motion (until Tiller is closed)</source>
         <translation>移动机械臂（直到关闭 Tiller）</translation>
     </message>
     <message>
@@ -4933,15 +4933,15 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>机械臂将移动的方向</translation>
     </message>
     <message>
-        <source>Dead-man</source>
+        <source>Hold-to-run</source>
         <translation>使能键</translation>
     </message>
     <message>
-        <source>Would move</source>
-        <translation>将移动</translation>
+        <source>Motion</source>
+        <translation>运动</translation>
     </message>
     <message>
-        <source>Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
+        <source>Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: slower; Shift: faster. Space and Esc stop.</source>
         <translation>键盘（启用时，Ctrl+J）：方向键：X 和 Y；PgUp、PgDn：Z；加 Alt：旋转；1 至 6 加 + 和 −：关节；Home：原位；End：对齐；Backspace：返回；F：自由驱动；Ctrl：更慢；Shift：更快。Space 和 Esc 停止。</translation>
     </message>
     <message>
@@ -4961,8 +4961,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>○ 未按住：请按住%1</translation>
     </message>
     <message>
-        <source>nothing: neutral</source>
-        <translation>无：中立</translation>
+        <source>none (neutral)</source>
+        <translation>无（中立）</translation>
     </message>
 </context>
 <context>
@@ -4993,8 +4993,8 @@ Clear the search to see everything.</source>
         <translation>松开制动器（页眉）</translation>
     </message>
     <message>
-        <source>Take control, hold a pad key</source>
-        <translation>获取控制，按住操作盘按键</translation>
+        <source>Take control, hold a jog button</source>
+        <translation>获取控制，按住点动按钮</translation>
     </message>
     <message>
         <source>Teach here (T)</source>
@@ -5024,8 +5024,8 @@ Clear the search to see everything.</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>The list will not appear again. Use the command “First steps” to show it.</source>
-        <translation>该列表不会再次出现。使用命令“第一步”可显示它。</translation>
+        <source>The list will not appear again. Use the command “First steps” to reopen it.</source>
+        <translation>该列表不会再次出现。使用命令“第一步”可重新打开它。</translation>
     </message>
     <message>
         <source>First steps · %1 of %2</source>
@@ -5043,7 +5043,7 @@ Clear the search to see everything.</source>
         <translation>原点</translation>
     </message>
     <message>
-        <source>In Base. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
         <translation>基座坐标系中的值。按回车应用。只有坐标系改变；机器人不移动。</translation>
     </message>
     <message>
@@ -5147,8 +5147,8 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameModel</name>
     <message>
-        <source>A frame needs a name.</source>
-        <translation>坐标系需要名称。</translation>
+        <source>Enter a name for the frame.</source>
+        <translation>请输入坐标系的名称。</translation>
     </message>
     <message>
         <source>Base</source>
@@ -5167,7 +5167,7 @@ Clear the search to see everything.</source>
         <translation>“%1”是内置坐标系。请选择其他名称。</translation>
     </message>
     <message>
-        <source>Another frame is named “%1”. Choose another name.</source>
+        <source>A frame named “%1” already exists. Choose another name.</source>
         <translation>“%1”已是另一个坐标系的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -5215,7 +5215,7 @@ Clear the search to see everything.</source>
         <translation>TCP %1</translation>
     </message>
     <message>
-        <source>Distance of the TCP, %1</source>
+        <source>Distance from the TCP, %1</source>
         <translation>与 TCP 的距离，%1</translation>
     </message>
 </context>
@@ -5253,19 +5253,19 @@ Clear the search to see everything.</source>
         <translation>朝 +Y</translation>
     </message>
     <message>
-        <source>Take the origin here</source>
+        <source>Record the origin here</source>
         <translation>在此取原点</translation>
     </message>
     <message>
-        <source>Take the point on +X here</source>
+        <source>Record the point on +X here</source>
         <translation>在此取 +X 上的点</translation>
     </message>
     <message>
-        <source>Take the point towards +Y here</source>
+        <source>Record the point towards +Y here</source>
         <translation>在此取朝 +Y 的点</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>取点</translation>
     </message>
     <message>
@@ -5273,19 +5273,19 @@ Clear the search to see everything.</source>
         <translation>创建坐标系</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the point again.</source>
+        <source>The robot sent an invalid position. Record the point again.</source>
         <translation>机器人没有发送有效位置。请重新取点。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Take it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上的点距原点仅 %1。请重新取，至少 %2：越远，轴越准。</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Take it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
         <translation>第三点距原点仅 %1。请重新取，至少 %2。</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Take it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
         <translation>三点在一条线上：第三点距 X 轴仅 %1。请重新取，向 +Y 侧至少 %2。</translation>
     </message>
     <message>
@@ -5293,7 +5293,7 @@ Clear the search to see everything.</source>
         <translation>就绪：+X 上的点距 %1，第三点距 X 轴 %2。</translation>
     </message>
     <message>
-        <source>Jog the tip to the origin of the frame and take the point (P).</source>
+        <source>Jog the tip to the origin of the frame and record the point (P).</source>
         <translation>将尖端点动到坐标系的原点并取点 (P)。</translation>
     </message>
     <message>
@@ -5305,11 +5305,11 @@ Clear the search to see everything.</source>
         <translation>现在到 +Y 一侧：距 X 轴 %1，最少 %2。</translation>
     </message>
     <message>
-        <source>Take  P</source>
+        <source>Record  P</source>
         <translation>取点  P</translation>
     </message>
     <message>
-        <source>Again</source>
+        <source>Redo</source>
         <translation>重取</translation>
     </message>
 </context>
@@ -5349,7 +5349,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to take origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
         <translation>还没有坐标系。
 把尖端点动到托盘或桌子的一角。按“从 TCP”，或按“三点”取原点、+X 和 +Y。</translation>
     </message>
@@ -5370,8 +5370,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>在 TCP 处以工具轴创建坐标系 (Shift+T)</translation>
     </message>
     <message>
-        <source>Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)</source>
-        <translation>原点、+X 上的点、朝 +Y 的点 (Ctrl+Shift+T)</translation>
+        <source>Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)</source>
+        <translation>由原点、+X 上的点和朝 +Y 的点创建坐标系 (Ctrl+Shift+T)</translation>
     </message>
     <message>
         <source>Move the selected frame to the TCP (Shift+U)</source>
@@ -5390,7 +5390,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>用三点示教坐标系</translation>
     </message>
     <message>
-        <source>Take the next point of the frame</source>
+        <source>Record the next point of the frame</source>
         <translation>取坐标系的下一点</translation>
     </message>
     <message>
@@ -5469,7 +5469,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>上一个路点，按住</translation>
     </message>
     <message>
-        <source>Moves to the previous waypoint while the key is held</source>
+        <source>Moves to the previous waypoint while the button is held</source>
         <translation>按住时返回上一个路点</translation>
     </message>
     <message>
@@ -5477,7 +5477,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>下一个路点，按住</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the key is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, and stops there</source>
         <translation>按住时前往下一个路点，并停在那里</translation>
     </message>
     <message>
@@ -5505,8 +5505,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>全部</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one, as long as the key is held</source>
-        <translation>按住按键期间，到达最后一个路点后从第一个重新开始</translation>
+        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <translation>按住按钮期间，到达最后一个路点后从第一个重新开始</translation>
     </message>
     <message>
         <source>Tiller is not in control. Take control first.</source>
@@ -5539,8 +5539,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
-        <translation>按住按键时依次前往各路点，速度不超过点动速度，并在每处执行规定的动作。松开即暂停；再次按下则继续前往下一个路点。</translation>
+        <source>Moves from waypoint to waypoint while the button is held, no faster than the jog speed, and runs the actions of each waypoint. Release to pause; the next press continues to the next waypoint.</source>
+        <translation>按住按钮时依次前往各路点，速度不超过点动速度，并在每处执行规定的动作。松开即暂停；再次按下则继续前往下一个路点。</translation>
     </message>
     <message>
         <source>At %1: %2</source>
@@ -5558,8 +5558,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>前往，按住</translation>
     </message>
     <message>
-        <source>Moves the arm to the selected waypoint while the key is held (G), no faster than the jog speed</source>
-        <translation>按住时把机械臂移到所选路点 (G)，不快于点动速度</translation>
+        <source>Moves the arm to the selected waypoint while the button or G is held, no faster than the jog speed</source>
+        <translation>按住按钮或 G 时把机械臂移到所选路点，不快于点动速度</translation>
     </message>
 </context>
 <context>
@@ -5621,8 +5621,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>夹爪：关闭</translation>
     </message>
     <message>
-        <source>Gripper: to %1</source>
-        <translation>夹爪：到 %1</translation>
+        <source>Gripper: move to %1</source>
+        <translation>夹爪：移动到 %1</translation>
     </message>
     <message>
         <source>Gripper type</source>
@@ -5725,7 +5725,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>%1（速度 %2，力 %3）</translation>
     </message>
     <message>
-        <source>Connect to a robot first: each robot remembers its gripper.</source>
+        <source>Connect to a robot first: the gripper is stored for each robot.</source>
         <translation>请先连接机器人：夹爪按机器人分别保存。</translation>
     </message>
     <message>
@@ -5785,8 +5785,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>无</translation>
     </message>
     <message>
-        <source>The gripper cannot be reached with this port offset.</source>
-        <translation>使用此端口偏移无法连接夹爪。</translation>
+        <source>The gripper is not available with this port offset.</source>
+        <translation>使用此端口偏移时夹爪不可用。</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -5892,7 +5892,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>%1 ms · %2</translation>
     </message>
     <message>
-        <source>Measured from stop command to standstill. Cause: %1</source>
+        <source>Measured from the stop command to standstill. Cause: %1</source>
         <translation>从停止命令到静止的测量值。原因：%1</translation>
     </message>
     <message>
@@ -5927,11 +5927,11 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>打开了对话框或菜单。请先关闭。</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
-        <translation>另一个键被按住。</translation>
+        <source>Another button or key is already held.</source>
+        <translation>已按住另一个按钮或按键。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of the key could not be detected.</source>
+        <source>The display server does not respond: the release of a key cannot be detected.</source>
         <translation>显示服务器不响应：无法检测按键是否松开。</translation>
     </message>
 </context>
@@ -5942,8 +5942,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>按住</translation>
     </message>
     <message>
-        <source>Hold this key: the arm moves only while it is held.</source>
-        <translation>请按住此键：仅在按住时移动机械臂。</translation>
+        <source>Hold this button: the arm moves only while it is held.</source>
+        <translation>请按住此按钮：仅在按住时移动机械臂。</translation>
     </message>
 </context>
 <context>
@@ -6001,13 +6001,13 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
     </message>
     <message>
         <source>
-Cannot be switched while the robot sends no data.</source>
+The output cannot be switched while the robot sends no data.</source>
         <translation>
-没有来自机器人的数据时无法切换。</translation>
+没有来自机器人的数据时无法切换输出。</translation>
     </message>
     <message>
         <source>
-Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
+Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</source>
         <translation>
 点击切换：%1。P：脉冲。右键：脉冲、重命名。</translation>
     </message>
@@ -6039,7 +6039,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>夹爪</translation>
     </message>
     <message>
-        <source>Page of I/O</source>
+        <source>I/O page</source>
         <translation>I/O 页面</translation>
     </message>
 </context>
@@ -6161,16 +6161,16 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>原位</translation>
     </message>
     <message>
-        <source>Moves every joint to the home position while held</source>
-        <translation>按住时把每个关节移到原位</translation>
+        <source>Moves all joints to the home position while held</source>
+        <translation>按住时把所有关节移到原位</translation>
     </message>
     <message>
         <source>Align</source>
         <translation>对齐</translation>
     </message>
     <message>
-        <source>Rotates the tool to the nearest axis of the selected frame while held</source>
-        <translation>按住时把工具转到所选坐标系最近的轴</translation>
+        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <translation>按住时使工具与所选坐标系最近的轴对齐</translation>
     </message>
     <message>
         <source>Back</source>
@@ -6193,16 +6193,16 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>%1 s 后结束</translation>
     </message>
     <message>
-        <source>Another key is already held.</source>
-        <translation>另一个键被按住。</translation>
+        <source>Another button or key is already held.</source>
+        <translation>已按住另一个按钮或按键。</translation>
     </message>
     <message>
         <source>Last stop: %1, standstill after %2 ms, %3</source>
         <translation>上次停止：%1，%2 ms 后静止，%3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this key is held: %1. Right-click to select axes</source>
-        <translation>按住此键时可用手移动机械臂：%1。右键选择轴</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
+        <translation>按住此按钮时可用手移动机械臂：%1。右键选择轴</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6213,8 +6213,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>自由驱动…</translation>
     </message>
     <message>
-        <source>Check the payload first (until the next connection)</source>
-        <translation>先检查有效负载（直到下次连接）</translation>
+        <source>Check the payload before Freedrive (until the next connection)</source>
+        <translation>自由驱动前检查有效负载（直到下次连接）</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6231,8 +6231,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
 <context>
     <name>tiller::JogPad</name>
     <message>
-        <source>Jog keys</source>
-        <translation>点动键</translation>
+        <source>Jog buttons</source>
+        <translation>点动按钮</translation>
     </message>
     <message>
         <source>Jog %1</source>
@@ -6266,7 +6266,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>动作</translation>
     </message>
     <message>
-        <source>Moves while the key is held</source>
+        <source>Moves while the button is held</source>
         <translation>按住时移动</translation>
     </message>
     <message>
@@ -6274,7 +6274,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>旋转</translation>
     </message>
     <message>
-        <source>Rotates while the key is held</source>
+        <source>Rotates while the button is held</source>
         <translation>按住时旋转</translation>
     </message>
     <message>
@@ -6286,7 +6286,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>画面的轴：X 向右，Y 远离您，Z 向上</translation>
     </message>
     <message>
-        <source>Needs the 3D view</source>
+        <source>Requires the 3D view</source>
         <translation>需要 3D 视图</translation>
     </message>
     <message>
@@ -6334,8 +6334,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>直到接触，%1 N</translation>
     </message>
     <message>
-        <source>Until contact, other force…</source>
-        <translation>直到接触，其他力…</translation>
+        <source>Other contact force…</source>
+        <translation>其他接触力…</translation>
     </message>
     <message>
         <source>Other speed…</source>
@@ -6441,7 +6441,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>严重程度</translation>
     </message>
     <message>
-        <source>What happened</source>
+        <source>Event</source>
         <translation>事件</translation>
     </message>
     <message>
@@ -6547,7 +6547,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>路径在 %1 处进入手腕奇异点</translation>
     </message>
     <message>
-        <source>Slow near the wrist singularity at %1 of the path</source>
+        <source>Slows down near the wrist singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近手腕奇异点而减速</translation>
     </message>
     <message>
@@ -6555,7 +6555,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>路径在 %1 处进入肘部奇异点</translation>
     </message>
     <message>
-        <source>Slow near the elbow singularity at %1 of the path</source>
+        <source>Slows down near the elbow singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近肘部奇异点而减速</translation>
     </message>
     <message>
@@ -6563,7 +6563,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>路径在 %1 处进入肩部奇异点</translation>
     </message>
     <message>
-        <source>Slow near the shoulder singularity at %1 of the path</source>
+        <source>Slows down near the shoulder singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近肩部奇异点而减速</translation>
     </message>
     <message>
@@ -6611,11 +6611,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>工具</translation>
     </message>
     <message>
-        <source>%1 is in contact with %2, and the move brings it closer</source>
+        <source>%1 is in contact with %2, and the move reduces the distance</source>
         <translation>%1 与 %2 接触，该运动会使其更接近</translation>
     </message>
     <message>
-        <source>%1 is only %2 from %3, and the move brings it closer</source>
+        <source>%1 is only %2 from %3, and the move reduces the distance</source>
         <translation>%1 距 %3 仅 %2，该运动会使其更接近</translation>
     </message>
     <message>
@@ -6719,8 +6719,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>停止录制并将路径保存为路点</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging until pressed again, and stores it as waypoints. The robot does not move.</source>
-        <translation>录制机械臂在自由驱动或点动时的路径，直到再次按下，并保存为路点。机器人不移动。</translation>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <translation>录制机械臂在自由驱动或点动时的路径，并保存为路点。再次按下可停止。机器人不移动。</translation>
     </message>
     <message>
         <source>Select at least two waypoints of the path.</source>
@@ -6764,8 +6764,8 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>没有来自机器人的数据：没有可录制的内容。</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop that recording first.</source>
-        <translation>拒绝导入：正在录制路径。请先停止该录制。</translation>
+        <source>Import refused: a path is being recorded. Stop recording first.</source>
+        <translation>拒绝导入：正在录制路径。请先停止录制。</translation>
     </message>
     <message>
         <source>The demonstration could not be imported.</source>
@@ -6881,16 +6881,16 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>应用</translation>
     </message>
     <message>
-        <source>A pattern needs a name.</source>
-        <translation>阵列需要名称。</translation>
+        <source>Enter a name for the pattern.</source>
+        <translation>请输入阵列的名称。</translation>
     </message>
     <message>
-        <source>A pattern with this name exists. Choose another name.</source>
+        <source>A pattern with this name already exists. Choose another name.</source>
         <translation>已有此名称的阵列。请选择其他名称。</translation>
     </message>
     <message>
-        <source>Select a waypoint for each corner. Teach the three corners first.</source>
-        <translation>为每个角选择路点。请先示教三个角。</translation>
+        <source>Teach the three corners first, then select a waypoint for each corner.</source>
+        <translation>请先示教三个角，然后为每个角选择路点。</translation>
     </message>
     <message>
         <source>Two corners are identical. Select another waypoint for one of them.</source>
@@ -6971,7 +6971,7 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>下一位姿，按住</translation>
     </message>
     <message>
-        <source>Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
+        <source>Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make sure that the tool has space to rotate.</source>
         <translation>按住时把手腕转到下一位姿，不快于点动速度。请确认工具有转动空间。</translation>
     </message>
     <message>
@@ -6987,12 +6987,12 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>Tiller 未取得控制。请先获取控制。</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and take the pose again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and record the pose again.</source>
         <translation>机械臂移动了。请让其静止，不要触碰任何东西，再重新取位姿。</translation>
     </message>
     <message>
-        <source>The robot sends no forces. Enter mass and centre of gravity instead.</source>
-        <translation>机器人不发送力。请改用数值输入质量和重心。</translation>
+        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <translation>机器人不发送力数据。请改用数值输入质量和重心。</translation>
     </message>
     <message>
         <source>Measuring payload… Keep the tool free of contact.</source>
@@ -7003,11 +7003,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>%1 kg，重心距法兰 %2。各位姿在 %3 和 %4 之内一致。</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
         <translation>%1 精度较低：位姿 %2 偏差最大。请移除它并另取一个位姿。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose with the tool rotated in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool rotated in another direction.</source>
         <translation>工具方向过于相近。请将工具转到另一方向再取一个位姿。</translation>
     </message>
     <message>
@@ -7015,17 +7015,17 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>%1 kg：太轻，无法测量重心。请手动输入。</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the wrist, by jogging or with Next pose, and take three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
         <translation>让机械臂静止，不触碰任何东西，取位姿。然后用点动或“下一位姿”转动手腕，再取三个。</translation>
     </message>
     <message numerus="yes">
-        <source>Rotate the wrist in another direction and take the pose. Poses still needed: %n</source>
+        <source>Rotate the wrist in another direction and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>把手腕转到另一侧并取位姿。还需：%n</numerusform>
         </translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>取位姿 %1</translation>
     </message>
     <message>
@@ -7068,11 +7068,11 @@ Click to switch it %1. P: pulse. Right-click: pulse, rename.</source>
         <translation>使用中</translation>
     </message>
     <message>
-        <source>A payload needs a name.</source>
-        <translation>有效负载需要名称。</translation>
+        <source>Enter a name for the payload.</source>
+        <translation>请输入有效负载的名称。</translation>
     </message>
     <message>
-        <source>Another payload is named “%1”. Choose another name.</source>
+        <source>A payload named “%1” already exists. Choose another name.</source>
         <translation>“%1”已是另一个有效负载的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -7226,12 +7226,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>机械臂移动了。请让其静止，不要触碰任何东西，再次检查。</translation>
     </message>
     <message>
-        <source>The robot sends no forces: the payload cannot be verified.</source>
-        <translation>机器人不发送力：无法验证有效负载。</translation>
+        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <translation>机器人不发送力数据：无法验证有效负载。</translation>
     </message>
     <message>
-        <source>With a payload of %1 kg, the arm measures %2 and %3.</source>
-        <translation>有效负载为 %1 kg 时，机械臂测得 %2 和 %3。</translation>
+        <source>With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.</source>
+        <translation>有效负载为 %1 kg 时，机械臂测得力 %2 和力矩 %3。</translation>
     </message>
     <message>
         <source>The payload is correct. %1</source>
@@ -7326,7 +7326,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
-        <translation>此范围内缺少采样：请放置光标 A 和 B，使其间没有缺口。</translation>
+        <translation>此范围内缺少采样：请放置游标 A 和 B，使其间没有缺口。</translation>
     </message>
     <message>
         <source>Hann window of %1 samples · resolution %2 Hz · mean of %3 · %4 … %5 s</source>
@@ -7358,7 +7358,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
-        <translation>这些信号来自不同的录制：请用光标 A 和 B 选择更短的范围。</translation>
+        <translation>这些信号来自不同的录制：请用游标 A 和 B 选择更短的范围。</translation>
     </message>
     <message>
         <source>Reading the recording: %1</source>
@@ -7431,7 +7431,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>暂停曲线图</translation>
     </message>
     <message>
-        <source>Zero the force shown</source>
+        <source>Zero the displayed force</source>
         <translation>将显示的力归零</translation>
     </message>
     <message>
@@ -7455,16 +7455,16 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>录制到 CSV 文件</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. The arrow button sets signals and folder</source>
-        <translation>将机器人数据录制到 CSV 文件。旁边的箭头按钮设置信号和文件夹</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
+        <translation>将机器人数据录制到 CSV 文件。使用旁边的箭头按钮选择信号和文件夹</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>力未归零：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
+        <translation>无法将力归零：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
     </message>
     <message>
-        <source>Paused · %1 s back</source>
-        <translation>已暂停 · 回退 %1 s</translation>
+        <source>Paused · %1 s ago</source>
+        <translation>已暂停 · %1 s 前</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -7496,7 +7496,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Show the force as measured by the robot. %1</source>
-        <translation>重新按机器人测量值显示力。%1</translation>
+        <translation>按机器人测量值显示力。%1</translation>
     </message>
     <message>
         <source>Subtract the current force in the plots. The robot, recordings and exported values are not changed.</source>
@@ -7524,7 +7524,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Cannot export: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
-        <translation>没有导出：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
+        <translation>无法导出：曲线图没有样本。请连接机器人，或滚动到有样本的时间。</translation>
     </message>
     <message>
         <source>Exported the visible range to %1</source>
@@ -7639,7 +7639,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>标准曲线图</translation>
     </message>
     <message>
-        <source>Open a recording…</source>
+        <source>Open recording…</source>
         <translation>打开录制…</translation>
     </message>
     <message>
@@ -7671,7 +7671,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>已打开录制 %1</translation>
     </message>
     <message>
-        <source>Open a recording</source>
+        <source>Open recording</source>
         <translation>打开录制</translation>
     </message>
     <message>
@@ -7724,7 +7724,7 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Layout ▾</source>
-        <translation>布置 ▾</translation>
+        <translation>布局 ▾</translation>
     </message>
     <message>
         <source>read a plot layout</source>
@@ -7763,8 +7763,8 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>录制到 MCAP 文件</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. The arrow button sets signals and folder</source>
-        <translation>将机器人数据录制到 MCAP 文件。旁边的箭头按钮设置信号和文件夹</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
+        <translation>将机器人数据录制到 MCAP 文件。使用旁边的箭头按钮选择信号和文件夹</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7786,15 +7786,15 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Exported the range between the cursors A and B to %1</source>
-        <translation>已将光标 A 和 B 之间的范围导出到 %1</translation>
+        <translation>已将游标 A 和 B 之间的范围导出到 %1</translation>
     </message>
     <message>
         <source>Values between the cursors A and B (*%1)</source>
-        <translation>光标 A 和 B 之间的值 (*%1)</translation>
+        <translation>游标 A 和 B 之间的值 (*%1)</translation>
     </message>
     <message>
-        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page.</source>
-        <translation>此页面显示了多个录制，或同时显示了录制和实时信号。请在页面上只显示其中一个。</translation>
+        <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
+        <translation>此页面显示了多个录制，或同时显示了录制和实时信号。请只显示其中一个，然后重新导出。</translation>
     </message>
     <message>
         <source>Live signals can only be exported as .csv. Record them first.</source>
@@ -7808,11 +7808,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
 <context>
     <name>tiller::PlotMarks</name>
     <message>
-        <source>%1 above %2</source>
+        <source>%1 is above %2</source>
         <translation>%1 高于 %2</translation>
     </message>
     <message>
-        <source>%1 below %2</source>
+        <source>%1 is below %2</source>
         <translation>%1 低于 %2</translation>
     </message>
 </context>
@@ -8011,12 +8011,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>%1中的 TCP 位姿</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click: displacement since the last key press</source>
-        <translation>方向按设置显示。Δ₀：自归零起的位移。点击：自最后一次按键起的位移</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
+        <translation>方向按设置显示。Δ₀：自归零起的位移。点击显示自上次运动开始起的位移</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the last key press. Click: zero here</source>
-        <translation>方向按设置显示。Δ：自最后一次按键起的位移。点击：此处归零</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
+        <translation>方向按设置显示。Δ：自上次运动开始起的位移。点击在此处归零</translation>
     </message>
     <message>
         <source>TCP in the frame of the flange: %1</source>
@@ -8034,11 +8034,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
         <translation>原位</translation>
     </message>
     <message>
-        <source>A position needs a name.</source>
-        <translation>位置需要名称。</translation>
+        <source>Enter a name for the position.</source>
+        <translation>请输入位置的名称。</translation>
     </message>
     <message>
-        <source>Another position is named “%1”. Choose another name.</source>
+        <source>A position named “%1” already exists. Choose another name.</source>
         <translation>“%1”已是另一个位置的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -8064,7 +8064,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>%1。按回车应用。只有保存的位置改变；机器人不移动。</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles: above it the TCP may move sideways.</source>
+        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
         <translation>基座坐标系中的高度，其上方没有障碍物：TCP 可在其上方横向移动。</translation>
     </message>
     <message>
@@ -8124,8 +8124,8 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>将“%1”设为机械臂的当前位置？</translation>
     </message>
     <message>
-        <source>The Home key will move the arm there.</source>
-        <translation>“原位”键会将机械臂移到那里。</translation>
+        <source>The Home button will move the arm there.</source>
+        <translation>“原位”按钮会将机械臂移到那里。</translation>
     </message>
     <message>
         <source>Set home</source>
@@ -8184,12 +8184,12 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>无安全高度</translation>
     </message>
     <message>
-        <source>The Home key moves to the default home position: arm upright, without self-collision.</source>
-        <translation>“原位”键移到默认原位：机械臂直立，无自碰撞。</translation>
+        <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
+        <translation>“原位”按钮将机械臂移到默认原位：直立，无自碰撞。</translation>
     </message>
     <message>
-        <source>%1: target of the Home key</source>
-        <translation>%1：“原位”键的目标</translation>
+        <source>%1: target of the Home button</source>
+        <translation>%1：“原位”按钮的目标</translation>
     </message>
     <message>
         <source>%1 · %2 %3 from here</source>
@@ -8238,7 +8238,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>力 Fz（牛顿）</translation>
     </message>
     <message>
-        <source>enter value, press Return</source>
+        <source>Enter value, press Return</source>
         <translation>输入数值，按回车</translation>
     </message>
     <message>
@@ -8277,8 +8277,8 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>良好</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>注意</translation>
+        <source>Warning</source>
+        <translation>警告</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -8314,15 +8314,15 @@ Jog the arm to a position and press Set home here, or Add here.</source>
     </message>
     <message>
         <source>Keep everyone out of reach of the arm.
-Keep the emergency stop at hand: STOP in this window is a software stop.
+Keep the emergency stop within reach: STOP in this window is a software stop.
 Start slowly: the initial speed is %1.
-Watch the arm, not the screen, while you hold a key.
-Release the key to stop the arm.</source>
+Watch the arm, not the screen, while you hold a button.
+Release the button to stop the arm.</source>
         <translation>不要让任何人进入机械臂的可达范围。
 紧急停止应在手边：此窗口的 STOP 是软件停止。
-慢速开始：首个速度为 %1。
-按住按键时看机械臂，不要看屏幕。
-松开按键，机械臂即停止。</translation>
+慢速开始：初始速度为 %1。
+按住按钮时看机械臂，不要看屏幕。
+松开按钮，机械臂即停止。</translation>
     </message>
     <message>
         <source>Checking %1…</source>
@@ -8537,8 +8537,8 @@ Release the key to stop the arm.</source>
         <translation>URScript (*.script)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>已写入：%1</translation>
+        <source>Exported to %1</source>
+        <translation>已导出到 %1</translation>
     </message>
 </context>
 <context>
@@ -8623,7 +8623,7 @@ Release the key to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Saving of %1 resumed</source>
+        <source>Resumed saving %1</source>
         <translation>%1 已恢复保存</translation>
     </message>
     <message>
@@ -8712,7 +8712,7 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
-        <translation>无法读取的单元方块和平面：%1。与它们的碰撞不会被阻止。</translation>
+        <translation>无法读取的单元长方体和平面：%1。与它们的碰撞不会被阻止。</translation>
     </message>
 </context>
 <context>
@@ -8995,7 +8995,7 @@ Release the key to stop the arm.</source>
         <translation>没有来自机器人的数据：请在示教器上关闭。</translation>
     </message>
     <message numerus="yes">
-        <source>%n more on the robot.</source>
+        <source>%n more popup(s) on the robot.</source>
         <translation>
             <numerusform>机器人上还有 %n 个。</numerusform>
         </translation>
@@ -9048,8 +9048,8 @@ Release the key to stop the arm.</source>
         <translation>已连接 %1</translation>
     </message>
     <message>
-        <source>Safety is normal again</source>
-        <translation>安全已恢复正常</translation>
+        <source>Safety mode is Normal again</source>
+        <translation>安全模式已恢复“正常”</translation>
     </message>
     <message>
         <source>Program: %1</source>
@@ -9064,7 +9064,7 @@ Release the key to stop the arm.</source>
         <translation>机器人上的弹窗：%1 %2</translation>
     </message>
     <message>
-        <source>The program on the robot is waiting for an answer on the teach pendant: %1</source>
+        <source>The program on the robot is waiting for a response on the teach pendant: %1</source>
         <translation>机器人上的程序在等待示教器上的答复：%1</translation>
     </message>
     <message>
@@ -9137,7 +9137,7 @@ Release the key to stop the arm.</source>
         <translation>夹爪没有发送数值。请给机械臂上电；若问题仍存在，检查手腕处的夹爪电缆。</translation>
     </message>
     <message>
-        <source>The gripper answers again</source>
+        <source>The gripper responds again</source>
         <translation>夹爪再次应答</translation>
     </message>
     <message>
@@ -9165,11 +9165,11 @@ Release the key to stop the arm.</source>
         <translation>%1 失败。%2</translation>
     </message>
     <message>
-        <source>No gripper service answers at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
         <translation>%1:%2 处没有夹爪应答。请在机器人上安装 Robotiq 的 URCap，并在其安装设置中选择夹爪。</translation>
     </message>
     <message>
-        <source>The gripper does not answer. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
         <translation>夹爪不应答。检查手腕处的电缆和机器人安装设置中的页面；若仍如此，重启机器人。</translation>
     </message>
     <message>
@@ -9244,7 +9244,7 @@ Release the key to stop the arm.</source>
         <translation>“%1”：%2</translation>
     </message>
     <message>
-        <source>A loop needs at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>循环至少需要两个路点。请选择更多路点，或关闭循环。</translation>
     </message>
 </context>
@@ -9262,8 +9262,8 @@ Release the key to stop the arm.</source>
         <translation>3D</translation>
     </message>
     <message>
-        <source>Default view, perspective</source>
-        <translation>默认视图，透视</translation>
+        <source>Default view (perspective)</source>
+        <translation>默认视图（透视）</translation>
     </message>
     <message>
         <source>Front</source>
@@ -9326,12 +9326,12 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>1 name hidden: zoom in</source>
-        <translation>隐藏了 1 个名称：请靠近</translation>
+        <translation>隐藏了 1 个名称：请放大</translation>
     </message>
     <message numerus="yes">
         <source>%n names hidden: zoom in</source>
         <translation>
-            <numerusform>隐藏了 %n 个名称：请靠近</numerusform>
+            <numerusform>隐藏了 %n 个名称：请放大</numerusform>
         </translation>
     </message>
     <message>
@@ -9374,7 +9374,7 @@ Release the key to stop the arm.</source>
         <translation>派生</translation>
     </message>
     <message>
-        <source>The robot cannot send so many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once: remove other signals first.</source>
         <translation>这些信号超过机器人一次发送的数量：请先去除其他信号。</translation>
     </message>
     <message>
@@ -9391,11 +9391,11 @@ Release the key to stop the arm.</source>
     </message>
     <message>
         <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
-        <translation>历史内存不足以显示 %1：请在“布置”菜单中增加。</translation>
+        <translation>历史内存不足以显示 %1：请在“布局”菜单中增加。</translation>
     </message>
     <message>
         <source>%1 could not be computed completely: %2</source>
-        <translation>无法将 %1 计算到末尾：%2</translation>
+        <translation>无法完整计算 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -9459,7 +9459,7 @@ Release the key to stop the arm.</source>
     <name>tiller::StatusLine</name>
     <message>
         <source>Recording, project and last message</source>
-        <translation>录制、会话和最后消息</translation>
+        <translation>录制、项目和最后一条消息</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -9518,8 +9518,8 @@ Release the key to stop the arm.</source>
         <translation>软件停止。不是紧急停止。电源保持接通。</translation>
     </message>
     <message>
-        <source>Space and Esc stop as well.</source>
-        <translation>空格键和 Esc 也可停止。</translation>
+        <source>Space and Esc also stop the arm.</source>
+        <translation>空格键和 Esc 也可停止机械臂。</translation>
     </message>
     <message>
         <source>Click to stop. Space and Esc stop only while this window is in control.</source>
@@ -9541,8 +9541,8 @@ Release the key to stop the arm.</source>
 <context>
     <name>tiller::StopPlot</name>
     <message>
-        <source>Highest value %1 in the last five seconds</source>
-        <translation>最近五秒最高值 %1</translation>
+        <source>Maximum in the last five seconds: %1</source>
+        <translation>最近五秒的最大值：%1</translation>
     </message>
     <message>
         <source>max %1</source>
@@ -9556,11 +9556,11 @@ Release the key to stop the arm.</source>
         <translation>使用中</translation>
     </message>
     <message>
-        <source>A TCP needs a name.</source>
-        <translation>TCP 需要名称。</translation>
+        <source>Enter a name for the TCP.</source>
+        <translation>请输入 TCP 的名称。</translation>
     </message>
     <message>
-        <source>Another TCP is named “%1”. Choose another name.</source>
+        <source>A TCP named “%1” already exists. Choose another name.</source>
         <translation>“%1”已是另一个 TCP 的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -9709,15 +9709,15 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
 <context>
     <name>tiller::TcpTeacher</name>
     <message>
-        <source>Take pose</source>
+        <source>Record pose</source>
         <translation>取位姿</translation>
     </message>
     <message>
-        <source>Retake least accurate pose</source>
+        <source>Redo least accurate pose</source>
         <translation>重取最不准确的位姿</translation>
     </message>
     <message>
-        <source>Take</source>
+        <source>Record</source>
         <translation>取</translation>
     </message>
     <message>
@@ -9729,7 +9729,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>示教 TCP</translation>
     </message>
     <message>
-        <source>Take a pose for the rotation</source>
+        <source>Record pose for the rotation</source>
         <translation>取一个用于旋转的位姿</translation>
     </message>
     <message>
@@ -9757,19 +9757,19 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>尖端位于 %1。各位姿一致到 %2 (rms)；位姿 %3 最不吻合，相差 %4。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Take one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
         <translation>工具方向过于相近。请向另一方向倾斜 30° 以上再取一个位姿。</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the poses again.</source>
+        <source>The robot sent an invalid position. Record the poses again.</source>
         <translation>机器人没有发送有效位置。请重新取位姿。</translation>
     </message>
     <message>
-        <source>Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
+        <source>Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, each with the tip on the same point and the tool tilted in another direction.</source>
         <translation>把尖端点动到一个固定的尖点并取位姿。共四次：尖端在同一点，工具每次向不同侧倾斜。</translation>
     </message>
     <message numerus="yes">
-        <source>Tilt the tool in another direction, move the tip to the same point again, and take the pose. Poses still needed: %n</source>
+        <source>Tilt the tool in another direction, move the tip to the same point again, and record the pose. Poses still needed: %n</source>
         <translation>
             <numerusform>把工具倾向另一侧，使尖端再到同一点，并取位姿。还需：%n</numerusform>
         </translation>
@@ -9779,55 +9779,55 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>工具保持当前旋转。</translation>
     </message>
     <message>
-        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then take the pose.</source>
+        <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>转动工具，使其竖直向下且 X 轴与基座 X 轴平行，然后取位姿。</translation>
     </message>
     <message>
-        <source>Rotation taken. Take it again to replace it.</source>
+        <source>Rotation recorded. Record it again to replace it.</source>
         <translation>已取旋转。再取一次即可替换。</translation>
     </message>
     <message>
-        <source>Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
         <translation>在当前位置取位姿。此后不要转动工具：只点动 X、Y 和 Z。</translation>
     </message>
     <message>
-        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and take the pose.</source>
+        <source>Move the tool along its +Z direction, away from the flange, by at least %1, and record the pose.</source>
         <translation>沿工具的 +Z 方向远离法兰移动至少 %1，然后取位姿。</translation>
     </message>
     <message>
-        <source>Now move the tool along its +X direction by at least %1, and take the pose.</source>
+        <source>Now move the tool along its +X direction by at least %1, and record the pose.</source>
         <translation>现在沿工具的 +X 方向移动至少 %1，然后取位姿。</translation>
     </message>
     <message>
-        <source>Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation>已取旋转：沿 +Z %1，沿 +X %2；法兰最大转动 %3（位姿 %4）。</translation>
     </message>
     <message>
-        <source>The flange rotated by up to %1 (pose %2). Take the three poses again without rotating the tool.</source>
+        <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
         <translation>法兰最多转动了 %1（位姿 %2）。请在不转动工具的情况下重取三个位姿。</translation>
     </message>
     <message>
-        <source>The distance along +Z is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +Z is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>沿 +Z 的距离仅 %1。请以至少 %2 的间距重取三个位姿。</translation>
     </message>
     <message>
-        <source>The distance along +X is only %1. Take the three poses again, at least %2 apart.</source>
+        <source>The distance along +X is only %1. Record the three poses again, at least %2 apart.</source>
         <translation>沿 +X 的距离仅 %1。请以至少 %2 的间距重取三个位姿。</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Take the three poses again.</source>
+        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
         <translation>三个位姿共线：第三个距该直线仅 %1。请重取三个位姿。</translation>
     </message>
     <message>
-        <source>The robot sent an invalid position. Take the three poses again.</source>
+        <source>The robot sent an invalid position. Record the three poses again.</source>
         <translation>机器人没有发送有效位置。请重取三个。</translation>
     </message>
     <message>
-        <source>Retake last pose</source>
+        <source>Redo last pose</source>
         <translation>重取最后一个位姿</translation>
     </message>
     <message>
-        <source>Take pose %1</source>
+        <source>Record pose %1</source>
         <translation>取位姿 %1</translation>
     </message>
     <message>
@@ -9839,7 +9839,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>  ◀ 最不准确</translation>
     </message>
     <message>
-        <source>Poses can be taken only while the robot sends data.</source>
+        <source>Poses can be recorded only while the robot sends data.</source>
         <translation>只有机器人发送数据时才能取位姿。</translation>
     </message>
 </context>
@@ -9877,7 +9877,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>%1：距 %3 的极限剩余 %2</translation>
     </message>
     <message>
-        <source>%1: %2 left to the end of reach or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
     </message>
     <message>
@@ -9934,8 +9934,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>坐标系</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. —: joint positions have priority</source>
-        <translation>路点的参考坐标系。空间位置不变。—：以关节位置为准</translation>
+        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <translation>路点的参考坐标系。空间位置不变。“—”：无坐标系，以关节位置为准</translation>
     </message>
     <message numerus="yes">
         <source>used in %n steps</source>
@@ -9977,7 +9977,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Shows the route controls instead of the values.</source>
-        <translation>显示路线的按键而不是数值。</translation>
+        <translation>显示路线的控件而不是数值。</translation>
     </message>
     <message>
         <source>Values</source>
@@ -9985,7 +9985,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Shows the values instead of the route controls.</source>
-        <translation>显示数值而不是路线的按键。</translation>
+        <translation>显示数值而不是路线的控件。</translation>
     </message>
 </context>
 <context>
@@ -10028,7 +10028,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Select a cell of a pattern.</source>
-        <translation>选择阵列的一个位置。</translation>
+        <translation>选择阵列的一个格位。</translation>
     </message>
     <message>
         <source>Delete the pattern “%1”</source>
@@ -10044,7 +10044,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
-        <translation>取回较早的“%1”</translation>
+        <translation>恢复“%1”的早期版本</translation>
     </message>
     <message>
         <source>Import waypoints</source>
@@ -10215,8 +10215,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>交融：%1，现为 %2</translation>
     </message>
     <message>
-        <source>TCP: taught with another TCP</source>
-        <translation>TCP：以另一个示教</translation>
+        <source>TCP: taught with a different TCP</source>
+        <translation>TCP：用另一个 TCP 示教</translation>
     </message>
     <message>
         <source>Group: “%1”, now “%2”</source>
@@ -10239,7 +10239,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>示教以来没有更改。</translation>
     </message>
     <message>
-        <source>The version before this change equals the current version.</source>
+        <source>The version before this change is identical to the current version.</source>
         <translation>此更改之前的版本与当前版本相同。</translation>
     </message>
     <message>
@@ -10334,11 +10334,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>可达</translation>
     </message>
     <message>
-        <source>A waypoint needs a name.</source>
-        <translation>路点需要名称。</translation>
+        <source>Enter a name for the waypoint.</source>
+        <translation>请输入路点的名称。</translation>
     </message>
     <message>
-        <source>Waypoint %2 is named “%1”. Choose another name.</source>
+        <source>Waypoint %2 is already named “%1”. Choose another name.</source>
         <translation>“%1”已是路点 %2 的名称。请选择其他名称。</translation>
     </message>
     <message>
@@ -10371,7 +10371,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
-        <translation>在%2中给出“%1”</translation>
+        <translation>将“%1”的坐标系改为 %2</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
@@ -10609,7 +10609,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>Mirrored across the plane through the origin perpendicular to the axis. The tool approaches from the mirrored side.</source>
+        <source>Mirrors across the plane through the origin that is perpendicular to the axis. The tool approaches from the mirrored side.</source>
         <translation>以过原点并垂直于该轴的平面镜像。工具从镜像一侧接近。</translation>
     </message>
     <message>
@@ -10778,7 +10778,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Convert pattern to waypoints</source>
-        <translation>把阵列位置变为普通路点</translation>
+        <translation>将阵列转换为路点</translation>
     </message>
     <message>
         <source>Delete the pattern and its waypoints</source>
@@ -10859,7 +10859,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>连接</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop at hand, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>移动真实机械臂之前：不要让任何人进入可达范围，紧急停止在手边，检查有效负载和 TCP，慢速开始。此窗口的 STOP 不是紧急停止。</translation>
     </message>
     <message>
@@ -10867,12 +10867,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Open a project…</source>
+        <source>Open project…</source>
         <translation>打开项目…</translation>
     </message>
     <message>
-        <source>Waypoints from a file, without a robot: everything works except motion.</source>
-        <translation>来自文件的路点，无需机器人：除移动外都可用。</translation>
+        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
+        <translation>无需机器人即可打开文件中的路点：除移动外都可用。</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -10895,7 +10895,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>机器人的地址或主机名</translation>
     </message>
     <message>
-        <source>Name shown for the robot</source>
+        <source>Display name of the robot</source>
         <translation>显示的机器人名称</translation>
     </message>
     <message>
@@ -10911,8 +10911,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>Robots connected to before</source>
-        <translation>以前连接过的机器人</translation>
+        <source>Recently connected robots</source>
+        <translation>最近连接过的机器人</translation>
     </message>
     <message>
         <source>Removes the selected robot from this list (Delete). The robot itself is not affected.</source>
@@ -10998,8 +10998,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>机器人没有报告原因</translation>
     </message>
     <message>
-        <source>pressed again        %1 times: the motion had stopped before the key was released</source>
-        <translation>重新按下             %1 次：松开按键之前动作已停止</translation>
+        <source>pressed again        %1 times: the motion had stopped before the button was released</source>
+        <translation>重新按下             %1 次：松开按钮之前动作已停止</translation>
     </message>
     <message>
         <source>jogged               </source>
@@ -11019,7 +11019,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source> late, </source>
-        <translation> 迟到， </translation>
+        <translation> 延迟， </translation>
     </message>
     <message>
         <source> lost
@@ -11040,8 +11040,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>文件                </translation>
     </message>
     <message>
-        <source>there is no key “%1” in the window</source>
-        <translation>窗口中没有按键“%1”</translation>
+        <source>the window has no button “%1”</source>
+        <translation>窗口中没有按钮“%1”</translation>
     </message>
 </context>
 <context>
@@ -11091,7 +11091,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>指数 </translation>
     </message>
     <message>
-        <source>1: linear. Higher: finer near the centre, faster at full deflection.</source>
+        <source>1: linear. Higher values: finer near the centre, faster at full deflection.</source>
         <translation>1：线性。数值越大：中心附近越精细，满偏转时越快。</translation>
     </message>
     <message>
@@ -11119,7 +11119,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>未找到手柄或 SpaceMouse。连接后会自动检测到。</translation>
     </message>
     <message>
-        <source>Moves the arm only while the dead-man switch is held. Not stored: after a restart no device moves the arm.</source>
+        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
         <translation>仅在按住使能键时移动机械臂。不保存：重启后没有设备移动机械臂。</translation>
     </message>
 </context>
@@ -11161,8 +11161,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a key of the pad, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the key, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller asks the display server every 10 ms whether the button or key is still pressed. A “no”, or no answer for 100 ms, ends the motion. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. In control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below means its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住操作盘按键时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按键、按下第二个按钮，或另一只手介入；&lt;/li&gt;&lt;li&gt;按住键盘按键时，旁边的修饰键或相矛盾的键被按下；&lt;/li&gt;&lt;li&gt;窗口失去焦点、有东西在其上打开，或选择了其他坐标系、速度、步长或选项卡；&lt;/li&gt;&lt;li&gt;机器人的数据迟到、本程序卡住，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 休眠，或设备被拔出或没有声息；&lt;/li&gt;&lt;li&gt;没有人能证明按键仍被按住：在 X11 上每秒询问显示服务器一百次按钮或按键是否被按下，回答“否”或 100 ms 没有应答即结束动作。无人可问时，页眉和设置会说明；&lt;/li&gt;&lt;li&gt;按住太久：点动 %1 s（设置），自由驱动五分钟，前往某处比所需时间多 5 s。最后 3 s 倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止的动作需要重新按下。拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止。没有控制时，它们属于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请把紧急停止放在手边。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使一次按下精细十倍，&lt;b&gt;Shift&lt;/b&gt; 快三倍，绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住点动按钮时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按钮、按下鼠标的另一个键，或使用了另一个输入设备；&lt;/li&gt;&lt;li&gt;按住键盘按键时，按下了修饰键或相反方向的按键；&lt;/li&gt;&lt;li&gt;窗口失去焦点、打开了对话框或菜单，或坐标系、速度、步长或选项卡发生变化；&lt;/li&gt;&lt;li&gt;机器人的数据延迟、本程序没有响应，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 进入休眠，或输入设备被拔出或停止发送数据；&lt;/li&gt;&lt;li&gt;按键状态检查失败：在 X11 上，Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。如果没有按下，或服务器 100 ms 没有响应，运动即结束。如果无法进行此检查，页眉和设置会显示；&lt;/li&gt;&lt;li&gt;达到最长按住时间：点动为 %1 s（设置），自由驱动为五分钟，移动到某位置为运动时间加 5 s。最后 3 s 会倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止后需要重新按下。Tiller 拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止机械臂。Tiller 没有控制时，它们作用于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请使紧急停止在伸手可及之处。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使运动精细十倍，&lt;b&gt;Shift&lt;/b&gt; 使运动快三倍，但绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>
@@ -11255,7 +11255,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>Tiller</translation>
     </message>
     <message>
-        <source>Keyboard jogging armed: arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
+        <source>Keyboard jogging armed: arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 with + and − move a joint. Space and Esc stop.</source>
         <translation>键盘点动已启用：方向键移动 X 和 Y，PgUp 和 PgDn 移动 Z；加 Alt 旋转。1 至 6 加 + 和 − 转动关节。Space 和 Esc 停止。</translation>
     </message>
     <message>
@@ -11295,7 +11295,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>%1 已断开。机械臂已停止。</translation>
     </message>
     <message>
-        <source>%1 stopped sending data while moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
+        <source>%1 stopped sending data while it was moving the arm. The arm was stopped. Release the device; if the problem persists, reconnect it.</source>
         <translation>%1 在移动机械臂时停止发送数据。机械臂已停止。请松开设备；若问题仍存在，请重新连接。</translation>
     </message>
     <message>
@@ -11319,8 +11319,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>打开示例项目…</translation>
     </message>
     <message>
-        <source>Opens a copy of one of three projects to try on the simulated robot.</source>
-        <translation>打开三个示例项目之一的副本，在模拟机器人上试用。</translation>
+        <source>Opens a copy of a sample project to try on the simulated robot.</source>
+        <translation>打开一个示例项目的副本，在模拟机器人上试用。</translation>
     </message>
     <message>
         <source>Save project as…</source>
@@ -11348,7 +11348,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Shows this tab.</source>
-        <translation>把此选项卡置于前面。</translation>
+        <translation>显示此选项卡。</translation>
     </message>
     <message>
         <source>Show gripper</source>
@@ -11375,8 +11375,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>深色</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for the next start.</source>
-        <translation>立即更改配色，下次启动时也使用。</translation>
+        <source>Changes the colour theme now and for later starts.</source>
+        <translation>立即更改配色，以后启动时也使用。</translation>
     </message>
     <message>
         <source>Zero the force in the plots, or show it as measured</source>
@@ -11415,7 +11415,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>导入设置…</translation>
     </message>
     <message>
-        <source>Imports settings from a file after showing what will be replaced.</source>
+        <source>Shows which settings a file will replace, then imports them.</source>
         <translation>显示将被替换的内容后，从文件导入设置。</translation>
     </message>
     <message>
@@ -11497,7 +11497,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>报告问题…</translation>
     </message>
     <message>
-        <source>Saves versions, log and settings to one file for support, after showing its content.</source>
+        <source>Shows versions, log and settings, then saves them to one file for support.</source>
         <translation>显示内容后，将版本、日志和设置保存到一个文件，供技术支持使用。</translation>
     </message>
     <message>
@@ -11533,7 +11533,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>使项目适应此机器人…</translation>
     </message>
     <message>
-        <source>Converts a project of another robot model: keep the poses or the joints.</source>
+        <source>Converts a project of another robot model, keeping either the poses or the joint positions.</source>
         <translation>转换其他型号机器人的项目：保持位姿或关节。</translation>
     </message>
     <message>
@@ -11648,7 +11648,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Renames the current perspective.</source>
-        <translation>给当前视角布局另一个名称。</translation>
+        <translation>重命名当前视角布局。</translation>
     </message>
     <message>
         <source>Rename perspective</source>
@@ -11758,16 +11758,16 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>视角布局已达上限。请先删除一个。</translation>
     </message>
     <message>
-        <source>A perspective with this name exists. Choose another name.</source>
+        <source>A perspective with this name already exists. Choose another name.</source>
         <translation>已有此名称的视角布局。请选择其他名称。</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the layout of the earlier version is not compatible. Arrange the panels again; the layout is stored.</source>
-        <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；会被记住。</translation>
+        <translation>面板按视角布局“%1”排列：早期版本的布局不适用于此版本。请重新排列；新的排列会保存。</translation>
     </message>
     <message>
         <source>The panel layout was reset to the perspective “%1”: the stored layout is damaged or from another version. Arrange the panels again; the layout is stored.</source>
-        <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；会被记住。</translation>
+        <translation>面板按视角布局“%1”排列：设置中的布局已损坏或属于另一版本。请重新排列；新的排列会保存。</translation>
     </message>
 </context>
 <context>
@@ -11890,8 +11890,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>事件</translation>
     </message>
     <message>
-        <source>What did you do, what did you expect, what happened?</source>
-        <translation>您做了什么、期望什么、发生了什么？</translation>
+        <source>What did you do? What did you expect? What happened?</source>
+        <translation>您做了什么？期望什么？发生了什么？</translation>
     </message>
     <message>
         <source>Files of the report</source>
@@ -11933,8 +11933,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>打开示例项目</translation>
     </message>
     <message>
-        <source>Each project is taught for a UR5e and runs on the simulated robot. You work on a copy: saving asks for a new file.</source>
-        <translation>每个项目都是为 UR5e 示教的，可在模拟机器人上运行。您使用的是副本：保存时会要求指定新文件。</translation>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <translation>每个项目都是为 UR5e 示教的，可在模拟机器人上运行。您使用的是副本：保存时请选择新文件。</translation>
     </message>
     <message>
         <source>Open</source>
@@ -11984,7 +11984,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>导入设置…</translation>
     </message>
     <message>
-        <source>Import settings from a file after showing what will be replaced</source>
+        <source>Show which settings a file will replace, then import them</source>
         <translation>显示将被替换的内容后，从文件导入设置</translation>
     </message>
     <message>
@@ -12001,7 +12001,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Size of controls</source>
-        <translation>按键和行的大小</translation>
+        <translation>控件大小</translation>
     </message>
     <message>
         <source>Compact</source>
@@ -12060,12 +12060,12 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time a jog stops and its key must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
-        <translation>超过此时间后点动停止，须重新按下按键。自由驱动：五分钟。移动到某位置：所需时间加 5 s。</translation>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <translation>超过此时间后点动停止，须重新按下按钮。自由驱动：五分钟。移动到某位置：所需时间加 5 s。</translation>
     </message>
     <message>
-        <source>Touch: large enough for fingers. In windows lower than %1 px, joint keys, tabs and title bars remain smaller.</source>
-        <translation>触摸：大小适合手指。在高度低于 %1 px 的窗口中，关节键、选项卡和标题栏保持较小。</translation>
+        <source>Touch: large enough for fingers. In windows less than %1 px high, joint buttons, tabs and title bars remain smaller.</source>
+        <translation>触摸：大小适合手指。在高度低于 %1 px 的窗口中，关节按钮、选项卡和标题栏保持较小。</translation>
     </message>
     <message>
         <source>Units for displaying and entering lengths, TCP speeds and orientations. Plots and files always use metres, millimetres and degrees.</source>
@@ -12092,7 +12092,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>▲ 高于 %1。从 PC 点动没有其他限制：手动模式和示教器的使能装置都不起作用。页眉会显示警告。关闭 Tiller 后上限复位。</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion of Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
         <translation>Tiller 所有运动中 TCP 和肘部的最大速度。立即生效，并停止正在进行的运动。</translation>
     </message>
     <message>
@@ -12109,7 +12109,7 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Restore default shortcuts</source>
-        <translation>恢复默认按键</translation>
+        <translation>恢复默认快捷键</translation>
     </message>
     <message>
         <source>Shortcut for %1</source>
@@ -12140,8 +12140,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>停止机械臂，交还控制并重新连接。曲线图重新开始。项目会保存。</translation>
     </message>
     <message>
-        <source>Language of the window and of the connection check. Files and scripts do not depend on it.</source>
-        <translation>窗口和连接检查的语言。文件和脚本与语言无关。</translation>
+        <source>Language of the window and of the connection check. Files and scripts are not affected.</source>
+        <translation>窗口和连接检查的语言。不影响文件和脚本。</translation>
     </message>
     <message>
         <source>Takes effect at the next start of Tiller, or when the window is reopened.</source>
@@ -12164,8 +12164,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>仅监视（由命令行设置）</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. In control, Space and Esc always stop the arm.</source>
-        <translation>在框中按下新的快捷键；退格键可删除。拥有控制时，空格键和 Esc 始终停止机械臂。</translation>
+        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <translation>在框中按下新的快捷键；退格键可删除。Tiller 拥有控制时，空格键和 Esc 始终停止机械臂。</translation>
     </message>
 </context>
 <context>
@@ -12202,7 +12202,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>第一步</translation>
     </message>
     <message>
-        <source>Shows a checklist in the view, from power on to a recording.</source>
+        <source>Shows a checklist in the view, from powering on to recording.</source>
         <translation>在视图中显示从上电到录制的清单。</translation>
     </message>
     <message>
@@ -12210,8 +12210,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>练习任务</translation>
     </message>
     <message>
-        <source>Five tasks on the simulated robot, each with a check.</source>
-        <translation>模拟机器人上的五个任务，每个任务都有检查。</translation>
+        <source>Five tasks on the simulated robot. Each task checks the result.</source>
+        <translation>模拟机器人上的五个任务。每个任务都会检查结果。</translation>
     </message>
     <message>
         <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>

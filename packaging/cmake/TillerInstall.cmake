@@ -4,12 +4,12 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# Headers included by programs written for ur_rtde; the other headers of that folder are private.
+# Headers that programs written for ur_rtde include. The other headers of that folder are private.
 set(ur_rtde_headers async_operation_status.h dashboard_client.h dashboard_enums.h robot_state.h robotiq_gripper.h
     rtde.h rtde_control_interface.h rtde_export.h rtde_io_interface.h rtde_path.h rtde_receive_interface.h
     rtde_utility.h script_client.h)
 
-# Public headers of the simulated controller: to start one in a process and to step it.
+# Public headers of the simulated controller, for starting and stepping a controller in a process.
 set(simulator_headers assumptions.h simulator.h simulator_options.h arm/arm_state.h arm/environment.h box/personality.h)
 
 set(tiller_rooms core realtime rtde receive script dashboard control io kinematics collision project recording doctor api)
@@ -54,7 +54,7 @@ endif()
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/robot/ DESTINATION include/tiller/robot COMPONENT development
     FILES_MATCHING PATTERN "*.h" PATTERN "python" EXCLUDE PATTERN "detail" EXCLUDE PATTERN "examples" EXCLUDE
     PATTERN "simulator" EXCLUDE PATTERN "ur_rtde" EXCLUDE
-    # Private to the programs for now.
+    # These modules are private to the programs.
     PATTERN "station" EXCLUDE)
 foreach(room ur_rtde simulator)
     foreach(header ${${room}_headers})

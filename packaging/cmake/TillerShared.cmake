@@ -36,7 +36,7 @@ endfunction()
 add_library(tiller_shared SHARED ${tiller_objects})
 set_target_properties(tiller_shared PROPERTIES OUTPUT_NAME tiller EXPORT_NAME tiller LINKER_LANGUAGE CXX
     VERSION ${TILLER_ABI}.${PROJECT_VERSION} SOVERSION ${TILLER_ABI})
-# The objects of the archives are already included; this adds their external dependencies.
+# The objects of the archives are already included. This adds their external dependencies.
 target_link_libraries(tiller_shared PUBLIC Qt6::Core Qt6::Network Eigen3::Eigen Threads::Threads PRIVATE
     ${tiller_archive_targets})
 target_include_directories(tiller_shared PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>)

@@ -31,7 +31,7 @@ def declared(texts):
     text = "\n".join(re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"", " ", part, flags=re.DOTALL) for part in texts)
     names = set(re.findall(r"[A-Za-z_]\w*", text))
     announced = set(re.findall(r"\b(?:class|struct)\s+(\w+)\s*;", text))
-    # With attributes, bases and `final`.
+    # Also matches attributes, base classes and `final`.
     defined = set(re.findall(r"\b(?:class|struct)\s+(?:\[\[[^\]]*\]\]\s*|[A-Z_]+\s+)?(\w+)[^;{}()]*\{", text))
     if "Q_OBJECT" in names:
         names |= META_OBJECT
@@ -39,7 +39,7 @@ def declared(texts):
 
 
 def without_arguments(symbol):
-    """tiller::Result<int>::value() const& -> tiller::Result::value; the symbols of operators are removed."""
+    """Converts tiller::Result<int>::value() const& to tiller::Result::value, and removes the symbols of operators."""
     symbol = re.sub(r"operator(?:\(\)|<=>|<<|>>|->\*?|<=?|>=?)", "operator", symbol)
     name, depth = "", 0
     for letter in symbol:
@@ -81,7 +81,7 @@ def main():
                             capture_output=True, text=True, check=True).stdout.splitlines() for more in ([], ["-C"])]
     exported = set()
     for raw, readable in zip(*lists):
-        # posix format: name, kind, value, size; a demangled name contains spaces itself.
+        # posix format: name, kind, value, size. A demangled name may contain spaces.
         fields = raw.split(" ")
         if len(fields) < 3:
             continue

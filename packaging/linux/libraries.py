@@ -9,7 +9,7 @@ import sys
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
 COMMON = pathlib.Path("/usr/share/common-licenses")
-# Every newer Linux has these libraries, and a second copy in the same process would be an error.
+# Every newer Linux has these libraries. A second copy in the same process would cause errors.
 SYSTEM = re.compile(r"^(ld-linux.*|lib(c|m|dl|rt|util|pthread|resolv|gcc_s|stdc\+\+)\.so\.\d+)$")
 
 
@@ -25,7 +25,7 @@ def said(*command):
 
 
 def libraries_of(paths):
-    """The path of each library they load, directly or indirectly, by name."""
+    """The path of each library that the files load, directly or indirectly, by name."""
     found = {}
     for path in paths:
         loaded = said("ldd", str(path))
@@ -39,7 +39,7 @@ def libraries_of(paths):
 
 
 def newest_symbols(prefix, paths):
-    """The newest version of these symbols required by any of the files: newest_symbols("GLIBC", ...) is (2, 36)."""
+    """The newest version of these symbols that any of the files requires, e.g. (2, 36) for newest_symbols("GLIBC", ...)."""
     newest = (0,)
     for path in paths:
         for version in re.findall(rf"\b{prefix}_(\d+(?:\.\d+)+)\b", said("objdump", "-T", str(path))):
@@ -50,8 +50,8 @@ def newest_symbols(prefix, paths):
 def packages_of(places):
     """The Debian package and its version for each of these files."""
     owner = {}
-    # By name, because a library may be recorded under /lib and found under /usr/lib, which are the same
-    # folder. From dpkg's lists, each read once, because dpkg-query searches all of them for each name.
+    # Search by name, because a library may be recorded under /lib and found under /usr/lib, which are the same
+    # folder. Read each of dpkg's lists once, because dpkg-query would search all of them for each name.
     names = {os.path.basename(place) for place in places}
     for listed in sorted(pathlib.Path("/var/lib/dpkg/info").glob("*.list")):
         for path in listed.read_text(encoding="utf-8", errors="replace").splitlines():
@@ -66,8 +66,8 @@ def packages_of(places):
 
 
 def take_common_licences(folder):
-    """Copies common licence texts to the folder that its files only refer to, because every Debian system has them."""
-    named = {"GPL-3"}  # the LGPL 3 refers to it
+    """Copies the common licence texts that files in the folder only refer to, because every Debian system has them."""
+    named = {"GPL-3"}  # the LGPL 3 refers to the GPL 3
     for path in folder.iterdir():
         text = path.read_text(encoding="utf-8", errors="replace")
         named.update(re.findall(rf"{COMMON}/([\w.+-]*\w)", text))
@@ -89,7 +89,7 @@ def take_licences(places, folder):
     places  path of each file on this system, by its name in the archive
     """
     folder.mkdir(parents=True)
-    # Tiller's own shared libraries have no licence of another project.
+    # Tiller's own shared libraries do not have a licence of another project.
     places = {name: place for name, place in places.items() if not pathlib.Path(place).is_relative_to(TOP)}
     packages = packages_of(sorted(set(places.values())))
     lines = []

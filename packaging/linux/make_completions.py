@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Writes completions for bash, zsh and fish from the help of a program: make_completions.py PROGRAM FOLDER.
 
-`PROGRAM --help` lists the commands below "Commands:" and the options; `PROGRAM COMMAND --help` lists the options of a
+`PROGRAM --help` lists the options, and the commands below "Commands:". `PROGRAM COMMAND --help` lists the options of a
 command.
 """
 import os
@@ -20,7 +20,7 @@ def help_of(*words):
 
 
 def options_of(text):
-    """For each option: its name, whether it takes a value, and the first line of its help."""
+    """For each option, its name, whether it needs a value, and the first line of its help."""
     found = {}
     for line in text.splitlines():
         match = OPTION.match(line)

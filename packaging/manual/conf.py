@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The manual: python3 -m sphinx -b html packaging/manual OUTPUT. The same pages are the window's help (F1)."""
+"""Builds the manual: python3 -m sphinx -b html packaging/manual OUTPUT. The help of the window (F1) shows the same pages."""
 import pathlib
 import re
 
@@ -25,7 +25,7 @@ if tags.has("window"):  # noqa: F821: defined by Sphinx
 
 
 def give_pictures_a_line(app, doctree, page):
-    """Puts pictures into paragraphs: the help of the window would draw them in the line of the heading above."""
+    """Puts pictures into paragraphs. Otherwise, the help of the window would draw them on the line of the heading above."""
     for picture in list(doctree.findall(nodes.image)):
         if isinstance(picture.parent, nodes.section):
             paragraph = nodes.paragraph()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Creates the reference of the C++ library with Doxygen: make_reference.py OUTPUT. Warnings are errors.
 
-Doxygen reads copies of the headers with converted comments: the paragraph at the start of a file describes the class
-with the name of the file, indented text is kept as it is, and columns in a comment ("speed   [m/s]", "Returns  a handle")
-become a list.
+Doxygen reads copies of the headers with converted comments. The paragraph at the start of a file becomes the description
+of the class with the name of the file, indented text is not changed, and columns in a comment ("speed   [m/s]",
+"Returns  a handle") become a list.
 """
 import os
 import pathlib
@@ -28,7 +28,7 @@ def headers():
 
 
 def block(lines):
-    """Converts lines that begin with "///" to one comment; indented text is kept as it is."""
+    """Converts lines that begin with "///" to one comment. Indented text is not changed."""
     out, inside = ["/**"], False
     for line in (line[3:] for line in lines):
         indented = line.startswith("   ") or (inside and not line)

@@ -32,7 +32,7 @@ def needed(path):
 
 
 def own_name(name):
-    """libQt6Core.so.6 -> libQt6Core-tiller.so.6"""
+    """Returns the changed name of a library, e.g. libQt6Core-tiller.so.6 for libQt6Core.so.6."""
     return name.replace(".so", "-tiller.so", 1)
 
 
@@ -43,7 +43,7 @@ def bundle(folder, programs, libs):
     for copy, place in copies.items():
         copy_program(place, copy)
     for path in [*programs, *copies]:
-        # One at a time: with several at once, some releases of patchelf leave half of the names unchanged.
+        # Change one name at a time, because some releases of patchelf leave half of several names unchanged.
         names = needed(path)
         if path in copies:
             subprocess.run(["patchelf", "--set-soname", path.name, str(path)], check=True)
@@ -55,7 +55,7 @@ def bundle(folder, programs, libs):
 
 
 def platform_of(paths):
-    """The tag of the oldest glibc with all symbols required by these files: manylinux_2_36_x86_64."""
+    """The tag of the oldest glibc that has all symbols required by these files, e.g. manylinux_2_36_x86_64."""
     major, minor = max((2, 17), libraries.newest_symbols("GLIBC", paths)[:2])
     return f"manylinux_{major}_{minor}_{os.uname().machine}"
 
@@ -79,7 +79,7 @@ def pack(folder, output, name, version, tag, pure, metadata, entry_points, top_l
     wheel = output / f"{name.replace('-', '_')}-{version}-{tag}.whl"
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in [*files, folder / info / "RECORD"]:
-            # Reproducible: no date, and only the relevant mode bits.
+            # For a reproducible archive, store no date and only the relevant mode bits.
             entry = zipfile.ZipInfo(str(path.relative_to(folder)))
             entry.external_attr = (0o100755 if os.access(path, os.X_OK) else 0o100644) << 16
             entry.compress_type = zipfile.ZIP_DEFLATED

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Build for Windows with Visual Studio 2022, Qt 6.4 or newer and vcpkg: powershell packaging/windows/build.ps1
-# NOT TESTED: Tiller has not been built on Windows yet. The key-state check is not available there; the header
-# shows this.
+# NOT TESTED: Tiller has not been built on Windows yet. The key-state check is not available there, and the
+# header shows this.
 $ErrorActionPreference = "Stop"
 $top = Resolve-Path "$PSScriptRoot/../.."
 vcpkg install eigen3 orocos-kdl zlib zstd fastcdr hdf5 sdl2

@@ -13,7 +13,7 @@ namespace tiller {
 
 namespace {
 
-/// Age of the newest packet from which data count as lost.
+/// Data count as lost when the newest packet is older than this.
 constexpr std::chrono::milliseconds kDataTimeout{100};
 
 receive::ReceiverOptions receiverOptions(const Text& host, const RobotOptions& options) {
@@ -24,7 +24,7 @@ receive::ReceiverOptions receiverOptions(const Text& host, const RobotOptions& o
     wanted.clock = options.clock;
     if (!options.fields.empty()) {
         wanted.fields = options.fields;
-        // Needed for events and for the confirmation of outputs.
+        // Required for events and for the confirmation of outputs.
         for (const char* name : {"robot_mode", "safety_mode", "runtime_state", "actual_digital_output_bits",
                                  "target_speed_fraction", "analog_io_types", "standard_analog_output0",
                                  "standard_analog_output1"}) {
@@ -48,10 +48,10 @@ control::ControllerOptions controllerOptions(const Text& host, const RobotOption
 
 }  // namespace
 
-// Named, because a member of Robot::EventThread uses its type.
+// Has a name because a member of Robot::EventThread uses the type.
 namespace robot_events {
 
-/// The values whose changes are events.
+/// Values whose changes are reported as events.
 struct Observation {
     bool hasData = false;
     SafetyMode safetyMode = SafetyMode::Undefined;
@@ -67,7 +67,7 @@ inline Observation observe(const receive::Receiver& receiver, const control::Con
             state.runtimeState() == RuntimeState::Playing, controller.status()};
 }
 
-/// Modes that were unknown during an outage are compared with those before it.
+/// Modes are unknown during an outage, so the modes after it are compared with those before it.
 template <class Report>
 void compare(const Observation& before, const Observation& now, Report report) {
     using Kind = RobotEvent::Kind;
@@ -118,7 +118,7 @@ public:
 private:
     void run() {
         realtime::nameThread("tiller-events");
-        // Without packets, the age of the data and the state of control still change.
+        // Even without packets, the age of the data and the state of control change.
         constexpr std::chrono::milliseconds kLook{20};
         while (!token_.isCancelled()) {
             (void)packets_.next(sample_, Deadline::after(kLook, token_));
@@ -172,7 +172,7 @@ Result<void> Robot::connect(const Deadline& deadline) {
     return {};
 }
 
-// The arm is stopped first; nothing before may wait.
+// Stop the arm first; nothing before this line may wait.
 void Robot::disconnect() {
     controller_->release();
     recorder_.stop();

@@ -23,7 +23,7 @@ struct tiller_robot {
         return last;
     }
 
-    /// Why the last start was refused; ErrorCode::None if it was not.
+    /// Error of the last start; ErrorCode::None if it succeeded.
     Error refusal() const {
         const std::lock_guard lock(mutex);
         return refused;
@@ -39,7 +39,7 @@ namespace {
 
 thread_local std::string lastError;
 
-// Without a default, the compiler reports a code that is missing here.
+// There is no default case, so that the compiler reports a missing code.
 int statusOf(ErrorCode code) {
     switch (code) {
         case ErrorCode::None:
@@ -104,7 +104,7 @@ Error invalid(const char* context, const char* message) {
     return {ErrorCode::InvalidArgument, QString::fromLatin1(context), QString::fromLatin1(message)};
 }
 
-/// Runs a call that returns a Result<void>. No exception enters the C program.
+/// Runs a function that returns a Result<void>. No exception reaches the C program.
 template <class Call>
 int guarded(Call call) {
     try {
@@ -119,19 +119,19 @@ int guarded(Call call) {
     return TILLER_INTERNAL;
 }
 
-/// As guarded(), for calls with a robot.
+/// As guarded(), for functions with a robot argument.
 template <class Call>
 int guarded(tiller_robot* robot, const char* context, Call call) {
     return guarded(
         [&]() -> Result<void> { return robot == nullptr ? invalid(context, "the robot is NULL") : call(); });
 }
 
-/// NaN counts as no time.
+/// A negative timeout means no limit; NaN expires immediately.
 Deadline deadline(double timeout) {
     return timeout < 0 ? Deadline::never() : Deadline::after(std::chrono::duration<double>(timeout));
 }
 
-/// 0 selects the default; every other number is checked by the library.
+/// 0 selects the default. The library checks all other numbers.
 control::MoveParameters parameters(double speed, double acceleration) {
     control::MoveParameters wanted;
     if (speed != 0) {
@@ -270,7 +270,7 @@ int tiller_move_l(tiller_robot* robot, const double pose[6], double speed, doubl
 int tiller_wait(tiller_robot* robot, double timeout) {
     return guarded(robot, "wait for a motion", [&]() -> Result<void> {
         if (const Error refused = robot->refusal(); refused.code != ErrorCode::None) {
-            return refused;  // programs often check tiller_wait() only
+            return refused;  // programs often check the result of tiller_wait() only
         }
         const control::Motion motion = robot->motion();
         return motion.id() == control::kNoMotion ? invalid("wait for a motion", "no motion was started")

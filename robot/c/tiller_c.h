@@ -11,13 +11,13 @@
  *   tiller_close(robot);
  *
  * Units: m, rad, s, N, Nm, A, kg. Joints from base to wrist 3; poses are position and rotation vector of the TCP in the
- * base frame. Every function returns TILLER_OK or an error, unless documented otherwise; tiller_last_error() returns the
- * text. Timeouts in seconds; a negative timeout means no limit.
+ * base frame. Every function returns TILLER_OK or an error code, unless documented otherwise. tiller_last_error()
+ * returns the text of the error. Timeouts are in seconds; a negative timeout means no limit.
  *
- * A motion ends with a newer motion, tiller_stop(), tiller_release(), tiller_close(), and when this process ends in any
- * way, hangs or loses the connection: the robot brakes when it has received no heartbeat of this process for 100 ms.
+ * A newer motion, tiller_stop(), tiller_release() and tiller_close() end a motion. A motion also ends when this process
+ * ends in any way, hangs or loses the connection: the robot brakes if it receives no heartbeat for 100 ms.
  *
- * Threads: any; tiller_close() must be the last call with its robot. A robot does not survive fork().
+ * Threads: any. tiller_close() must be the last call with a robot. A child process created with fork() cannot use it.
  */
 #ifndef TILLER_C_H
 #define TILLER_C_H
@@ -36,10 +36,10 @@ extern "C" {
 #define TILLER_C_API
 #endif
 
-/* Changes only if a function is removed or changed, not for additions. */
+/* Incremented only when a function is removed or changed, not when functions are added. */
 #define TILLER_C_VERSION 1
 
-/* The numbers never change. */
+/* The values are the same in all versions. */
 enum tiller_status {
     TILLER_OK = 0,
     TILLER_ADDRESS_INVALID = 1,
@@ -86,13 +86,13 @@ TILLER_C_API int tiller_connect(const char* host, double timeout, tiller_robot**
 TILLER_C_API void tiller_close(tiller_robot* robot);
 
 /* Copies the newest value of an RTDE output such as "actual_q" or "robot_mode" into `values`. `capacity` is the size of
- * `values`; *count is set to the number of values of the field, and may be NULL. Integers are exact.
+ * `values`. *count is set to the number of values of the field; `count` may be NULL. Integers are exact.
  * TILLER_FIELD_UNKNOWN if the field is not received; TILLER_LIMIT_EXCEEDED if `capacity` is too small;
  * TILLER_LINK_LOST if the newest packet is older than 100 ms (the values are copied). Does not wait. */
 TILLER_C_API int tiller_read(tiller_robot* robot, const char* field, double* values, int capacity,
                              int* count);
 
-/* Sends the control program, which ends a program that runs on the robot. */
+/* Sends the control program to the robot. This ends the program that is running on the robot. */
 TILLER_C_API int tiller_take_control(tiller_robot* robot, double timeout);
 
 /* Stops the arm and releases control. */
@@ -112,8 +112,8 @@ TILLER_C_API int tiller_move_j(tiller_robot* robot, const double q[6], double sp
  * default (0.25 or the cap, and 1.2). */
 TILLER_C_API int tiller_move_l(tiller_robot* robot, const double pose[6], double speed, double acceleration);
 
-/* Waits until the last started motion has reached its target. TILLER_STOPPED or another error if it ended earlier;
- * the error of the start if the last one was refused; TILLER_TIMEOUT: the motion continues. */
+/* Waits until the last motion has reached its target. Returns TILLER_STOPPED or another error if the motion ended
+ * earlier, or the error of the start if the motion was refused. After TILLER_TIMEOUT the motion continues. */
 TILLER_C_API int tiller_wait(tiller_robot* robot, double timeout);
 
 /* 1 until the last started motion has reached its target or was stopped, else 0. */
@@ -122,7 +122,7 @@ TILLER_C_API int tiller_is_active(tiller_robot* robot);
 /* Ends the active motion. No earlier command can move the arm afterwards. Does not wait. Not an emergency stop. */
 TILLER_C_API int tiller_stop(tiller_robot* robot);
 
-/* Sets a digital output: 0-7 standard, 8-15 configurable, 16-17 tool. Returns when the robot reports it. */
+/* Sets a digital output: 0-7 standard, 8-15 configurable, 16-17 tool. Returns when the robot reports the new state. */
 TILLER_C_API int tiller_set_digital_output(tiller_robot* robot, int output, int on, double timeout);
 
 #ifdef __cplusplus

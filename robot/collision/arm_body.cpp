@@ -42,7 +42,7 @@ Offsets offsetsOf(RobotModelId id) {
     return {};
 }
 
-/// Radius [m] for a torque [Nm].
+/// Housing radius [m] for a joint torque [Nm].
 double housingRadius(double torque) {
     constexpr double kThinnest = 0.0315;
     return std::max(kThinnest, 0.0112 * std::cbrt(torque) + 0.0020);

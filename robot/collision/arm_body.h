@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Dimensions of the arm's housings and tubes. Both the 3D view and the collision check are based on these
-// dimensions, so that the displayed bodies are the checked bodies.
+// Dimensions of the arm's housings and tubes. Both the 3D view and the collision check use these dimensions,
+// so the displayed bodies are the checked bodies.
 
 #include <Eigen/Core>
 #include <vector>
@@ -16,7 +16,7 @@ namespace tiller::collision {
 struct ArmProportions {
     double shoulderOffset = 0;  ///< from axis 1 to the upper arm tube, along axis 2
     double elbowOffset = 0;     ///< from axis 1 to the forearm tube, along axis 2
-    double baseHeight = 0;      ///< of the fixed part
+    double baseHeight = 0;      ///< height of the fixed part
     double baseRadius = 0;
     double shoulderRadius = 0;  ///< joints 1 and 2
     double upperRadius = 0;     ///< tube of the upper arm
@@ -26,9 +26,9 @@ struct ArmProportions {
     double flangeRadius = 0;
 };
 
-/// Source: estimates, not yet compared with the vendor's public description files. Offsets are based on these files
-/// (UR3 to UR30 except UR8 Long, UR15 and UR18), otherwise on the centres of mass in robot_model.cpp; radii are
-/// assumed to grow with the cube root of the joint torque.
+/// Source: estimates, not yet compared with the vendor's public description files. Offsets are based on these
+/// files (UR3 to UR30 except UR8 Long, UR15 and UR18), or on the centres of mass in robot_model.cpp for the
+/// other models. Radii are assumed to grow with the cube root of the joint torque.
 ArmProportions armProportions(const RobotModel& model);
 
 /// Height of the flange axis above the base with the arm pointing straight up [m].
@@ -45,10 +45,10 @@ struct Capsule {
 struct LinkCapsule {
     int link = 0;  ///< 0: the fixed base, ... 6: rotates with the flange
     Capsule shape;
-    /// Number of preceding links with which no collision is possible, because the body rotates on them or at a
+    /// Number of preceding links that cannot collide with the body, because it rotates on them or at a
     /// constant distance from them.
     int neighbours = 1;
-    bool atFoot = false;  ///< fixed or rotating in place: only the arm itself can collide with it
+    bool atFoot = false;  ///< fixed or rotating in place; only the arm itself can collide with this body
 };
 
 /// Bodies of the arm used for collision checks. They contain all displayed parts.

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 /// Distance between two segments [m].
 double segmentDistance(const Capsule& a, const Capsule& b) {
-    constexpr double kPoint2 = 1e-18;  // a shorter segment is treated as a point [m2]
+    constexpr double kPoint2 = 1e-18;  // a shorter segment is treated as a point (squared length) [m2]
     const Vector3d u = a.to - a.from;
     const Vector3d v = b.to - b.from;
     const Vector3d r = a.from - b.from;
@@ -44,7 +44,7 @@ double segmentDistance(const Capsule& a, const Capsule& b) {
     return (r + s * u - t * v).norm();
 }
 
-/// Distance of a point from a box, negative inside: a convex function of the point [m].
+/// Distance of a point from a box, negative inside [m]. A convex function of the point.
 double boxDistance(const Vector3d& point, const Vector3d& half) {
     const Vector3d outside = point.cwiseAbs() - half;
     const double inside = outside.maxCoeff();
@@ -55,7 +55,7 @@ double boxDistance(const Vector3d& point, const Vector3d& half) {
 double boxDistance(const Vector3d& from, const Vector3d& to, const Vector3d& half) {
     // Golden-section search finds the minimum of a convex function.
     constexpr double kGolden = 0.6180339887498949;
-    constexpr int kSections = 48;  // leaves less than a nanometre
+    constexpr int kSections = 48;  // remaining interval below one nanometre
     const Vector3d along = to - from;
     double low = 0;
     double high = 1;
@@ -96,7 +96,8 @@ CollisionCheck::CollisionCheck(const RobotModel& model, const ToolBody& tool, Su
     const std::size_t armBodies = capsules_.size();
     const double length = tool.tcpOffset.position.norm();
     if (tool.radius > 0 && length > 0) {
-        // Between the plane of the flange and the TCP, shortened by the hemispherical ends if possible.
+        // The capsule is between the plane of the flange and the TCP. Its segment is shortened to make room
+        // for the hemispherical ends, if possible.
         const Vector3d along = tool.tcpOffset.position / length;
         const double inset = std::min(tool.radius, length / 2);
         capsules_.push_back({6, {along * inset, along * (length - inset), tool.radius}, 1, false});
@@ -149,15 +150,15 @@ void CollisionCheck::addPairs(std::size_t body, bool isTool) {
     }
 }
 
-/// Two bodies with two joints between them have a minimum distance. If it is not a contact, the pair is not
-/// checked, regardless of the safety distance.
+/// Two bodies with two joints between them never come closer than a certain minimum distance. If there is no
+/// contact at this distance, the pair is not checked, regardless of the safety distance.
 std::vector<std::pair<std::size_t, std::size_t>> CollisionCheck::findNeverMeeting() const {
     constexpr int kSteps = 36;              // per turn
-    constexpr double kNeverNearer = 0.002;  // tolerance for a smaller distance between two steps [m]
+    constexpr double kNeverNearer = 0.002;  // allows for a smaller distance between two steps [m]
     constexpr int kJointsBetween = 2;
     std::vector<std::pair<std::size_t, std::size_t>> found;
     for (int base = 0; base + kJointsBetween <= kJointCount; ++base) {
-        std::vector<std::pair<Pair, double>> judged;  // with the minimum distance found [m]
+        std::vector<std::pair<Pair, double>> judged;  // pairs with their minimum distance [m]
         for (const Pair& pair : pairs_) {
             if (pair.with == Contact::With::Arm && pair.otherLink == base &&
                 std::min(pair.link, 6) - base == kJointsBetween) {
@@ -208,12 +209,12 @@ void CollisionCheck::dropPairsThatNeverMeet(NeverMeeting* known) {
     });
 }
 
-/// The height of the shoulder is constant if the arm is mounted upright: no joint moves it towards a
-/// horizontal border or away from it, even within the safety distance. Such pairs are not checked.
+/// The height of the shoulder is constant if the arm is mounted upright: no joint changes its distance from a
+/// horizontal border, even within the safety distance. Such pairs are not checked.
 void CollisionCheck::dropWhatNeverNearsABorder() {
-    constexpr int kSteps = 4;              // per turn; sufficient because the height is a sine of each joint
+    constexpr int kSteps = 4;              // per turn; the height is a sine function of each joint position
     constexpr double kSameHeight = 0.002;  // a calibrated axis is not exactly horizontal [m]
-    constexpr int kLastFixedLink = 2;      // the third joint changes the height
+    constexpr int kLastFixedLink = 2;      // joint 3 changes the height
     std::array<Placement, kSteps * kSteps> placements;
     for (std::size_t n = 0; n < placements.size(); ++n) {
         constexpr double kStep = 2 * std::numbers::pi / kSteps;
@@ -285,7 +286,7 @@ double CollisionCheck::distance(const Pair& pair, const Placement& placement, do
             return least > enough ? least : boxDistance(from, to, box.half) - rod.radius;
         }
         case Contact::With::Border: {
-            // For a capsule, one of the ends is nearest to a plane.
+            // The point of a capsule nearest to a plane is at one of its ends.
             const Plane& plane = planes_[pair.other];
             const double from = plane.normal.dot(rod.from);
             const double to = plane.normal.dot(rod.to);
@@ -312,7 +313,7 @@ std::optional<Contact> CollisionCheck::first(std::span<const JointPositions> way
         const double least = threshold(pair, here);
         // The remaining clearance limits the next step.
         double clearance = here - least;
-        if (!(clearance > kTouching)) {  // also if a number is not finite
+        if (!(clearance > kTouching)) {  // also true if a number is not finite
             return contactOf(pair, 0, way.front(), here);
         }
         for (std::size_t k = 0; k + 1 < way.size(); ++k) {

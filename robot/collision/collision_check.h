@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Distances of the arm, modelled as capsules, from itself and from its surroundings, for a single position or a
-// whole path. Between two positions of a path all joints move uniformly; no collision is missed, because each step
-// is limited by the current clearance. The same distances slow down a jog before a contact.
+// Distances of the arm, modelled as capsules, from itself and from its surroundings, for a single position or
+// a whole path. All joints move uniformly between two positions of a path. No collision is missed, because
+// the current clearance limits each step. The same distances slow down a jog before a contact.
 
 #include <array>
 #include <optional>
@@ -28,8 +28,8 @@ struct Contact {
     With with = With::Arm;
     int link = 0;   ///< link of the arm as in LinkCapsule; kToolLink for the tool
     int other = 0;  ///< the other link, or an index into Surroundings
-    /// Position on the path: 2.25 is a quarter of the way from the third position to the fourth; 0 for a single
-    /// position.
+    /// Position on the path. For example, 2.25 is a quarter of the distance from the third position to the
+    /// fourth. 0 for a single position.
     double at = 0;
     JointPositions q;     ///< joint positions at the contact
     double distance = 0;  ///< distance at the contact; negative for a penetration [m]
@@ -38,7 +38,7 @@ struct Contact {
 inline constexpr int kToolLink = 7;
 
 /// Pairs of bodies of an arm and its tool that can never collide. Pass the same object to consecutive checks
-/// of the same arm: computing the pairs takes about 40 ms, the rest of a check much less.
+/// of the same arm, because computing the pairs takes about 40 ms, much longer than the rest of a check.
 /// Threads  one at a time
 class NeverMeeting {
 private:
@@ -50,29 +50,29 @@ private:
 class CollisionCheck {
 public:
     /// safetyDistance  kept by obstruction() and jogs [m], 0 or more
-    /// known           reused, and computed again if the arm or the tool differs; null: computed for this
-    ///                 check only
+    /// known           pairs to reuse; recomputed if the arm or the tool differs. If null, the pairs
+    ///                 are computed for this check only.
     CollisionCheck(const RobotModel& model, const ToolBody& tool, Surroundings surroundings,
                    double safetyDistance = kSafetyDistance, NeverMeeting* known = nullptr);
 
     const Surroundings& surroundings() const { return surroundings_; }  ///< As passed to the constructor.
     double safetyDistance() const { return safetyDistance_; }           ///< As passed to the constructor [m].
 
-    // All of the following: threads any, several at once; never block. A position with a number that is not finite
-    // counts as in contact.
+    // All functions below can be called from several threads at once and never block. A position with a
+    // number that is not finite counts as a contact.
 
-    /// The contact in this position, if any.
-    /// Real-time: no (some ten microseconds)
+    /// The contact at this position, if any.
+    /// Real-time: no (about ten microseconds)
     std::optional<Contact> at(const JointPositions& q) const;
     /// The first contact on the path.
-    /// Real-time: no (a millisecond for a path across the cell)
+    /// Real-time: no (a millisecond for a path across the work cell)
     std::optional<Contact> along(std::span<const JointPositions> way) const;
     /// The first position on the path at which the safety distance is violated. If the path starts within the
-    /// safety distance, only positions closer than the start count, so that leaving is possible.
+    /// safety distance, only positions closer than the start count, so the arm can move away.
     /// Real-time: as along()
     std::optional<Contact> obstruction(std::span<const JointPositions> way) const;
 
-    /// True if the two bodies of this contact are closer than the safety distance in this position.
+    /// True if the two bodies of this contact are closer than the safety distance at this position.
     bool isInside(const JointPositions& q, const Contact& contact) const;
 
     /// The checked capsules in the frames of their links: first the arm, then the tool.
@@ -88,8 +88,8 @@ public:
         double margin = 0;      ///< safety distance between the two for obstruction() and jogs [m]
         /// Radius of the body about each joint axis; 0 if the joint has no effect [m].
         Vector6 radius = Vector6::Zero();
-        /// Ends of the capsule whose distance from the border is the same in all positions; they are not
-        /// checked.
+        /// True for an end of the capsule whose distance from the border is the same at all positions. Such
+        /// ends are not checked.
         bool fixedFrom = false;
         bool fixedTo = false;
     };
@@ -101,8 +101,9 @@ public:
     /// The capsules at the joint positions `q`.
     /// Real-time: yes (less than a microsecond)
     Placement place(const JointPositions& q) const;
-    /// Distance of a pair; negative for a penetration [m]. Beyond `enough` the result may be a cheaper lower bound.
-    /// Real-time: yes (some ten nanoseconds, a box some hundred)
+    /// Distance of a pair; negative for a penetration [m]. Beyond `enough` the result may be a lower bound,
+    /// which is cheaper to compute.
+    /// Real-time: yes (tens of nanoseconds; a few hundred for a box)
     double distance(const Pair& pair, const Placement& placement, double enough = 1e9) const;
 
 private:
@@ -120,7 +121,7 @@ private:
     void dropPairsThatNeverMeet(NeverMeeting* known);
     void dropWhatNeverNearsABorder();
     Vector6 radii(const LinkCapsule& body, int fromLink) const;
-    /// threshold(pair, initial distance): a smaller distance counts as contact.
+    /// threshold(pair, initial distance) returns the distance below which a pair counts as in contact.
     template <class Threshold>
     std::optional<Contact> first(std::span<const JointPositions> way, const Threshold& threshold) const;
 

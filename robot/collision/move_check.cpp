@@ -10,15 +10,15 @@
 namespace tiller::collision {
 namespace {
 
-constexpr int kJointPlaces = 48;       // TCP positions for drawing a joint move
+constexpr int kJointPlaces = 48;       // number of TCP positions for drawing a joint move
 constexpr double kStepLength = 0.005;  // step along a line [m]
 constexpr double kStepAngle = 0.02;    // [rad]
 constexpr int kMaxMoveSteps = 2000;
 constexpr double kJump = 0.5;  // joint change in one step that indicates another configuration [rad]
-// Same thresholds as the slow-down of a jog.
+// Same thresholds as for slowing down a jog.
 constexpr double kNearWrist = 0.03;     // |sin q5|
 constexpr double kNearElbow = 0.05;     // |sin q3|
-constexpr double kNearShoulder = 0.02;  // of the wrist centre from axis 1 [m]
+constexpr double kNearShoulder = 0.02;  // distance of the wrist centre from axis 1 [m]
 
 MoveLimit::Singular nearSingularity(const DhParameters& dh, const JointPositions& q, double widened) {
     const kinematics::SingularityMeasure measure = kinematics::singularityMeasure(dh, q);
@@ -28,13 +28,13 @@ MoveLimit::Singular nearSingularity(const DhParameters& dh, const JointPositions
                                                         : MoveLimit::Singular::None;
 }
 
-/// Index of a joint outside its range; -1 if there is none.
+/// Index of a joint outside its range, or -1.
 int outOfRange(const JointPositions& q) {
     int joint = 0;
     return q.values.cwiseAbs().maxCoeff(&joint) > kJointPositionLimit ? joint : -1;
 }
 
-/// Follows the line step by step, and returns where and why it ends early.
+/// Follows the line step by step, and returns where and why the motion ends early.
 std::optional<MoveLimit> followLine(const RobotModel& model, const Pose& tcpOffset, const Move& move,
                                     MoveReport& report) {
     const Pose start = kinematics::forwardTcp(model.dh, move.from, tcpOffset);
@@ -64,7 +64,7 @@ std::optional<MoveLimit> followLine(const RobotModel& model, const Pose& tcpOffs
         }
         int joint = 0;
         if ((next->values - before.values).cwiseAbs().maxCoeff(&joint) > kJump) {
-            // A full turn means that the joint would have exceeded its range.
+            // A full turn indicates that the joint would have exceeded its range.
             limit.kind = std::abs(next->values[joint] - before.values[joint]) > 6.0
                              ? MoveLimit::Kind::JointRange
                              : MoveLimit::Kind::Singularity;
@@ -95,7 +95,8 @@ std::optional<MoveLimit> collisionOn(const RobotModel& model, const CollisionChe
     MoveLimit limit;
     limit.kind = MoveLimit::Kind::Collision;
     limit.isInside = check.isInside(way.front(), *near);
-    // A later contact is more informative than the position at which the safety distance is violated.
+    // If there is a contact later on the path, it is more informative than the point where the safety
+    // distance is violated.
     const std::optional<Contact> contact = limit.isInside ? std::nullopt : check.along(way);
     limit.contact = contact && contact->at > 0 ? *contact : *near;
     limit.safetyDistance = check.safetyDistance();
@@ -143,7 +144,7 @@ MoveReport examineMove(const RobotModel& model, const CollisionCheck& check, con
     turns.cwiseAbs().maxCoeff(&report.largestTurnJoint);
     report.largestTurn = turns[report.largestTurnJoint];
 
-    // Computed for the whole line, so that shares refer to the requested move.
+    // Computed for the whole line, so that `share` refers to the requested move.
     const bool endsBefore = report.limit && report.limit->ends();
     const double followed = move.linear && endsBefore ? report.limit->share : 1.0;
     if (std::optional<MoveLimit> limit = collisionOn(model, check, tcpOffset, report.way)) {

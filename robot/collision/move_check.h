@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Examines a complete move before it is executed: its path, duration and joint rotations, and the first limitation.
+// Examines a complete move before it is executed: path, duration, joint rotations and the first limitation.
 
 #include <optional>
 #include <span>
@@ -16,7 +16,7 @@ struct Move {
     JointPositions from;
     JointPositions to;  ///< for a line: the TCP moves to the pose of these positions, in any configuration
     bool linear = false;
-    double speed = 1.05;        ///< [rad/s] of the joint with the largest rotation, or [m/s] when linear
+    double speed = 1.05;        ///< [rad/s] of the joint with the largest rotation, or [m/s] for a line
     double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
 };
 
@@ -26,7 +26,7 @@ struct MoveLimit {
         OutOfReach,       ///< the line leaves the workspace
         JointRange,       ///< a joint would exceed its range
         Singularity,      ///< the line passes through a singularity and cannot be followed
-        NearSingularity,  ///< the line can be followed, but joints become fast: the arm slows down
+        NearSingularity,  ///< the line can be followed, but the arm slows down because joints become fast
         Collision,
     };
     enum class Singular { None, Wrist, Elbow, Shoulder };
@@ -39,12 +39,12 @@ struct MoveLimit {
     double share = 0;           ///< position along the path, 0 ... 1
     Pose tcp;                   ///< pose at this position, base frame
 
-    /// True if the move ends at the limitation. Near a singularity it only slows down.
+    /// True if the move ends at the limitation. Near a singularity the move only slows down.
     bool ends() const { return kind != Kind::NearSingularity; }
 };
 
 struct MoveReport {
-    std::vector<JointPositions> way;  ///< up to the end that can be reached; uniform joint motion in between
+    std::vector<JointPositions> way;      ///< up to the reachable end; joints move uniformly in between
     std::vector<Eigen::Vector3d> places;  ///< positions of the TCP, base frame [m]
     int largestTurnJoint = 0;             ///< 0 ... 5
     double largestTurn = 0;               ///< from start to end, with sign [rad]
@@ -52,13 +52,14 @@ struct MoveReport {
     std::optional<MoveLimit> limit;
 };
 
-/// The first collision on a path with uniform joint motion between its positions; empty if the path is free.
+/// The first collision on a path. All joints move uniformly between its positions. Empty if the path is free.
 /// Threads  any. Blocks: never. Real-time: no (a millisecond)
 std::optional<MoveLimit> collisionOn(const RobotModel& model, const CollisionCheck& check,
                                      const Pose& tcpOffset, std::span<const JointPositions> way);
 
-/// check          for the arm, its tool and the surroundings, with the safety distance. A move that leaves the
-///                safety distance is not a collision: see CollisionCheck::obstruction().
+/// check          for the arm, its tool and the surroundings, with the safety distance. A move that starts
+///                within the safety distance and leaves it is not a collision, see
+/// CollisionCheck::obstruction().
 /// tcpOffset      flange to TCP [m, rad]
 /// speedFraction  speed slider, 0 < fraction <= 1
 /// Threads  any. Blocks: never. Real-time: no (a millisecond; ten for a line)

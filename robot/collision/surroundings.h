@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Obstacles in the base frame and the tool, for the collision check.
+// Obstacles in the base frame, and the tool, for the collision check.
 
 #include <QString>
 #include <vector>
@@ -13,11 +13,11 @@ namespace tiller::collision {
 /// A solid box.
 struct Obstacle {
     QString name;
-    Pose pose;  ///< of the centre; the edges are parallel to its axes [m, rad]
+    Pose pose;  ///< pose of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
 };
 
-/// A plane: the XY plane of its pose; the arm stays on the +Z side.
+/// A plane that the arm must not cross: the XY plane of its pose. The arm stays on the +Z side.
 struct Border {
     QString name;  ///< empty: the floor
     Pose pose;     ///< [m, rad]
@@ -34,7 +34,7 @@ inline constexpr double kSafetyDistance = 0.010;
 /// A cylinder from the flange to the TCP.
 struct ToolBody {
     Pose tcpOffset;     ///< flange to TCP [m, rad]
-    double radius = 0;  ///< [m]; 0: no body
+    double radius = 0;  ///< [m]; 0: no tool body
 };
 
 /// An object whose position is unknown, because the project does not contain its reference frame.
@@ -44,10 +44,10 @@ struct UnplacedObject {
     friend bool operator==(const UnplacedObject&, const UnplacedObject&) = default;
 };
 
-/// The surroundings of an arm.
+/// Surroundings of an arm, including objects that cannot be placed.
 struct CellSurroundings {
     Surroundings around;
-    std::vector<UnplacedObject> unplaced;     ///< cannot be checked: moves are refused until there are none
+    std::vector<UnplacedObject> unplaced;     ///< not checkable; moves are refused unless empty
     double toolRadius = 0;                    ///< as ToolBody::radius [m]
     double safetyDistance = kSafetyDistance;  ///< for moves and jogs [m]
 };

@@ -2,8 +2,10 @@
 #include "robot/control/abandoned_program.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
+#include "robot/control/detail/control_script.h"
 #include "robot/control/detail/registers.h"
 #include "robot/rtde/fields.h"
 
@@ -11,13 +13,20 @@ namespace tiller::control {
 
 namespace {
 
-// Minimum of ABANDONED in control.script [s].
-constexpr double kAbandonedAfter = 0.5;
-// Duration of the proof [s]; a constant number is detected within half of it.
+// Lower limit of ABANDONED in control.script [s].
+constexpr double kAbandonedAfter = std::chrono::duration<double>(kMinAbandonedAfter).count();
+// Time for which the value must increase with the robot's time [s]. A constant value is detected within half
+// of this time.
 constexpr double kProofTime = 0.05;
-// The number is written up to two control periods of a CB3 late; a script may be a little slower than the clock.
+// The value is written up to two control periods of a CB3 late, and a script may run slightly slower than the
+// clock.
 constexpr double kDelay = 0.02;
 constexpr double kDrift = 0.1;
+
+/// True if a number that grew by this amount [s] follows the robot's time.
+bool follows(double growth, double passed) {
+    return std::abs(growth - passed) <= kDelay + kDrift * passed;
+}
 
 }  // namespace
 
@@ -34,12 +43,14 @@ void AbandonedProgram::add(double timestamp, RuntimeState runtime, const std::ar
         Count& count = counts_[i];
         const bool isAbandoned = runtime == RuntimeState::Playing && value >= kAbandonedAfter;
         const double passed = timestamp - count.compared;
+        // The delay is permitted once in total, not again in every comparison.
         const bool grows = count.active && timestamp >= count.newest &&
-                           std::abs(value - count.value - passed) <= kDelay + kDrift * passed;
+                           follows(value - count.value, passed) &&
+                           follows(value - count.first, timestamp - count.since);
         if (!isAbandoned) {
             count = {};
         } else if (!grows) {
-            count = {true, timestamp, timestamp, timestamp, value};
+            count = {true, timestamp, timestamp, timestamp, value, value};
         } else {
             count.newest = timestamp;
             if (passed >= kProofTime) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Queries answered by the robot itself, based on its calibration, limits and sensors.
+// Queries that the robot answers from its calibration, limits and sensors.
 
 #include <optional>
 #include <variant>
@@ -13,7 +13,7 @@
 namespace tiller::control {
 
 struct InverseOptions {
-    /// initial guess: returns the solution nearest to these positions; empty: nearest to the current ones
+    /// Initial guess: the solution nearest to these positions is returned. Empty: the current positions.
     std::optional<JointPositions> near = {};
     double maxPositionError = 1e-10;     ///< [m]
     double maxOrientationError = 1e-10;  ///< [rad]
@@ -26,34 +26,35 @@ public:
     explicit ArmQueries(Controller& controller) : controller_(&controller) {}
 
     /// Errors  also NoSolution
-    /// Source  URScript get_inverse_kin; the following functions use the URScript function of the same name
+    /// Source  URScript get_inverse_kin. Each of the following functions uses the URScript function of the
+    ///         same name
     Result<JointPositions> inverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                              const Deadline& deadline);
-    /// Whether a solution exists; errors as inverseKinematics().
+    /// Whether a solution exists. Errors: as inverseKinematics().
     Result<bool> hasInverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                       const Deadline& deadline);
     /// q, tcp   empty: the current values
     /// Returns  pose of the TCP in the base frame
     Result<Pose> forwardKinematics(const std::optional<JointPositions>& q, const std::optional<Pose>& tcp,
                                    const Deadline& deadline);
-    /// For a TCP pose in the base frame [m, rad].
+    /// Checks a TCP pose in the base frame [m, rad].
     Result<bool> isWithinSafetyLimits(const Pose& tcpPose, const Deadline& deadline);
-    /// For joint positions [rad].
+    /// Checks joint positions [rad].
     Result<bool> isWithinSafetyLimits(const JointPositions& q, const Deadline& deadline);
-    /// Torques without gravity and friction [Nm].
+    /// Joint torques without gravity and friction [Nm].
     Result<JointTorques> jointTorques(const Deadline& deadline);
     /// True if the arm has been at standstill for half a second.
     Result<bool> isSteady(const Deadline& deadline);
-    /// Returns  the number of control periods since the contact began; 0: no contact. Since 5.4
+    /// Returns  the number of control periods since the start of the contact, 0 without contact. Since 5.4
     Result<int> toolContact(const Twist& direction, const Deadline& deadline);
-    /// TCP pose of the target of the current move. Since 5.3
+    /// Target TCP pose of the current move. Since 5.3
     Result<Pose> targetWaypoint(const Deadline& deadline);
     /// steps  number of control periods in the past, 0 or more. Since 5.4
     Result<JointPositions> jointPositionsHistory(int steps, const Deadline& deadline);
     Result<double> stepTime(const Deadline& deadline);  ///< control period [s]
     Result<Pose> tcpOffset(const Deadline& deadline);   ///< T_flange_tcp
     Result<Pose> flangePose(const Deadline& deadline);  ///< T_base_flange
-    /// 0 normal, 1 near a singularity, 2 too near one. Since 5.10
+    /// 0: normal, 1: near a singularity, 2: too close to a singularity. Since 5.10
     Result<int> freedriveStatus(const Deadline& deadline);
 
 private:

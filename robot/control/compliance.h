@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Compliant behaviour of the arm: force mode, freedrive and contact detection.
+// Compliance of the arm: force mode, freedrive and contact detection.
 
 #include <array>
 #include <cstdint>
@@ -20,23 +20,23 @@ struct ForceMode {
         Simple = 2,         ///< equal to the task frame
         Motion = 3,         ///< x is the TCP velocity projected onto the x-y plane of the task frame
     };
-    Pose taskFrame;                   ///< base frame
-    std::array<bool, 6> compliant{};  ///< per axis of the force frame
-    Wrench wrench;                    ///< target on the compliant axes [N, Nm]
+    Pose taskFrame;                   ///< in the base frame
+    std::array<bool, 6> compliant{};  ///< for each axis of the force frame
+    Wrench wrench;                    ///< target force and torque on the compliant axes [N, Nm]
     Type type = Type::Simple;
-    /// Compliant axes: maximum speed [m/s, rad/s]; others: maximum deviation [m, rad]. All > 0
+    /// Compliant axes: maximum speed [m/s, rad/s]. Other axes: maximum deviation [m, rad]. All values > 0.
     std::array<double, 6> limits{};
 };
 
 enum class AfterContact : std::uint8_t {
-    Stand,   ///< stop
-    Return,  ///< stop, then return to the pose at the first contact
+    Stand,   ///< stop only
+    Return,  ///< stop, then return to the pose of the first contact
 };
 
 struct Freedrive {
     std::array<bool, 6> freeAxes{true, true, true, true, true, true};
-    /// Frame of the axes, in the base frame. Software before 5.10 ignores axes and frame. Source: URScript
-    /// freedrive_mode
+    /// Frame of the axes, relative to the base frame. Software before 5.10 ignores the axes and the frame.
+    /// Source: URScript freedrive_mode
     Pose feature;
 };
 
@@ -46,12 +46,12 @@ struct Freedrive {
 class Compliance {
 public:
     explicit Compliance(Controller& controller) : controller_(&controller) {}
-    /// As Motions(controller, stops): setForceMode() fails with Stopped if a stop occurred after
+    /// As for Motions(controller, stops), setForceMode() fails with Stopped if a stop occurred after
     /// Controller::stops() returned `stops`.
     Compliance(Controller& controller, std::uint64_t stops) : controller_(&controller), stops_(stops) {}
 
-    /// Starts or changes force mode, which lasts until endForceMode(), a stop of the controller, or 100 ms without
-    /// connection. Motions are possible meanwhile.
+    /// Starts force mode or changes its parameters. Force mode ends with endForceMode(), a stop of the
+    /// controller, or 100 ms without connection. Motions are possible in force mode.
     Result<void> setForceMode(const ForceMode& mode, const Deadline& deadline);
     Result<void> endForceMode(const Deadline& deadline);  ///< Ends force mode.
     /// 0 ... 1. Since 3.5
@@ -59,8 +59,8 @@ public:
     /// 0 ... 2. Since 5.0
     Result<void> setForceGainScaling(double scaling, const Deadline& deadline);
 
-    /// The arm can be moved by hand until the motion is cancelled or, if held, is not refreshed for 100 ms
-    /// (Motion::refresh).
+    /// The arm can be moved by hand until the motion is cancelled. A Held motion also ends if it is not
+    /// refreshed for 100 ms (Motion::refresh).
     Result<Motion> startFreedrive(const Freedrive& freedrive = {}, Holding holding = Holding::Free);
     /// Freedrive on all axes, supported by all software versions. Source: URScript teach_mode
     Result<Motion> startTeachMode(Holding holding = Holding::Free);
@@ -68,11 +68,11 @@ public:
     /// Starts contact detection; on contact the current motion ends with StopCause::Contact. Existing
     /// contacts are ignored.
     /// direction  base frame; zeros: direction of the tool motion. Since 5.4
-    /// after      reaction of the arm; it is part of the motion, and any stop ends it
+    /// after      reaction to the contact; it is part of the motion and ends with any stop
     Result<void> startContactDetection(const Twist& direction, const Deadline& deadline,
                                        AfterContact after = AfterContact::Stand);
-    Result<bool> hasContact(const Deadline& deadline);  ///< Since the start of the detection.
-    /// Returns  whether a contact occurred
+    Result<bool> hasContact(const Deadline& deadline);  ///< Counts from the start of the detection.
+    /// Returns  true if a contact occurred
     Result<bool> endContactDetection(const Deadline& deadline);
 
 private:

@@ -14,7 +14,7 @@ namespace tiller::control {
 
 namespace {
 
-// Maximum time for the last commands to reach the control program before the connection ends.
+// Maximum time for the last commands to reach the control program before the connection is closed.
 constexpr std::chrono::milliseconds kLastWords(160);
 
 Error stoppedBefore(const QString& context) {
@@ -60,7 +60,7 @@ Result<void> Controller::joinProgram(const Deadline& deadline) {
 
 Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
     disconnect();
-    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // pulses have ended with the previous program
+    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // pulses ended with the previous program
     auto taken = connect(deadline, join);
     if (!taken) {
         disconnect();
@@ -69,7 +69,7 @@ Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
     return taken;
 }
 
-// Each step has a specific error.
+// Each step reports its own error.
 Result<void> Controller::Private::connect(const Deadline& deadline, bool join) {
     if (const Error error = checkLimits(options.limits, "take control"); error.code != ErrorCode::None) {
         return error;
@@ -142,7 +142,8 @@ void Controller::release() {
     d_->end([this] {
         stop(StopCause::ControlLost);
         d_->loop.requestEnd();
-        // Sufficient for standstill after a jog; after a longer path the arm decelerates without supervision.
+        // Sufficient for standstill after a jog. After a longer path, the rest of the deceleration is
+        // unsupervised.
         waitUntil(Deadline::after(kLastWords), [this] { return !d_->isInControl(); });
     });
 }
@@ -159,11 +160,11 @@ void Controller::leave(Supervision supervision) {
         stopEndless();
         d_->loop.permitFinish();
         d_->link.wake();
-        // Typically 5 ms. If the robot hangs, its program ends the motion by itself.
+        // Typically 5 ms. If the robot does not respond, its program ends the motion by itself.
         waitUntil(Deadline::after(kLastWords),
                   [this] { return !d_->isInControl() || d_->loop.isFinishPermitted(); });
     });
-    stop(StopCause::ControlLost);  // Completes waiting calls: no further data arrive.
+    stop(StopCause::ControlLost);  // Completes waiting calls, because no further data arrive.
 }
 
 Error Controller::Private::obstacle(const QString& context) const {
@@ -183,7 +184,7 @@ Error Controller::Private::obstacle(const QString& context) const {
     if (status.roundTripMs > static_cast<double>(options.dataTimeout.count())) {
         return {
             ErrorCode::LinkLost, context,
-            QStringLiteral("commands take %1 ms to the robot and back").arg(status.roundTripMs, 0, 'f', 0)};
+            QStringLiteral("commands have a round-trip time of %1 ms").arg(status.roundTripMs, 0, 'f', 0)};
     }
     return {};
 }
@@ -194,7 +195,7 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
     if (id == kNoMotion) {
         return stoppedBefore(context);
     }
-    // Control may have ended since the check; in that case this motion has to be ended here.
+    // Control may have been lost since the check. In that case this motion must be ended here.
     if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());
         return Error{ErrorCode::NotInControl, context, {}};
@@ -237,7 +238,7 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
     if (auto sent = program.restart(section, name, deadline); !sent) {
         Error error = sent.error();
         error.context = context;
-        // A section that does not compile must not cause a loss of control.
+        // If the section does not compile, continue with the plain control program to keep control.
         if (error.code == ErrorCode::ScriptError) {
             if (auto back = program.restart({}, {}, deadline); !back) {
                 error.controllerMessage +=
@@ -278,7 +279,7 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
 
 std::uint64_t Controller::stop(StopCause cause) {
     const std::uint64_t epoch = d_->mailbox.stop(cause, d_->now());
-    d_->loop.permitForce(false);  // After the stop: see setForceMode().
+    d_->loop.permitForce(false);  // After the stop: see setForceMode()
     d_->link.wake();
     return epoch;
 }
@@ -335,7 +336,7 @@ Result<void> Controller::setSpeedCap(double metresPerSecond) {
         return check.error();
     }
     if (metresPerSecond != d_->loop.speedCap()) {
-        // The order matters: a motion started in between has the new cap, or is stopped.
+        // The order matters: a motion that starts in between either uses the new cap or is stopped.
         d_->loop.setSpeedCap(metresPerSecond);
         stop(StopCause::SelectionChanged);
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Takes control of the arm, stops it and releases control; motions.h moves it. The controller uploads the control
-// program once and commands it through RTDE registers. Every failure (released key, blocked user interface, crashed
-// process, disconnected cable) stops the arm.
+// Takes control of the arm, stops the arm and releases control. Motions are started with motions.h. The
+// controller uploads the control program once and sends commands through RTDE registers. Every failure
+// (released key, blocked user interface, crashed process, disconnected cable) stops the arm.
 //
-// Rules: there is one command slot, the last command wins, nothing is queued. The number of a motion is also its
-// epoch; every stop increments the epoch, so that no earlier command can move the arm afterwards. A held motion
-// ends if it is not refreshed for 100 ms. Nothing resumes automatically.
+// There is one command slot: the last command wins and nothing is queued. The number of a motion is also its
+// epoch. Every stop increments the epoch, so that no earlier command can move the arm afterwards. A Held
+// motion ends if it is not refreshed for 100 ms. Nothing resumes automatically.
 
 #include <QString>
 #include <chrono>
@@ -34,12 +34,12 @@ namespace tiller::control {
 
 /// General purpose registers used by the control program.
 enum class RegisterRange : std::uint8_t {
-    Lower,  ///< 0-23: all software versions; possibly used by a fieldbus
+    Lower,  ///< 0-23: all software versions; may be used by a fieldbus
     Upper,  ///< 24-47: intended for external clients; software 3.9 / 5.3 and later
 };
 
-/// Force mode parameters; empty: value of the robot.
-/// Source: URScript force_mode_set_damping, force_mode_set_gain_scaling
+/// Force mode parameters; empty: the robot's setting. Source: URScript force_mode_set_damping,
+/// force_mode_set_gain_scaling
 struct ForceSettings {
     std::optional<double> damping;      ///< 0 ... 1
     std::optional<double> gainScaling;  ///< 0 ... 2
@@ -47,50 +47,51 @@ struct ForceSettings {
 
 struct ControllerOptions {
     Text host = QStringLiteral("127.0.0.1");
-    int portOffset = 0;   ///< added to 30001 and 30004
+    int portOffset = 0;   ///< added to the ports 30001 and 30004
     int primaryPort = 0;  ///< 0: 30001 + portOffset
     int rtdePort = 0;     ///< 0: 30004 + portOffset
     const Clock* clock = &SteadyClock::shared();
     RegisterRange registers = RegisterRange::Upper;
     int priority = 85;  ///< SCHED_FIFO priority; 0: unchanged
-    /// CPUs of the control thread, counted from 0; empty: chosen by the system. At a real-time priority use only
-    /// the CPU of the receiver: waking up on another CPU takes longer.
+    /// CPUs of the control thread, counted from 0; empty: chosen by the system. At a real-time priority, use
+    /// only the CPU of the receiver thread, because waking up on another CPU takes longer.
     std::vector<int> cpus = {};
     MotionLimits limits = {};
     /// Model used by the limiter until the controller has reported its own dimensions.
     RobotModelId model = RobotModelId::UR5e;
-    /// Maximum age of the data and maximum response time. If exceeded, the active motion ends; a move with a longer
-    /// timeout (MoveParameters::silence) ends after that. While the data are older, status() reports no control.
-    /// The robot itself always ends a motion after 100 ms without a heartbeat, or after the timeout of the move. A
-    /// program without hold-to-run operation may use a larger value, so that short delays of this computer that the
-    /// robot does not notice have no effect.
+    /// Maximum age of the data and maximum response time. If either is exceeded, the active motion ends; a
+    /// move with a longer timeout (MoveParameters::silence) ends after its own timeout. While the data are
+    /// too old, status() reports no control. The robot itself always ends a motion after 100 ms without a
+    /// heartbeat, or after the timeout of the move. A program without hold-to-run operation may use a larger
+    /// value to tolerate short delays of this computer that the robot does not notice.
     std::chrono::milliseconds dataTimeout{100};
     /// The connection is closed and control is lost (ControlLoss::LinkLost) if no data arrive for this time.
     /// The controller does not wait for a TCP error, because there is none after a power failure or if the
-    /// peer has forgotten the connection. The timeout is never shorter than `dataTimeout`, than the timeout
-    /// of the active move (MoveParameters::silence), or than 2 s while a control program is being sent
-    /// (takeControl(), paths, functions). 0: no timeout.
+    /// peer has discarded the connection. The effective timeout is never shorter than `dataTimeout`, than the
+    /// timeout of the active move (MoveParameters::silence), or than 2 s while a control program is being
+    /// sent (takeControl(), paths, functions). 0: no timeout.
     std::chrono::milliseconds connectionTimeout{450};
-    /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. If false, or
-    /// if force mode, freedrive or teach mode might continue during the pause, the program is stopped.
+    /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. The
+    /// program is stopped if this is false, or if force mode, freedrive or teach mode might continue during
+    /// the pause.
     bool keepPaused = false;
-    /// Transfers the control program to the robot. Empty: sent to the primary interface.
+    /// Transfers the control program to the robot. Empty: the program is sent to the primary interface.
     std::function<Result<void>(const QString& program, const Deadline& deadline)> deliver = {};
-    /// False: takeControl() does not wait for the program, which is started later by other means.
+    /// False: takeControl() does not wait for the program, because it is started later by other means.
     bool awaitProgram = true;
     /// Applied at the start of the control program.
     ForceSettings force = {};
-    /// RTDE outputs to receive in the packets of the control connection, in addition to those that the controller
-    /// needs: see CycleState::packet. takeControl() fails with FieldUnknown if one is not an RTDE output; outputs
-    /// that the robot does not have are missing in the packets.
+    /// Additional RTDE outputs to receive on the control connection: see CycleState::packet. takeControl()
+    /// fails with FieldUnknown if a name is not an RTDE output. Outputs that the robot does not have are
+    /// missing in the packets.
     std::vector<std::string> fields = {};
 };
 
-/// Owns the thread "control", SCHED_FIFO at ControllerOptions::priority if permitted. It is started by
-/// takeControl(), and ended by release(), the loss of the connection, or the destructor. Inputs of the thread: the
-/// epoch (an atomic word), the newest command (a triple buffer) and the time of the last refresh. Output: the
-/// status (a seqlock). The thread reads and writes the RTDE socket and answers each data package with one input
-/// package; if the stream stalls, a timer takes over, so that a stop is still sent.
+/// Owns the thread "control" (SCHED_FIFO at ControllerOptions::priority if permitted). takeControl() starts
+/// the thread; release(), the loss of the connection, or the destructor ends it. Its inputs are the epoch (an
+/// atomic word), the newest command (a triple buffer) and the time of the last refresh. Its output is the
+/// status (a seqlock). The thread reads and writes the RTDE socket and answers each data package with one
+/// input package. If the stream stalls, a timer takes over, so that a stop is still sent.
 class Controller {
 public:
     explicit Controller(const ControllerOptions& options);
@@ -98,8 +99,8 @@ public:
     Controller(const Controller&) = delete;
     Controller& operator=(const Controller&) = delete;
 
-    /// Connects, sets up the registers, uploads the control program and waits for its response. Returns immediately
-    /// if already in control. After a loss of control, only this call restores it.
+    /// Connects, sets up the registers, uploads the control program and waits for its response. Returns
+    /// immediately if already in control. Only this call restores control after it was lost.
     /// Errors   HostUnreachable, ConnectionRefused, Timeout, Cancelled, RegisterInUse, FieldUnknown, UnsafeState,
     ///          RemoteControlRequired, ScriptError, ProtocolError, LinkLost; InvalidArgument and LimitExceeded for
     ///          invalid ControllerOptions::limits; FieldUnknown for ControllerOptions::fields with each name that
@@ -107,61 +108,60 @@ public:
     /// Threads  any but the control thread; one at a time. Blocks: until the deadline
     Result<void> takeControl(const Deadline& deadline);
 
-    /// Takes control of a running control program without sending one: the program of a client that has left
-    /// (leave()), or the program of this controller after a pause.
+    /// Takes control of a running control program without sending one: either the program of a client that
+    /// has called leave(), or the program of this controller after a pause.
     /// Errors   as takeControl(); NotInControl if the running program is not a control program
     /// Threads  as takeControl()
     Result<void> joinProgram(const Deadline& deadline);
 
     /// Closes the connection and leaves the control program running for another client (joinProgram()).
-    /// supervision  Heartbeat: ends the active motion. Unattended: a current move or path continues to its target
-    ///              without a client that could stop it; all other motions end, including force mode
-    /// Threads      and blocking as release()
+    /// supervision  Heartbeat: the active motion ends. Unattended: an active move or path continues to its
+    ///              target without a client that could stop it; all other motions and force mode end
+    /// Threads      as release(). Blocks: as release()
     void leave(Supervision supervision = Supervision::Heartbeat);
 
     /// Ends the active motion and the control program, and closes the connection. Cancels waiting calls
     /// (takeControl() and all functions that send programs) through the token of their deadline.
-    /// Threads  any but the control thread. Blocks: 250 ms at most, independent of the peer; the robot decelerates
-    ///          by itself
+    /// Threads  any but the control thread. Blocks: 250 ms at most, even if the robot does not respond; the
+    ///          robot decelerates by itself
     void release();
 
-    // Threads of all following functions: any. They never block (callers wait about 100 ns for each other while
-    // copying a command; stop() does not wait).
+    // Threads of all following functions: any. They never block. Callers may wait about 100 ns for each other
+    // while copying a command; stop() does not wait.
 
-    /// Ends the active motion and force mode. After the return, no earlier command can move the arm.
-    /// Returns  the epoch of this stop. When ControllerStatus::restingEpoch has reached this value, the control
+    /// Ends the active motion and force mode. After this call returns, no earlier command can move the arm.
+    /// Returns  the epoch of this stop. Once ControllerStatus::restingEpoch reaches this value, the control
     ///          program has confirmed standstill
     std::uint64_t stop(StopCause cause = StopCause::ApiCall);
-    /// Number of stops so far, from any source. The end of a single motion and its replacement by another one do
-    /// not count. Read this value before preparing a motion that must not start after a stop: see Motions.
+    /// Number of stops so far, from any source. Ending or replacing a single motion does not count. Read this
+    /// value before preparing a motion that must not start after a stop: see Motions.
     std::uint64_t stops() const;
-    /// Ends this motion, but not a later one.
+    /// Ends this motion. Does not affect a later one.
     /// Returns  false if it has already ended
     bool end(MotionId motion, StopCause cause);
 
     MotionState motionState(MotionId motion) const;  ///< Phase, and the cause after the end.
-    /// Threads  any with a real-time priority below that of the control thread: on the same CPU, a thread with
-    ///          higher priority could preempt a write and wait for its end forever
+    /// Threads  any with a real-time priority below that of the control thread: a thread with higher priority
+    ///          on the same CPU could preempt a write and then wait forever for its completion
     ControllerStatus status() const;
     MotionLimits limits() const;  ///< Includes the current speed cap [m/s].
-    /// Limits of the joints, from the configuration of the arm once control has been taken.
+    /// Joint limits. Read from the configuration of the arm when control is taken.
     JointLimits jointLimits() const;
     /// Local port of the connection; 0 if not connected.
     /// Threads  any. Blocks: never
     std::uint16_t localPort() const;
-    bool isConnected() const;  ///< Whether the connection is open, with or without control.
+    bool isConnected() const;  ///< True if the connection is open, with or without control.
     /// Sets the speed cap of TCP and elbow [m/s]; initially ControllerOptions::limits, 0.25 by default. A
-    /// change ends the active motion (StopCause::SelectionChanged), so that no motion continues under a cap
-    /// it was not started with.
-    /// Errors   InvalidArgument (not a number, or not above 0), LimitExceeded (above 3 m/s: probably
-    ///          millimetres)
+    /// change ends the active motion (StopCause::SelectionChanged), so that no motion continues with a cap
+    /// that differs from the cap at its start.
+    /// Errors   InvalidArgument (NaN, or not above 0), LimitExceeded (above 3 m/s: probably in mm/s)
     Result<void> setSpeedCap(double metresPerSecond);
     /// All jogs slow down and end at the safety distance from the objects of this check: the arm itself, its
-    /// tool and its surroundings. Motion away from an object remains possible. Null: no check. Moves, paths
+    /// tool and its environment. Motion away from an object remains possible. Null: no check. Moves, paths
     /// and streams are not checked: see collision::CollisionCheck::obstruction.
     /// Threads  any; one at a time. Blocks: never
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check);
-    /// Of the robot at the last takeControl(); zeros before.
+    /// Software version of the robot at the last takeControl(); zeros before.
     SoftwareVersion version() const;
 
     struct Private;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The handle of a jog: a velocity that has to be refreshed continuously.
+// The handle of a jog: a velocity that must be refreshed continuously.
 
 #include "robot/control/motion.h"
 
@@ -11,10 +11,10 @@ namespace tiller::control {
 /// Threads  any. The controller must outlive it.
 class Jog : public Motion {
 public:
-    Jog() = default;  ///< An ended jog.
+    Jog() = default;  ///< Creates an ended jog.
 
     using Motion::refresh;
-    /// Keeps the jog active with a new target. A target with NaN ends it.
+    /// Keeps the jog active with a new target. A target that contains NaN ends the jog.
     /// Returns  false if the jog has ended, e.g. because this call came too late
     /// Blocks   never
     bool refresh(const JogTarget& target) const;

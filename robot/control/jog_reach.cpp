@@ -11,14 +11,14 @@
 namespace tiller::control {
 namespace {
 
-// Speeds of the simulation. A slower jog ends closer to the limits by some tenths of a millimetre.
+// Speeds of the simulation. A slower jog ends some tenths of a millimetre closer to the limits.
 constexpr double kFollowSpeed = 0.25;                      // [m/s]
 constexpr double kFollowTurnSpeed = std::numbers::pi / 4;  // [rad/s]
-constexpr double kFollowStep = 0.010;                      // without limits nearby [m]
+constexpr double kFollowStep = 0.010;                      // [m], without limits nearby
 constexpr double kFollowTurnStep = 0.030;                  // [rad]
-constexpr double kSlowedStep = 0.2;                        // fraction of a step where the jog is slowed down
+constexpr double kSlowedStep = 0.2;  // fraction of a step used where the jog is slowed down
 constexpr double kSlowed = 0.7;
-constexpr int kFollowHalvings = 12;  // bisections of the final step
+constexpr int kFollowHalvings = 12;  // number of bisections of the final step
 // A larger joint change in one step indicates a singularity [rad].
 constexpr double kFollowJump = 0.5;
 
@@ -58,7 +58,7 @@ JogReach jogReach(const JogConditions& arm, const JointPositions& q, const Pose&
         JointPositions q;
         Limiter limiter;
     };
-    // Empty if the position is unreachable, or only reachable with a jump.
+    // Empty if the position is unreachable, or reachable only with a jump.
     const auto placeAt = [&](double gone, const JointPositions& near) -> std::optional<Place> {
         const Pose pose = movedBy(start, direction, gone);
         // Joint ranges are ignored here: the limiter checks them.

@@ -31,7 +31,7 @@ double distance(const std::array<double, 6>& a, const std::array<double, 6>& b, 
     return std::sqrt(sum);
 }
 
-/// The error returned to a waiting caller if the motion did not reach its target.
+/// Error returned to a waiting caller if the motion did not reach its target.
 Error errorOf(StopCause cause, MotionKind kind) {
     const QString context = QStringLiteral("wait for a motion");
     switch (cause) {
@@ -44,19 +44,19 @@ Error errorOf(StopCause cause, MotionKind kind) {
                     QStringLiteral("a target was farther away than the arm can move in one step")};
         case StopCause::LinkLost:
             return {ErrorCode::LinkLost, context,
-                    QStringLiteral("the connection ended, or the control program no longer answered")};
+                    QStringLiteral("the connection ended, or the control program stopped responding")};
         case StopCause::DataStale:
             return {ErrorCode::LinkLost, context,
                     QStringLiteral(
-                        "the robot's data arrived too late; real-time priority helps on a busy computer")};
+                        "the robot's data arrived too late; use real-time priority on a busy computer")};
         case StopCause::ControlLost:
             return {ErrorCode::NotInControl, context, QStringLiteral("the control program ended")};
         case StopCause::Superseded:
-            return {ErrorCode::Stopped, context, QStringLiteral("another motion replaced it")};
+            return {ErrorCode::Stopped, context, QStringLiteral("another motion replaced this motion")};
         case StopCause::Contact:
             return {ErrorCode::Stopped, context, QStringLiteral("contact")};
         case StopCause::EventLoopStalled:
-            return {ErrorCode::Stopped, context, QStringLiteral("it was not refreshed in time")};
+            return {ErrorCode::Stopped, context, QStringLiteral("the motion was not refreshed in time")};
         case StopCause::LimitReached:
             if (kind == MotionKind::Torque) {
                 return {ErrorCode::LimitExceeded, context,
@@ -65,7 +65,7 @@ Error errorOf(StopCause cause, MotionKind kind) {
             }
             return {ErrorCode::Stopped, context, QStringLiteral("a limit was reached")};
         default:
-            return {ErrorCode::Stopped, context, QStringLiteral("it was stopped")};
+            return {ErrorCode::Stopped, context, QStringLiteral("the motion was stopped")};
     }
 }
 
@@ -78,7 +78,7 @@ MotionState Motion::state() const {
     if (kind_ != MotionKind::Stop) {
         return controller_->motionState(id_);
     }
-    // Late data alone do not end the wait: the stop may still be confirmed.
+    // Late data alone do not end the wait, because the stop may still be confirmed.
     const ControllerStatus status = ControllerAccess::of(*controller_).loop.status();
     if (!status.inControl) {
         return {MotionPhase::Ended, StopCause::ControlLost};
@@ -154,7 +154,7 @@ Result<void> Motion::wait(const Deadline& deadline) const {
         return {};
     }
     if (controller_ != nullptr && runsSection(kind_) && now.cause == StopCause::ControlLost) {
-        // The controller's message arrives slightly later on another connection.
+        // The controller's message arrives slightly later, on another connection.
         const Deadline soon =
             Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
         auto& d = ControllerAccess::of(*controller_);
@@ -182,11 +182,10 @@ Result<void> Motion::stop(const Deadline& deadline) const {
     const Epoch& epoch = d.mailbox.epoch();
     ControllerStatus status;
     const auto isOver = [&] {
-        // The order matters: if the status read afterwards confirms this epoch, the confirmation is valid
-        // now.
+        // The order matters: if the status read afterwards confirms this epoch, the confirmation is current.
         const std::uint64_t now = epoch.current();
         const bool isReplaced = epoch.activeMotion() != kNoMotion;
-        status = d.loop.status();  // late data alone do not end the wait, as in state()
+        status = d.loop.status();  // late data alone do not end the wait: see state()
         return isReplaced || !status.inControl || status.restingEpoch >= now;
     };
     if (!waitUntil(deadline, isOver)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The handle of a motion, to wait for it, cancel it and read its progress. Used for moves, paths, setpoint
-// streams, freedrive, script functions and stops.
+// The handle of a motion: waits for the motion, cancels it and returns its progress. Used for moves, paths,
+// setpoint streams, freedrive, script functions and stops.
 
 #include <array>
 #include <chrono>
@@ -39,14 +39,14 @@ enum class MotionKind : std::uint8_t {
 struct MotionProgress {
     MotionPhase phase = MotionPhase::Ended;
     StopCause cause = StopCause::None;
-    /// Completed fraction of the path, 0 ... 1, from the actual position of the arm. Motions without a known end
-    /// (setpoints, freedrive, functions, until contact) return 0 until they are complete.
+    /// Completed fraction of the path, 0 ... 1, computed from the actual position of the arm. 0 until
+    /// completion for motions without a known end (setpoints, freedrive, functions, until contact).
     double fraction = 0;
     int waypoint = 0;          ///< paths: current target, 1 ... waypoints; 0 before the start
     int waypoints = 0;         ///< paths: number of targets
     bool executing = false;    ///< the robot has confirmed the execution of this motion
-    double speedFraction = 1;  ///< current speed slider, 0 ... 1
-    double speedScaling = 1;   ///< reduction by the controller's own limits, 0 ... 1
+    double speedFraction = 1;  ///< current speed slider value, 0 ... 1
+    double speedScaling = 1;   ///< speed reduction by the controller's own limits, 0 ... 1
 };
 
 /// Values computed at the start of a move. The speed slider and the controller's own limits may reduce the speed
@@ -55,44 +55,45 @@ struct MotionPlan {
     std::chrono::duration<double> duration{
         0};            ///< from standstill to standstill, with the speed slider at 100 %
     double speed = 0;  ///< moveJ: of the joint with the largest rotation [rad/s]; moveL: of the TCP [m/s]
-    Limiter limiter;   ///< the limit that reduces the requested speed, and the factor
+    Limiter limiter;   ///< limit that reduces the requested speed, and the factor
 };
 
 /// Copies refer to the same motion. The controller must outlive them.
 /// Threads  any
 class Motion {
 public:
-    Motion() = default;  ///< An ended motion.
+    Motion() = default;  ///< Creates an ended motion.
 
     MotionId id() const { return id_; }  ///< Never reused for another motion.
     MotionKind kind() const { return kind_; }
-    /// True until the motion has reached its end or was stopped.
+    /// True until the motion has completed or was stopped.
     bool isActive() const { return state().phase == MotionPhase::Active; }
     MotionState state() const;        ///< Phase, and the cause after the end.
     MotionProgress progress() const;  ///< Progress according to the newest data.
     /// For moves such as moveJ and moveL; empty for paths and motions without a known end.
     const std::optional<MotionPlan>& plan() const { return plan_; }
 
-    /// Keeps a held motion active; not needed for a free one.
+    /// Keeps a Held motion active; not needed for a Free motion.
     /// Returns  false if the motion has ended, e.g. because this call came too late
     /// Blocks   never
     bool refresh() const;
 
-    /// Waits for the end of the motion without refreshing it. The only time limit is the deadline: with the speed
-    /// slider at 2 %, a move takes fifty times as long; use Deadline::never() to wait without a limit.
-    /// Returns  ok if the motion reached its target (a Stop: at standstill)
+    /// Waits for the end of the motion without refreshing it. The deadline is the only time limit. Choose it
+    /// with the speed slider in mind: at 2 %, a move takes fifty times as long. Deadline::never() waits
+    /// without a limit.
+    /// Returns  ok if the motion reached its target (for a Stop: standstill)
     /// Errors   Timeout, Cancelled (the motion continues), Stopped (with the cause), NoSolution, UnsafeState,
-    ///          LinkLost, NotInControl, ScriptError (a path or function; with line and text)
+    ///          LinkLost, NotInControl, ScriptError (for a path or function, with line and text)
     /// Blocks   until the end; polls every millisecond
     Result<void> wait(const Deadline& deadline) const;
 
     /// Ends the motion with a deceleration. Does not affect a motion that has replaced it.
-    /// Returns  false if it has already ended
+    /// Returns  false if the motion has already ended
     bool cancel(StopCause cause = StopCause::ApiCall) const;
 
     /// Ends the motion and waits for standstill; returns immediately if another motion has replaced it.
-    /// Errors   Timeout, Cancelled (the arm is still decelerating); NotInControl if control was lost meanwhile:
-    ///          standstill is not confirmed, and the robot decelerates by itself
+    /// Errors   Timeout, Cancelled (the arm is still decelerating); NotInControl if control was lost while
+    ///          waiting (standstill is not confirmed; the robot decelerates by itself)
     /// Blocks   until the end; polls every millisecond
     Result<void> stop(const Deadline& deadline) const;
 
@@ -102,7 +103,7 @@ private:
     MotionId id_ = kNoMotion;
     MotionKind kind_ = MotionKind::None;
     int waypoints_ = 0;
-    std::array<double, 6> from_{};  ///< start and target: q, or TCP pose for linear moves
+    std::array<double, 6> from_{};  ///< start and target: joint positions, or TCP poses for linear moves
     std::array<double, 6> to_{};
     std::optional<MotionPlan> plan_;
 };

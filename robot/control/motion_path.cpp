@@ -30,7 +30,7 @@ QString text(const PathEntry::Target& target) {
 }
 
 void check(ArgumentCheck& arguments, const char* name, const PathEntry::Target& target) {
-    // The union of all arms' limits; the limits of the connected arm are checked when it is known.
+    // The widest limits of all arms. The limits of the connected arm are checked once it is known.
     static const ArmLimits kWidest = ArmLimits::of(robotModel(RobotModelId::UR3e));
     if (const auto* q = std::get_if<JointPositions>(&target)) {
         arguments.joints(name, *q, kWidest);
@@ -44,14 +44,14 @@ void check(ArgumentCheck& arguments, const char* name, const PathEntry::Target& 
 Result<void> checkPath(const MotionPath& path) {
     const QString context = QStringLiteral("check a path");
     if (path.empty()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("path: it is empty")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("path: the path is empty")};
     }
     for (std::size_t i = 0; i < path.size(); ++i) {
         const PathEntry& entry = path[i];
         ArgumentCheck arguments("check a path");
         check(arguments, "target", entry.target);
         const bool joint = entry.kind == PathEntry::Kind::MoveJ;
-        constexpr double kJointSpeed = 3.3415926;  // [rad/s], of the fastest arm
+        constexpr double kJointSpeed = 3.3415926;  // [rad/s], fastest arm
         arguments.positive("speed", entry.speed, joint ? kJointSpeed : kHighestToolSpeed,
                            joint ? "rad/s" : "m/s", joint ? "deg/s" : "mm/s");
         arguments.positive("acceleration", entry.acceleration,
@@ -65,8 +65,8 @@ Result<void> checkPath(const MotionPath& path) {
         if (error.code == ErrorCode::None &&
             (entry.kind == PathEntry::Kind::MoveC) != entry.via.has_value()) {
             error = {ErrorCode::InvalidArgument, context,
-                     entry.via ? QStringLiteral("via: only a MoveC has one")
-                               : QStringLiteral("via: a MoveC needs a via point")};
+                     entry.via ? QStringLiteral("via: only MoveC has a via point")
+                               : QStringLiteral("via: MoveC requires a via point")};
         }
         if (error.code != ErrorCode::None) {
             error.controllerMessage.prepend(QStringLiteral("entry %1, ").arg(i + 1));

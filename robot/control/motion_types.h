@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Types of motions, causes of stops and measurements of stops. Plain data, shared by the controller, the
-// session and the widgets.
+// Motion types, causes of stops and stop measurements. Plain data shared by the controller, the session and
+// the widgets.
 
 #include <array>
 #include <chrono>
@@ -15,61 +15,61 @@
 
 namespace tiller::control {
 
-using tiller::operator<<;  // for the enumerations below
+using tiller::operator<<;  // required for the enumerations below
 
-/// Maximum time between two refreshes of a held motion. Also the maximum time without a heartbeat of this
+/// Maximum time between two refreshes of a Held motion. Also the maximum time without a heartbeat of this
 /// computer for motions without a target.
 inline constexpr std::chrono::milliseconds kHoldTime{100};
 /// Maximum time from the newest packet of this computer to standstill of the arm, whether that packet
-/// contained a stop or no further packet arrived: the faster the arm, the higher the deceleration. The
-/// deceleration of a joint never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s. The
-/// arm takes longer if its drives or its load do not permit the deceleration.
+/// contained a stop or packets stopped arriving. The deceleration increases with the speed of the arm. The
+/// deceleration of a joint never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s.
+/// Stopping takes longer if the drives or the load do not permit the deceleration.
 inline constexpr std::chrono::milliseconds kStandstillTime{210};
-/// Maximum of MoveParameters::silence: the control program ends after 5 s.
+/// Maximum of MoveParameters::silence. The control program ends after 5 s without a heartbeat.
 inline constexpr std::chrono::milliseconds kMaxHeartbeatTimeout{4'000};
 
-/// Held: ends if it is not refreshed for 100 ms. Free: needs no refresh; it ends when it is complete or
-/// stopped, or when the robot has received no heartbeat of this computer for 100 ms (a move with a target:
-/// for MoveParameters::silence).
+/// Held: ends if it is not refreshed for 100 ms. Free: needs no refresh. A Free motion ends when it is
+/// complete or stopped, or when the robot has received no heartbeat of this computer for 100 ms (for a move
+/// with a target: MoveParameters::silence).
 enum class Holding : std::uint8_t { Held, Free };
 
-/// Whether the arm may move without a client that supervises it.
+/// Whether the arm may move without supervision by a client.
 enum class Supervision : std::uint8_t {
-    Heartbeat,  ///< the arm brakes when the client ends, closes the connection or sends nothing for 100 ms
-    /// The arm continues after the client has ended, until the motion or program is complete. During this
-    /// time it can only be stopped by a person at the pendant or by another client.
+    Heartbeat,  ///< the arm brakes when the client exits, disconnects or sends nothing for 100 ms
+    /// The arm continues until the motion or program is complete, even after the client has exited. During
+    /// this time only a person at the pendant or another client can stop it.
     Unattended,
 };
 
 enum class JogFrame : std::uint8_t {
     Base,    ///< axes of the controller's base frame
     Tool,    ///< axes of the tool, which rotate with the tool
-    Custom,  ///< axes of JogTarget::T_base_frame (a taught frame, or the direction the operator looks from)
+    Custom,  ///< axes of JogTarget::T_base_frame (a taught frame, or the viewing direction)
 };
 
 /// No cap: only the robot's own limits apply.
 inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
-/// A requested velocity of the arm, valid until it is refreshed, changed or expires. Rotations are about the
-/// active TCP.
+/// A requested velocity of the arm. It remains valid until it is refreshed, changed or expires. Rotations are
+/// about the active TCP.
 struct JogTarget {
     enum class Kind : std::uint8_t { Cartesian, Joint };
     Kind kind = Kind::Cartesian;
     JogFrame frame = JogFrame::Base;
-    Twist twist = {};         ///< Cartesian: in the axes of `frame` [m/s, rad/s]
+    Twist twist = {};         ///< Cartesian: along and about the axes of `frame` [m/s, rad/s]
     JointVelocities qd = {};  ///< Joint [rad/s]
     Pose T_base_frame = {};   ///< only for JogFrame::Custom; only the rotation is used
-    /// Above 0: the jog ends with StopCause::Contact when the force at the TCP has changed by more than this
-    /// value since its start [N].
+    /// If above 0 [N], the jog ends with StopCause::Contact when the force at the TCP has changed by more
+    /// than this value since the start of the jog.
     double contactForce = 0;
-    /// Maximum speed of TCP and elbow in this jog [m/s], above 0. The cap of the controller applies as well.
-    /// Needed for joint jogs, because the TCP speed that results from a joint speed depends on the posture.
+    /// Maximum speed of TCP and elbow in this jog [m/s], above 0. The cap of the controller also applies.
+    /// Joint jogs need this limit because the TCP speed for a given joint speed depends on the posture.
     double speedCap = kNoCap;
 
     friend bool operator==(const JogTarget&, const JogTarget&) = default;
 };
 
-/// Why a motion ended. The interface has a separate text for each cause.
+/// Why a motion ended. The user interface has a separate text for each cause.
 enum class StopCause : std::uint8_t {
     None,
     Released,
@@ -78,7 +78,7 @@ enum class StopCause : std::uint8_t {
     WindowDeactivated,
     WindowClosed,
     DialogOpened,
-    SelectionChanged,  ///< tab, perspective, frame, TCP, mode, step or speed class
+    SelectionChanged,  ///< change of tab, perspective, frame, TCP, mode, step or speed class
     SecondButton,
     Escape,
     Space,
@@ -95,21 +95,21 @@ enum class StopCause : std::uint8_t {
     ApiCall,       ///< a program called stop()
     Superseded,    ///< replaced by a newer command
     Contact,       ///< contact detected
-    Unreachable,   ///< a target for which the robot finds no joint positions
+    Unreachable,   ///< the robot finds no joint positions for the target
     TargetTooFar,  ///< a servo target too far from the previous one: see kJointLeeway
-    HoldUnproven,  ///< it could not be verified that the key, button or finger was still down
+    HoldUnproven,  ///< the key, button or finger could not be verified as still down
     HeldTooLong,   ///< held longer than the maximum time
 };
 
-/// Limits for the distance between two targets of a servo stream: the distance the arm can move in the time
-/// between them (maximum speeds of the joints; 3 m/s for the tool), plus this tolerance for measurement
-/// errors and late packages. The first target is compared with the position of the arm. servoC is not
-/// limited: the arm moves to its target at a configured speed.
-inline constexpr double kJointLeeway = 0.02;  ///< [rad], of each joint and of the tool's rotation
+/// Maximum distance between two targets of a servo stream: the distance that the arm can move in the time
+/// between them (maximum speeds of the joints; 3 m/s for the tool) plus this tolerance for measurement errors
+/// and late packages. The first target is compared with the position of the arm. servoC has no such limit,
+/// because the arm moves to its target at a configured speed.
+inline constexpr double kJointLeeway = 0.02;  ///< [rad], for each joint and for the tool's rotation
 inline constexpr double kToolLeeway = 0.01;   ///< [m]
-inline constexpr double kMaxServoStep = 0.1;  ///< [s]: maximum time used in this calculation
+inline constexpr double kMaxServoStep = 0.1;  ///< [s]: maximum time used in the calculation
 
-/// A stop from the request to standstill, measured from the data received from the robot.
+/// Measurement of a stop from the request to standstill, based on the data received from the robot.
 struct StopMeasurement {
     StopCause cause = StopCause::None;
     double durationMs = 0;
@@ -124,11 +124,11 @@ struct JointLimits {
     std::array<double, 6> maxSpeed{};     ///< [rad/s]
 };
 
-/// Dynamics and caps of jogs. The decelerations are minimum values: see kStandstillTime. The controller has
-/// its own, higher limits. All values must be above 0; takeControl() refuses values that suggest a wrong
-/// unit: above 3 m/s, 12 rad/s, 150 m/s2, 40 rad/s2. Speeds may be kNoCap.
+/// Dynamics and caps of jogs. The decelerations are minimum values: see kStandstillTime. The controller's own
+/// limits are higher. All values must be above 0. takeControl() refuses values that suggest a wrong unit:
+/// above 3 m/s, 12 rad/s, 150 m/s2, 40 rad/s2. Speeds may be kNoCap.
 struct MotionLimits {
-    double tcpSpeed = 0.250;                       ///< of TCP and elbow [m/s]; also Controller::setSpeedCap
+    double tcpSpeed = 0.250;  ///< cap of TCP and elbow [m/s]; see also Controller::setSpeedCap
     double tcpRotationSpeed = 0.7853981633974483;  ///< [rad/s] 45 deg/s
     double jointSpeed = 0.5235987755982988;        ///< [rad/s] 30 deg/s
     double jogAcceleration = 0.5;                  ///< [m/s2]

@@ -28,7 +28,7 @@ MotionCommand program(ScriptCommand what, Holding holding) {
     return command;
 }
 
-/// The joint positions nearest to the current ones, with the dimensions reported by the robot.
+/// The joint positions nearest to the current ones, computed with the dimensions reported by the robot.
 std::optional<JointPositions> reach(const ArmLimits& arm, const ControllerStatus& status,
                                     const Pose& target) {
     return kinematics::inverseNearest(arm.dh, target, Pose::fromArray(status.tcpOffset),
@@ -51,7 +51,7 @@ ArgumentCheck& checkHeartbeatTimeout(ArgumentCheck& check, milliseconds silence)
                        Seconds(kMaxHeartbeatTimeout).count(), "s");
 }
 
-/// Heartbeat timeout to send for a command; 0 for the default.
+/// Heartbeat timeout to send for a command; 0: default.
 milliseconds effectiveHeartbeatTimeout(Holding holding, milliseconds silence) {
     return holding == Holding::Free && silence > kHoldTime ? silence : milliseconds(0);
 }
@@ -118,7 +118,7 @@ MotionPlan planned(double length, const Dynamics& asked, const kinematics::Speed
     return plan;
 }
 
-/// The start position of a move and the applicable limits.
+/// Start position of a move and the limits that apply to it.
 struct Beginning {
     const char* context;
     Controller& controller;
@@ -134,7 +134,7 @@ struct Beginning {
         return check.ok() ? d.obstacle(QString::fromLatin1(context)) : check.error();
     }
 
-    /// The part of a command that is common to all moves.
+    /// The part of a command shared by all moves.
     MotionCommand command(const MoveParameters& parameters, const std::array<double, 6>& target,
                           const MotionPlan& plan, double acceleration) const {
         MotionCommand command;
@@ -154,7 +154,7 @@ struct Beginning {
     }
 };
 
-/// Moves to these joint positions; with `toPose` the robot computes them from this pose.
+/// Moves to these joint positions. With `toPose`, the robot computes the joint positions from this pose.
 Result<Motion> jointMoveTo(const Beginning& from, const JointPositions& target, const Pose* toPose,
                            const MoveParameters& parameters) {
     const Dynamics asked = jointDynamics(parameters);
@@ -168,7 +168,7 @@ Result<Motion> jointMoveTo(const Beginning& from, const JointPositions& target, 
     return from.start(command, MotionKind::MoveJ, from.status.q, target.array(), plan);
 }
 
-/// Moves along a straight line to this pose; with `toJoints` the target is sent as joint positions.
+/// Moves along a straight line to this pose. With `toJoints`, the target is sent as joint positions.
 Result<Motion> lineTo(const Beginning& from, const Pose& target, const JointPositions* toJoints,
                       const MoveParameters& parameters) {
     const Dynamics asked = toolDynamics(parameters, from.limits.tcpSpeed);
@@ -183,7 +183,7 @@ Result<Motion> lineTo(const Beginning& from, const Pose& target, const JointPosi
     return from.start(command, MotionKind::MoveL, from.status.tcpPose, target.array(), plan);
 }
 
-/// The path with speeds reduced to the limits of TCP and elbow, and without a blend at the end.
+/// The path with speeds reduced to the limits of TCP and elbow, and without a blend at the last target.
 Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const ControllerStatus& status,
                           const MotionLimits& limits) {
     MotionPath out = path;
@@ -219,7 +219,7 @@ Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const Co
                 !check.ok()) {
                 return inEntry(i, check.error());
             }
-            // An arc is checked along its two chords.
+            // An arc is checked along two chords.
             JointPositions from = q;
             if (entry.kind == PathEntry::Kind::MoveC && entry.via) {
                 Pose middle = kinematics::forwardTcp(arm.dh, q, tcp);

@@ -18,15 +18,15 @@
 //   servo, speed and torque     100 ms without send(), unless Free; torques above the speed cap
 //   stopJ, stopL                at standstill
 //
-// All motions also end with a newer command, a stop, cancel() of the handle, a robot mode other than RUNNING, a
-// safety mode other than NORMAL or REDUCED, the end or pause of the control program, or the loss of the connection.
-// Free or not, the robot ends motions without a target after 100 ms without a heartbeat of this computer, so that
-// the arm stops if the process crashes or hangs.
+// In addition, all motions end with a newer command, a stop, cancel() of the handle, a robot mode other than
+// RUNNING, a safety mode other than NORMAL or REDUCED, the end or pause of the control program, or the loss
+// of the connection. The robot ends both Held and Free motions without a target after 100 ms without a
+// heartbeat of this computer, so that the arm stops if the process crashes or hangs.
 //
 // Speed limit: TCP and elbow never exceed the cap, 0.25 m/s by default (ControllerOptions::limits,
-// Controller::setSpeedCap). Moves are slowed down accordingly: Motion::plan() and ControllerStatus::limiter report
-// the limit, the factor and the duration of the move. A torque stream cannot be slowed down and ends instead, see
-// setpoints.h.
+// Controller::setSpeedCap). Moves are slowed down accordingly. Motion::plan() and ControllerStatus::limiter
+// report the limit, the factor and the duration of the move. A torque stream cannot be slowed down, so it
+// ends when the cap is exceeded: see setpoints.h.
 
 #include <chrono>
 #include <cstdint>
@@ -41,35 +41,35 @@
 namespace tiller::control {
 
 struct MoveParameters {
-    /// moveJ, moveJToPose: of the joint with the largest rotation [rad/s], default 1.05. moveL, moveLToJoints: of
-    /// the TCP [m/s], default 0.25 or the cap if lower. > 0.
+    /// moveJ, moveJToPose: speed of the joint with the largest rotation [rad/s], default 1.05. moveL,
+    /// moveLToJoints: TCP speed [m/s], default 0.25, or the cap if it is lower. > 0.
     std::optional<double> speed = {};
     /// moveJ, moveJToPose [rad/s2], default 1.4. moveL, moveLToJoints [m/s2], default 1.2. > 0.
     std::optional<double> acceleration = {};
     Holding holding = Holding::Free;
-    /// A Free move continues without a heartbeat of this computer for this time (e.g. while the machine is busy or
-    /// a cable is replugged); then the robot ends it. During this time the arm moves unattended: 100 ms ... 4 s. A
-    /// Held move always ends after 100 ms.
+    /// Maximum time for which a Free move continues without a heartbeat of this computer, e.g. while the
+    /// machine is busy or a cable is replugged: 100 ms ... 4 s. The arm moves unattended during this time;
+    /// then the robot ends the move. A Held move always ends after 100 ms.
     std::chrono::milliseconds silence = kHoldTime;
 };
 
-/// The contacts considered by moveUntilContact().
+/// Which contacts end moveUntilContact().
 enum class Sought : std::uint8_t {
-    NewContact,  ///< an initial contact has to be released first
-    AnyContact,  ///< an initial contact counts: the arm then does not move
+    NewContact,  ///< an initial contact must be released first
+    AnyContact,  ///< an initial contact counts, so the arm does not move
 };
 
 struct ContactParameters {
-    Twist direction = {};       ///< direction of the contact, base frame; zeros: any
+    Twist direction = {};       ///< direction of the contact in the base frame; zeros: any direction
     double acceleration = 0.5;  ///< [m/s2]; > 0
     Sought sought = Sought::NewContact;
     Holding holding = Holding::Held;
 };
 
-/// A path that was sent to the robot and can be started. Any other motion and any stop invalidate it.
+/// A path that was sent to the robot and can be started. Any motion or stop invalidates it.
 class PreparedPath {
 public:
-    PreparedPath() = default;  ///< An invalid path.
+    PreparedPath() = default;  ///< Creates an invalid path.
 
 private:
     friend class Motions;
@@ -77,44 +77,45 @@ private:
     int waypoints_ = 0;
 };
 
-/// All arguments are checked before sending; errors contain the name of the invalid argument.
-/// Errors   of every command: NotInControl, UnsafeState, LinkLost; InvalidArgument (NaN, or a value that suggests
-///          degrees or millimetres), LimitExceeded (outside the range of a joint, above the limits of the arm, a
-///          tool speed above the cap), NoSolution (unreachable pose), Stopped (a stop at the same time)
+/// All arguments are checked before a command is sent. Errors contain the name of the invalid argument.
+/// Errors   of every command: NotInControl, UnsafeState, LinkLost; InvalidArgument (NaN, or a value that
+///          suggests degrees or millimetres), LimitExceeded (outside the range of a joint, above the limits
+///          of the arm, or a tool speed above the cap), NoSolution (unreachable pose), Stopped (a stop at the
+///          same time)
 /// Threads  any. Blocks: never, except for functions with a deadline. The controller must outlive this object and
 ///          all handles
 class Motions {
 public:
     explicit Motions(Controller& controller) : controller_(&controller) {}
-    /// For motions that are prepared before they start, and for sequences of motions: all commands fail with
-    /// Stopped if a stop occurred after Controller::stops() returned this value.
+    /// Use this for motions that are prepared before they start, and for sequences of motions. All commands
+    /// fail with Stopped if a stop has occurred since Controller::stops() returned this value.
     Motions(Controller& controller, std::uint64_t stops) : controller_(&controller), stops_(stops) {}
 
     /// Moves linearly in joint space to the target [rad]. Source: URScript movej
     Result<Motion> moveJ(const JointPositions& target, const MoveParameters& parameters = {});
-    /// As moveJ(), to the joint positions nearest to the current ones with this TCP pose [m, rad].
+    /// As moveJ(), to the joint positions with this TCP pose [m, rad] that are nearest to the current ones.
     Result<Motion> moveJToPose(const Pose& target, const MoveParameters& parameters = {});
     /// Moves the TCP on a straight line to a pose in the base frame [m, rad]. Source: URScript movel
     Result<Motion> moveL(const Pose& target, const MoveParameters& parameters = {});
-    /// As moveL(), to the TCP pose of these joint positions.
+    /// As moveL(), to the TCP pose at these joint positions.
     Result<Motion> moveLToJoints(const JointPositions& target, const MoveParameters& parameters = {});
-    /// Follows the whole path and ends at its last target. The control program is sent again with the path, which
-    /// takes a moment; the arm must be at standstill.
-    /// start    time limit for sending; use the handle to wait for the path itself
+    /// Follows the whole path and ends at its last target. The control program is sent again together with
+    /// the path, which takes a moment. The arm must be at standstill.
+    /// start    time limit for sending; use the handle to wait for the end of the path
     /// silence  as MoveParameters::silence
     /// Errors   also Timeout, Cancelled, ScriptError (with line and text)
     Result<Motion> movePath(const MotionPath& path, const Deadline& start, Holding holding = Holding::Free,
                             std::chrono::milliseconds silence = kHoldTime);
-    /// The first half of movePath(): sends the path without moving. For hold-to-run operation in a thread that
-    /// cannot wait.
+    /// The first part of movePath(): sends the path without moving. For hold-to-run operation in a thread
+    /// that cannot wait.
     Result<PreparedPath> preparePath(const MotionPath& path, const Deadline& start);
-    /// The second half of movePath(). Blocks: never
+    /// The second part of movePath(): starts the path. Blocks: never
     /// Errors   also Stopped if any motion or stop occurred after the preparation
     Result<Motion> startPath(const PreparedPath& path, Holding holding = Holding::Free,
                              std::chrono::milliseconds silence = kHoldTime);
 
-    /// Moves the tool until contact, then back to the pose at the first contact. Held: call Motion::refresh() at
-    /// least every 100 ms, otherwise the arm stops.
+    /// Moves the tool until contact, then back to the pose of the first contact. Held: call Motion::refresh()
+    /// at least every 100 ms, otherwise the arm stops.
     /// twist    base frame [m/s, rad/s]
     /// start    time limit for setting up the contact detection
     /// Source   URScript tool_contact
@@ -122,15 +123,16 @@ public:
     Result<Motion> moveUntilContact(const Twist& twist, const Deadline& start,
                                     const ContactParameters& parameters = {});
 
-    /// Moves at a velocity until it is refreshed with another one or ended. The target is reduced to the limits,
-    /// and never refused for its magnitude. Held: call Jog::refresh() at least every 100 ms, otherwise the arm
-    /// stops.
-    /// Errors   also FieldUnknown (contactForce, on a robot that does not report forces)
+    /// Moves at a velocity until the jog is refreshed with another velocity or ended. A target above the
+    /// limits is reduced rather than refused. Held: call Jog::refresh() at least every 100 ms, otherwise the
+    /// arm stops.
+    /// Errors   also FieldUnknown (contactForce on a robot that does not report forces)
     Result<Jog> startJog(const JogTarget& target, Holding holding = Holding::Held);
 
-    /// Starts a stream; the first target is the current position (servo) or zero (speed) until another one is sent.
-    /// holding  Held: without a new target for 100 ms the stream ends and the arm stops. Free: the last target
-    ///          remains active until the stream is ended
+    /// Starts a stream. Until the first target is sent, the target is the current position (servo) or zero
+    /// (speed).
+    /// holding  Held: the stream ends and the arm stops after 100 ms without a new target. Free: the last
+    ///          target remains active until the stream ends
     /// Source   URScript servoj, servoc, speedj, speedl
     Result<JointServo> startServoJ(const ServoParameters& parameters = {}, Holding holding = Holding::Held);
     /// As startServoJ, with TCP poses in the base frame.
@@ -143,9 +145,9 @@ public:
     /// As startServoJ, with twists of the TCP.
     Result<ToolSpeed> startSpeedL(const SpeedParameters& parameters = {}, Holding holding = Holding::Held);
 
-    /// As startServoJ, with joint torques. Until the first torques are sent, the controller holds the position of
-    /// the arm. The torques do not include gravity, which the controller compensates for the arm and the configured
-    /// payload. Exceeding the speed cap ends the stream, with damping: see setpoints.h.
+    /// As startServoJ, with joint torques. The controller holds the position of the arm until the first
+    /// torques are sent. The torques exclude gravity: the controller compensates it for the arm and the
+    /// configured payload. The stream ends with damping if the speed cap is exceeded: see setpoints.h.
     /// Source   URScript direct_torque
     /// Errors   also VersionUnsupported (software before 5.25.1, PolyScope X before 10.12.1, CB3)
     Result<JointTorque> startTorque(const TorqueParameters& parameters = {}, Holding holding = Holding::Held);
@@ -153,8 +155,8 @@ public:
     /// Ends the active motion, if any; the handle completes at standstill. deceleration > 0: of the leading joint
     /// [rad/s2]. Source: URScript stopj
     Result<Motion> stopJ(double deceleration = 4.0, StopCause cause = StopCause::ApiCall);
-    /// As stopJ(), along the line of the tool. deceleration > 0 [m/s2]; rotationDeceleration [rad/s2], 0: same
-    /// value. Source: URScript stopl
+    /// As stopJ(), along the path of the tool. deceleration > 0 [m/s2]; rotationDeceleration [rad/s2], 0:
+    /// same value. Source: URScript stopl
     Result<Motion> stopL(double deceleration = 2.0, double rotationDeceleration = 0,
                          StopCause cause = StopCause::ApiCall);
 

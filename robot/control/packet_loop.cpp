@@ -43,8 +43,8 @@ public:
 
     std::int64_t endedNs() const override { return endedNs_; }
 
-    // If the path has become permanently longer or the robot stalls, follow the packets instead of predicting them.
-    // Cycles missed by this thread are not made up for.
+    // If packets permanently take longer or the robot stalls, follow the packets instead of predicting them.
+    // Cycles missed by this thread are not repeated.
     std::int64_t dueNs(const realtime::ArrivalPace& pace) const override {
         if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMaxConsecutive) {
             return kNoCycleDue;
@@ -54,15 +54,16 @@ public:
         return clock_.nowNs() - due > periodNs / 2 ? kNoCycleDue : due;
     }
 
-    /// Sleep time for a thread that waits for the end, at least 1 ms. The thread wakes up just after a cycle,
-    /// because at another time (possibly at real-time priority) it would delay the next cycle.
+    /// Sleep time for a thread that waits for the end of the loop, at least 1 ms. The waiting thread wakes up
+    /// just after a cycle. At another time, this thread (possibly with real-time priority) would delay the
+    /// next cycle.
     /// Threads  any
     std::chrono::nanoseconds quietIn() const {
         return std::chrono::nanoseconds(std::max(quietNs_.load() - clock_.nowNs(), kNsPerMs));
     }
 
-    /// The newest call that took so long that, including the round trip, the robot may have stopped because
-    /// of a missing heartbeat.
+    /// Newest call so long that, including the round trip, the robot may have stopped because of a missing
+    /// heartbeat.
     struct LongCall {
         std::int64_t tookNs = 0;
         std::int64_t endedNs = 0;
@@ -74,11 +75,11 @@ public:
     Error error;
 
 private:
-    static constexpr int kMaxConsecutive = 5;  ///< cycles without their packets
-    /// approximate interval between two checks of a waiting thread
+    static constexpr int kMaxConsecutive = 5;  ///< number of cycles without a packet
+    /// Approximate interval between two checks of a waiting thread.
     static constexpr std::int64_t kLookNs = 9 * kNsPerMs;
 
-    /// Whether a cycle has already been run without this packet.
+    /// True if a cycle has already run without this packet.
     bool isServed(const Feedback& data, double period) const {
         return report.cycles > 0 && data.timestamp > packetAt_ && data.timestamp < servedAt_ + period / 2;
     }
@@ -167,8 +168,8 @@ private:
         return {};
     }
 
-    // Results of an ended motion are not sent: see ControlLoop::seal(). After a long callback there is no active
-    // wait, so that other threads on this CPU can run, e.g. to stop the arm.
+    // Results for an ended motion are not sent: see ControlLoop::seal(). After a long callback there is no
+    // busy wait, so that other threads on this CPU can run, e.g. to stop the arm.
     std::int64_t begin(bool fresh, std::int64_t evenNs, double period) {
         if (isEven_ && fresh) {
             const bool isLong = static_cast<double>(callNs_) > period * 1e9 / 4;
@@ -206,12 +207,12 @@ private:
     MotionId motion_;
     const Clock& clock_;
     bool isEven_;
-    std::int64_t awakeNs_;  ///< active wait before a cycle
+    std::int64_t awakeNs_;  ///< busy wait before a cycle
     Target last_;
     double targetAt_ = 0;  ///< on the robot's clock [s]
     double beganAt_ = 0;
-    double packetAt_ = 0;  ///< time stamp of the newest packet
-    double servedAt_ = 0;  ///< time stamp of the packet of the last cycle
+    double packetAt_ = 0;  ///< timestamp of the newest packet
+    double servedAt_ = 0;  ///< timestamp of the packet of the last cycle
     double period_ = 0;
     int staleInARow_ = 0;
     std::int64_t previousNs_ = 0;
@@ -221,14 +222,15 @@ private:
     std::atomic<std::int64_t> quietNs_{0};
 };
 
-// A thread that the system wakes up late should not sleep until its packet arrives: other threads on the CPU may
-// delay it by milliseconds. Without a real-time priority the scheduler would penalize an active wait.
+// A thread that the system wakes up late should not sleep until its packet arrives, because other threads on
+// the CPU may delay the thread by milliseconds. Without a real-time priority, the scheduler would penalize a
+// busy wait.
 std::int64_t awakeNs(const Controller::Private& d) {
-    constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // maximum delay by ArrivalPace
+    constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // maximum delay added by ArrivalPace
     return d.options.priority > 0 && d.loop.status().priorityGranted ? kFromArrivalNs : kWakeUpNs;
 }
 
-/// The error if the loop ended because the callback was too slow.
+/// Error if the loop ended because the callback was too slow.
 Error slowCallback(std::int64_t tookNs, const CycleReport& report, double period) {
     return {
         ErrorCode::Stopped, QStringLiteral("run a packet loop"),
@@ -267,7 +269,7 @@ Result<void> run(Controller& controller, const Result<Stream>& stream, const Cyc
     if (cycle.error.code != ErrorCode::None) {
         return cycle.error;
     }
-    // Uses the times of both ends, not the time at which this thread checks.
+    // Compares the recorded end times, because this thread checks later.
     const auto& last = cycle.longCall();
     const bool endedMotion =
         last.tookNs > 0 && d.mailbox.epoch().endedNs(motion.id()) - last.endedNs < kNsPerSecond / 2;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A control loop synchronized with the robot's clock: one call per received packet, whose target is sent in the
-// answer to this packet. There is no second timer that could drift relative to the robot. Packets arrive less
-// regularly than the robot sends them; by default the calls are evenly spaced and continue for a while without
-// packets (Pacing::Even).
+// A control loop synchronized with the robot's clock. The callback runs once per received packet, and its
+// target is sent in the answer to this packet. There is no second timer that could drift relative to the
+// robot. Packets arrive less regularly than the robot sends them. By default the calls are evenly spaced and
+// continue for a while without packets (Pacing::Even).
 
 #include <cstdint>
 #include <functional>
@@ -19,25 +19,25 @@ namespace tiller::control {
 /// Values reported by the robot in the packet of this cycle.
 struct CycleState {
     std::uint64_t cycle = 0;  ///< 0, 1, 2 ... not counting missed cycles
-    /// False: no new packet arrived in time, so that the values and `hostNs` belong to the previous packet; or
-    /// `age` exceeded two periods.
+    /// False if no new packet arrived in time, so that the values and `hostNs` belong to the previous packet,
+    /// or if `age` exceeded two periods.
     bool fresh = true;
-    /// Age of the values at the start of this cycle, from the robot's time stamps and the fastest observed arrival
-    /// [s].
+    /// Age of the values at the start of this cycle [s], computed from the robot's timestamps and the fastest
+    /// observed arrival.
     double age = 0;
     std::uint64_t missed = 0;  ///< control periods without a cycle since the start
     double time = 0;           ///< since the first cycle, on the robot's clock [s]
     double period = 0.002;     ///< [s]
-    std::int64_t hostNs = 0;   ///< time of reading the packet on the controller's clock
+    std::int64_t hostNs = 0;   ///< time when the packet was read, on the controller's clock
     std::int64_t beginNs = 0;  ///< start of this cycle on the same clock
     JointPositions q;
     JointVelocities qd;
     Pose tcpPose;
     Twist tcpSpeed;
-    double speedFraction = 1;  ///< speed slider, 0 ... 1
-    double speedScaling = 1;   ///< reduction by the controller's own limits, 0 ... 1
-    /// All received values of this packet: the members above, force, modes and ControllerOptions::fields. Valid
-    /// during the callback; copy the sample to keep it.
+    double speedFraction = 1;  ///< speed slider value, 0 ... 1
+    double speedScaling = 1;   ///< speed reduction by the controller's own limits, 0 ... 1
+    /// All received values of this packet: the members above, force, modes and ControllerOptions::fields.
+    /// Valid during the callback only; copy the sample to keep it.
     const receive::Sample* packet = nullptr;
     /// Typed access to `packet`, e.g. `state.robot().tcpForce()`, `state.robot().number("actual_current", 2)`.
     /// Values that are not received are NaN.
@@ -49,43 +49,43 @@ private:
 
 struct CycleReport {
     std::uint64_t cycles = 0;
-    std::uint64_t missed = 0;       ///< control periods without a cycle, from the robot's time stamps
-    std::uint64_t stale = 0;        ///< cycles without a packet in time
+    std::uint64_t missed = 0;       ///< control periods without a cycle, from the robot's timestamps
+    std::uint64_t stale = 0;        ///< cycles whose packet did not arrive in time
     std::uint64_t late = 0;         ///< cycles that began more than half a period late on the host's clock
     std::uint64_t overruns = 0;     ///< calls longer than one period
-    realtime::Histogram intervals;  ///< between the starts of consecutive cycles on the host
+    realtime::Histogram intervals;  ///< time between the starts of consecutive cycles on the host
     realtime::Histogram
-        ages;  ///< from the arrival of a packet to the start of its cycle, without stale cycles
+        ages;  ///< from the arrival of a packet to the start of its cycle, excluding stale cycles
     realtime::Histogram calls;  ///< duration of the callback
-    Motion motion;              ///< final state: motion.state()
+    Motion motion;              ///< final state: see motion.state()
     /// Deep sleep states of the CPUs were disabled: see realtime::CpuLatency.
     bool fastWakeUps = false;
 };
 
-/// The start time of the cycle of a packet.
+/// When the cycle of a packet starts.
 enum class Pacing {
-    /// At regular intervals: delayed relative to the usual arrival by the delay that only one packet in a thousand
-    /// exceeds (at most 0.5 ms and a quarter of a period) and a small margin. At a real-time priority the thread
-    /// waits actively, otherwise only for the last 0.1 ms. If a packet has not arrived by then, its cycle runs
-    /// without it (CycleState::fresh), up to five times in a row. The timing is known 300 packets after
-    /// takeControl() (0.6 s at 500 Hz); until then the cycle starts on arrival. A callback that is still running
-    /// when the next packet arrives reduces the delay.
+    /// At regular intervals. The delay relative to the usual arrival is the delay that only one packet in a
+    /// thousand exceeds (at most 0.5 ms and a quarter of a period) plus a small margin. At a real-time
+    /// priority the whole wait is a busy wait, otherwise only the last 0.1 ms. If a packet has not arrived by
+    /// then, its cycle runs without it (CycleState::fresh), up to five times in a row. The timing is known
+    /// 300 packets after takeControl() (0.6 s at 500 Hz); until then, cycles start on arrival. If the
+    /// previous callback is still running when a packet arrives, the delay is reduced.
     Even,
-    /// On arrival of the packet: the newest data, with the jitter of the network.
+    /// On arrival of the packet: newest data, with the jitter of the network.
     AtOnce,
 };
 
 /// Returns the target of this cycle, or nothing to end the loop (the arm stops).
-/// Threads  called in the control thread at its priority: it must return within the period and must not wait, lock
-///          or allocate. If it takes longer, the next cycle uses the newest packet, and the periods in between
-///          count as missed. No heartbeat is sent meanwhile: a call of 100 ms stops the arm, and the error contains
-///          its duration. At a real-time priority no other thread runs on this CPU during the call: leave a tenth
-///          of the period free.
+/// Threads  called in the control thread at its priority. The callback must return within the period and must
+///          not wait, lock or allocate. If it takes longer, the next cycle uses the newest packet, and the
+///          periods in between count as missed. No heartbeat is sent during the call, so a call of 100 ms
+///          stops the arm; the error contains its duration. At a real-time priority no other thread runs on
+///          this CPU during the call, so leave a tenth of the period free.
 template <class Target>
 using CycleCallback = std::function<std::optional<Target>(const CycleState&)>;
 
-/// Each function runs until the callback ends it, the stream is stopped by other means, or the deadline expires.
-/// Then the arm stops, which may take about 0.1 s longer; use stopJ() to wait for it.
+/// Each function runs until the callback ends the loop, the stream is stopped by other means, or the deadline
+/// expires. The arm then stops, which may take another 0.1 s; use stopJ() to wait for standstill.
 /// Errors   none if the callback ended the loop; Timeout at the deadline; Stopped if a long call made the robot
 ///          stop without a heartbeat, with the measured times; otherwise as Motions::startServo... and
 ///          Motion::wait(). The report is always filled

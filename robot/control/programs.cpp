@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// Registers of the control thread's heartbeat, for a program that replaces the control program.
+/// Registers of the control thread's heartbeat, used by a program that replaces the control program.
 script::Heartbeat heartbeatOf(const Controller::Private& d, std::uint64_t epoch) {
     const int first = firstRegister(d.options.registers);
     script::Heartbeat heartbeat;
@@ -33,9 +33,10 @@ Error stopped(const QString& context) {
     return {ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop or another motion")};
 }
 
-/// Ends a running user script and takes control again. Needs `taking`.
+/// Ends a running user script and takes control again. Requires `taking`.
 Result<void> bringBack(Controller::Private& d) {
-    // A separate time limit that only release() can shorten: the script must not continue after an error.
+    // A separate deadline that only release() can shorten, because the script must not continue after an
+    // error.
     const Deadline deadline = Deadline::after(milliseconds(5000));
     const UnderWay cancellable(d, deadline);
     const auto plays = [&d] { return d.loop.status().runtimeState == RuntimeState::Playing; };
@@ -50,7 +51,7 @@ Result<void> bringBack(Controller::Private& d) {
             connected = client.send(QStringLiteral("stop program\n"), Deadline::after(milliseconds(100)));
         }
         isStopSent = connected.ok();
-        // The stop must not reach the robot after the control program.
+        // Wait for the end of the script; otherwise the stop could reach the robot after the control program.
         waitUntil(Deadline::after(milliseconds(500), deadline.token()),
                   [&] { return !d.link.isRunning() || !plays(); });
     }
@@ -70,8 +71,8 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
     std::uint64_t statesAtEnd = 0;
     Error bad;
     const auto settled = [&] {
-        // The reason for the end arrives slightly later on another connection, but at the latest before the
-        // second robot state from now: the next state may have been sent earlier.
+        // The reason for the end arrives slightly later on another connection, but before the second robot
+        // state from now. The next state may have been sent earlier than the reason.
         const bool receivedAll = messageDeadline && (messageDeadline->hasExpired() ||
                                                      d.program.statesReceived() > statesAtEnd + 1);
         bad = d.program.complaint(context);
@@ -94,7 +95,7 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
         if (bad.code != ErrorCode::None) {
             return true;
         }
-        // A short program may not be reported as playing in any package; a paused one has not ended.
+        // A short program may not be reported as playing in any package. A paused program has not ended.
         const ControlProgram::ScriptFeedback heard = d.program.scriptFeedback();
         if (d.loop.playing() != played || heard.stopped) {
             const bool over = now.runtimeState == RuntimeState::Stopped;
@@ -104,11 +105,11 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
                 statesAtEnd = d.program.statesReceived();
             }
         } else if (begun.hasExpired() && !heard.started) {
-            bad = {ErrorCode::Timeout, context, QStringLiteral("it was never observed running")};
+            bad = {ErrorCode::Timeout, context, QStringLiteral("the script was never observed running")};
         }
         return bad.code != ErrorCode::None;
     };
-    // An expired deadline also ends the script, with an error below.
+    // An expired deadline also ends the script and is reported as an error below.
     waitUntil(Deadline::never(), settled);
     if (bad.code == ErrorCode::None && d.loop.scriptState() == ScriptState::HeartbeatExpired) {
         bad = {ErrorCode::LinkLost, context,
@@ -129,7 +130,7 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
                      QStringLiteral("name: letters, digits and _, not beginning with a digit")};
     }
     if (body.trimmed().isEmpty()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("body: it is empty")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("body: the body is empty")};
     }
     if (body.contains(QLatin1String("tiller_"))) {
         return Error{
@@ -154,7 +155,7 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
 Result<void> Programs::runScript(const Text& program, const Deadline& deadline, Supervision supervision) {
     const QString context = QStringLiteral("run a script");
     if (program.trimmed().isEmpty()) {
-        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("program: it is empty")};
+        return Error{ErrorCode::InvalidArgument, context, QStringLiteral("program: the program is empty")};
     }
     const bool attended = supervision == Supervision::Heartbeat;
     if (attended && program.contains(QLatin1String(script::kHeartbeatPrefix))) {

@@ -12,14 +12,14 @@
 namespace tiller::control {
 
 /// Errors   of every call: NotInControl, UnsafeState, LinkLost, Timeout, Cancelled, ConnectionRefused,
-///          HostUnreachable, RemoteControlRequired, ScriptError (with the line of the user's text and the
-///          controller's message)
+///          HostUnreachable, RemoteControlRequired, ScriptError (with the line number in the user's text and
+///          the controller's message)
 /// Threads  any. Blocks: at most until the deadline
 class Programs {
 public:
     explicit Programs(Controller& controller) : controller_(&controller) {}
 
-    /// Runs the body of a function inside the control program, with the same stop functions and heartbeat timeout.
+    /// Runs a function body inside the control program, with the same stop functions and heartbeat timeout.
     /// The handle completes when the function returns.
     /// name   of the function in messages: letters, digits and _, not starting with a digit
     /// body   script lines without def and end; each block must be closed by its own `end` (else InvalidArgument).
@@ -28,7 +28,7 @@ public:
                                  Holding holding = Holding::Free);
 
     /// Runs a complete program instead of the control program, waits for its end and takes control again.
-    /// Controller::stop() and the deadline end it.
+    /// Controller::stop() or an expired deadline ends the program.
     /// program      `def ... end`, or a sequence of lines. Names starting with tiller_heartbeat are reserved
     /// supervision  Heartbeat: an inserted watchdog thread ends the program after 100 ms without a heartbeat of
     ///              this process; the controller then decelerates as at the end of any program. Unattended: the
@@ -37,14 +37,14 @@ public:
     Result<void> runScript(const Text& program, const Deadline& deadline,
                            Supervision supervision = Supervision::Heartbeat);
 
-    /// Ends the control program; data continue to arrive. Use reupload() to start it again.
+    /// Ends the control program. Robot data continue to arrive. Use reupload() to start the program again.
     Result<void> endControlProgram(const Deadline& deadline);
     /// Sends the control program again, whether or not it is running.
     Result<void> reupload(const Deadline& deadline);
-    /// Whether any program is running on the robot, according to the newest data.
+    /// True if any program is running on the robot, according to the newest data.
     bool isProgramRunning() const;
 
-    /// The control program for this software version, e.g. to read it or to start it by means other than
+    /// Text of the control program for this software version, e.g. to read it or to start it without
     /// takeControl().
     static QString controlProgram(const SoftwareVersion& version,
                                   RegisterRange registers = RegisterRange::Upper);

@@ -1,46 +1,46 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Monitors a stop until the robot's data confirm it, and decides when to stop through all interfaces, including the
-// end of the control program: if the control connection does not respond, if the robot's data are late, or if the
-// arm keeps moving because another program has replaced the control program.
+// Monitors a stop until the robot's data confirm it. Decides when to stop through all interfaces, including
+// the end of the control program. This happens if the control connection does not respond, if the robot's
+// data are late, or if the arm keeps moving because another program has replaced the control program.
 
 #include <cstdint>
 #include <optional>
 
 namespace tiller::control {
 
-/// A snapshot for the decision. Speeds, standstill and `stopped` are from the receiver, not from the control
-/// connection.
+/// Input values for the decision. Speeds, standstill and `stopped` come from the receiver, not from the
+/// control connection.
 struct StopEvidence {
     std::int64_t nowNs = 0;
     bool fresh = false;               ///< the receiver's data are not older than 100 ms
-    std::int64_t dataNs = 0;          ///< arrival of the newest sample
-    bool moving = true;               ///< according to this sample
+    std::int64_t dataNs = 0;          ///< arrival time of the newest sample
+    bool moving = true;               ///< the newest sample reports standstill
     double tcpSpeed = 0;              ///< [m/s]
     double jointSpeed = 0;            ///< of the fastest joint [rad/s]
     bool stopped = false;             ///< no program is running
-    bool inControl = false;           ///< according to control data not older than 100 ms
+    bool inControl = false;           ///< from control data not older than 100 ms
     std::uint64_t restingEpoch = 0;   ///< ControllerStatus::restingEpoch
-    std::uint64_t executedEpoch = 0;  ///< of the motion executed by the control program; 0: none
+    std::uint64_t executedEpoch = 0;  ///< id of the motion executed by the control program; 0: none
 };
 
 /// Threads  one
 class StopConfirmation {
 public:
-    /// epoch  of the stop: Controller::stop()
+    /// epoch  of the stop, returned by Controller::stop()
     StopConfirmation(std::uint64_t epoch, const StopEvidence& evidence);
 
-    /// Registers another stop before the verdict. It has to be confirmed instead of the first one, but within
-    /// the time of the first one, so that repeated requests do not postpone the verdict.
+    /// Registers another stop before the verdict. Only the new stop must be confirmed, but within the time of
+    /// the first one, so that repeated requests do not postpone the verdict.
     void repeat(std::uint64_t epoch) { epoch_ = epoch; }
 
     enum class Verdict {
         Waiting,
-        Confirmed,  ///< the arm is at standstill, and the control program confirms this or no program is running
+        Confirmed,   ///< the arm is at standstill, confirmed by the control program, or no program is running
         EveryRoute,  ///< not confirmed in time: stop through all interfaces
     };
-    /// Call this about every 20 ms until it no longer returns Waiting.
+    /// Call this about every 20 ms until it returns a value other than Waiting.
     Verdict look(const StopEvidence& evidence);
 
 private:

@@ -9,7 +9,7 @@ namespace tiller::control {
 
 namespace {
 
-/// After a longer gap in the data the time of standstill is unknown.
+/// After a longer gap in the data, the time of standstill is unknown.
 constexpr std::int64_t kBlindNs = 100 * kNsPerMs;
 
 }  // namespace
@@ -25,9 +25,9 @@ void StopMeter::begin(StopCause cause, std::int64_t requestNs) {
 bool StopMeter::add(const Sample& sample) {
     const bool still = sample.tcpSpeed < kStillTcpSpeed && sample.jointSpeed < kStillJointSpeed;
     moving_ = !still;
-    // Samples received before the request are ignored, including an accidental standstill.
+    // Samples received before the request are ignored, even if they show standstill.
     if (measuring_ && hasSample_ && sample.hostNs - previous_.hostNs > kBlindNs) {
-        measuring_ = false;  // standstill was reached during a gap in the data
+        measuring_ = false;  // standstill was reached during the gap in the data
     }
     const bool counts = measuring_ && sample.hostNs >= requestNs_;
     if (counts && hasSample_) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Measures the stopping time and distance after a stop request from the data of the robot.
+// Measures the stopping time and distance after a stop request, using data from the robot.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -19,20 +19,20 @@ inline constexpr double kStillJointSpeed = 0.0035;  ///< [rad/s] 0.2 deg/s
 class StopMeter {
 public:
     struct Sample {
-        std::int64_t hostNs = 0;  ///< time of reception
+        std::int64_t hostNs = 0;  ///< arrival time
         Eigen::Vector3d tcpPosition = Eigen::Vector3d::Zero();
         double tcpSpeed = 0;    ///< [m/s]
         double jointSpeed = 0;  ///< of the fastest joint [rad/s]
     };
 
-    /// requestNs  time of the stop request. A measurement in progress is not interrupted.
+    /// requestNs  time of the stop request. Does not interrupt a measurement in progress.
     void begin(StopCause cause, std::int64_t requestNs);
     void cancel() { measuring_ = false; }  ///< Cancels the measurement in progress.
     /// Returns  true if this sample completed a measurement
     bool add(const Sample& sample);
 
-    bool isMeasuring() const { return measuring_; }        ///< True from the stop to standstill.
-    bool isMoving() const { return moving_; }              ///< According to the newest data.
+    bool isMeasuring() const { return measuring_; }        ///< True from the stop request to standstill.
+    bool isMoving() const { return moving_; }              ///< True if the newest data report standstill.
     const StopMeasurement& last() const { return last_; }  ///< The last complete measurement.
 
 private:

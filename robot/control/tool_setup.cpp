@@ -12,7 +12,7 @@ namespace tiller::control {
 
 namespace {
 
-/// [kg]: above the payload of all models; the controller checks its own limit
+/// [kg], above the payload of all models; the controller checks its own limit
 constexpr double kHeaviestPayload = 50.0;
 constexpr double kFarthest = 2.0;  ///< [m] from the flange
 
@@ -180,7 +180,7 @@ Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
     if (!d.loop.isInControl()) {
         return Error{ErrorCode::NotInControl, context, {}};
     }
-    // The protective stop pauses the program, so that the answer may not arrive: the safety mode is decisive.
+    // The protective stop pauses the program, so the answer may not arrive. The safety mode decides.
     const Deadline answerTime =
         Deadline::after(std::min(std::chrono::milliseconds(100), deadline.remaining()), deadline.token());
     const auto asked = d.requests.request(RequestKind::ProtectiveStop, 0, {}, context, answerTime);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Settings of the robot for its tool, sensor and environment.
+// Robot settings for its tool, force sensor and environment.
 
 #include <array>
 #include <optional>
@@ -12,7 +12,7 @@
 namespace tiller::control {
 
 struct ExternalSensor {
-    double mass = 0;                                            ///< of the sensor [kg], 0 or more
+    double mass = 0;                                            ///< mass of the sensor [kg], 0 or more
     Eigen::Vector3d measuringOffset = Eigen::Vector3d::Zero();  ///< from the flange [m]
     Eigen::Vector3d centreOfGravity = Eigen::Vector3d::Zero();  ///< from the flange [m]
 };
@@ -37,17 +37,17 @@ public:
     Result<void> setGravity(const Eigen::Vector3d& direction, const Deadline& deadline);
     Result<void> zeroForceSensor(const Deadline& deadline);  ///< Sets the current reading to zero.
 
-    /// Uses the forces of setExternalWrench() instead of the robot's sensor. The robot pauses the program if no
-    /// value arrives for 100 ms. Since 5.9 / 3.14. Source: URScript ft_rtde_input_enable
+    /// Uses the forces of setExternalWrench() instead of the robot's sensor. The robot pauses the program if
+    /// it receives no value for 100 ms. Since 5.9 / 3.14. Source: URScript ft_rtde_input_enable
     Result<void> useExternalSensor(const ExternalSensor& sensor, const Deadline& deadline);
-    /// As useExternalSensor(), with the function name of older software (torques with the opposite sign).
+    /// As useExternalSensor(), with the function name of older software. The torques have the opposite sign.
     Result<void> useExternalSensorLegacy(const ExternalSensor& sensor, const Deadline& deadline);
     Result<void> useOwnSensor(const Deadline& deadline);  ///< Ends useExternalSensor().
     /// Sends one measurement with the next cycle.
     /// Errors  NotInControl, FieldUnknown, RegisterInUse, InvalidArgument. Blocks: never. Real-time: yes
     Result<void> setExternalWrench(const Wrench& wrench);
 
-    /// Makes the robot stop the program if kickWatchdog() is called less often than this frequency [Hz].
+    /// The robot stops the program if kickWatchdog() is called less often than this frequency [Hz].
     Result<void> setWatchdog(double minFrequency, const Deadline& deadline);
     /// Errors  NotInControl, RegisterInUse. Blocks: never. Real-time: yes
     Result<void> kickWatchdog();

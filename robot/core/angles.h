@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Conversion between degrees (user interface, scripts, external files) and radians (used internally for all
+// Conversion between degrees (user interface, scripts, external files) and radians (used for all internal
 // angles).
 
 #include <numbers>

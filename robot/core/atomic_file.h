@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes a file completely or not at all. QSaveFile reports success when its last flush fails, so that a full disk
-// turns a small file into an empty one; here every step is checked: writing, flushing to the storage device, replacing
-// the old file and flushing the folder. A crash, a full disk or a power failure leaves either the old or the new file.
+// Writes a file completely or not at all. QSaveFile reports success even if its last flush fails, so a full
+// disk turns a small file into an empty one. This class checks every step: writing, flushing to the storage
+// device, replacing the old file and flushing the folder. A crash, a full disk or a power failure leaves
+// either the old or the new file.
 
 #include <QByteArray>
 #include <QFile>
@@ -14,15 +15,15 @@
 
 namespace tiller {
 
-/// A file that replaces `path` when commit() succeeds. Until then the old file is unchanged; an object that
-/// is destroyed earlier leaves no file.
+/// A file that replaces `path` when commit() succeeds. Until then the old file is unchanged. An object that
+/// is destroyed before commit() leaves no new file.
 /// Errors   of every call: DiskFull, FileNotWritable; the context names the attempted action,
 ///          controllerMessage contains the system's reason
 /// Threads  one at a time. Blocks: for the file system. Real-time: no
 class AtomicFile {
 public:
     /// path  target file; a symbolic link is followed. The permissions and the owner of an existing file are kept.
-    /// what  context of errors, e.g. "export to plot.csv"; "write PATH" when empty
+    /// what  context of errors, e.g. "export to plot.csv"; empty: "write PATH"
     explicit AtomicFile(const QString& path, const QString& what = {});
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -33,7 +34,7 @@ public:
     /// Appends to the temporary file.
     Result<void> write(std::string_view bytes);
     Result<void> write(const QByteArray& bytes);  ///< Appends to the temporary file.
-    /// Replaces the old file. Afterwards the object is closed.
+    /// Replaces the old file and closes the object.
     Result<void> commit();
 
 private:
@@ -48,14 +49,14 @@ private:
 };
 
 /// Replaces the content of the file `path` in one step.
-/// what     context of errors, e.g. "export to plot.csv"; "write PATH" when empty
+/// what     context of errors, e.g. "export to plot.csv"; empty: "write PATH"
 /// Errors   DiskFull, FileNotWritable
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<void> writeFileAtomically(const QString& path, const QByteArray& content, const QString& what = {});
 
-/// Flushes the closed file `part`, written by a library, and renames it to `path` in the same folder, replacing an
-/// existing file. On an error `part` remains.
-/// what     context of errors; "write PATH" when empty
+/// Flushes the closed file `part` (written by a library) and renames it to `path` in the same folder.
+/// Replaces an existing file. On an error, `part` remains.
+/// what     context of errors; empty: "write PATH"
 /// Errors   DiskFull, FileNotWritable
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<void> replaceFile(const QString& part, const QString& path, const QString& what = {});

@@ -18,7 +18,7 @@ void SteadyClock::sleepUntil(std::int64_t ns) {
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
     }
 #else
-    // Not run in this project's CI.
+    // This code is not run in the project's CI.
     std::this_thread::sleep_until(std::chrono::steady_clock::time_point(std::chrono::nanoseconds(ns)));
 #endif
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Interface to the time source. The product uses the steady clock; tests use a virtual clock, so that their results
-// do not depend on the speed of the machine.
+// Interface of a time source. The product uses the steady clock. Tests use a virtual clock, so that their
+// results do not depend on the speed of the machine.
 
 #include <atomic>
 #include <chrono>
@@ -16,10 +16,10 @@ class Clock {
 public:
     virtual ~Clock() = default;
     virtual std::int64_t nowNs() const = 0;  ///< [ns]
-    /// False for a clock that is only advanced manually; waiting for it would never end.
+    /// False for a clock that is only advanced manually, because a wait would never end.
     virtual bool runsByItself() const = 0;
-    /// Returns at the time `ns`, to within microseconds if the CPU is available: the last `awakeNs` are spent in a
-    /// busy wait. Returns immediately if the clock does not run by itself.
+    /// Waits until the time `ns`, accurate to microseconds if the CPU is available: the last `awakeNs` are
+    /// spent in a busy wait. Returns immediately if the clock does not run by itself.
     virtual void waitUntil(std::int64_t ns, std::int64_t awakeNs) const = 0;
 };
 
@@ -31,10 +31,10 @@ public:
             .count();
     }
     bool runsByItself() const override { return true; }
-    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override;  ///< Sleeps, then waits actively.
-    /// Sleeps until `ns` or later, without waiting actively.
+    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override;  ///< Sleeps, then busy-waits.
+    /// Sleeps until `ns` or later, without a busy wait.
     static void sleepUntil(std::int64_t ns);
-    /// The default clock. It has no state and is shared by all users.
+    /// The default clock. It is stateless and shared by all users.
     static const SteadyClock& shared() {
         static const SteadyClock clock;
         return clock;
@@ -47,7 +47,7 @@ public:
     explicit VirtualClock(std::int64_t startNs = 1'000'000'000) : now_(startNs) {}
     std::int64_t nowNs() const override { return now_.load(std::memory_order_acquire); }  ///< [ns]
     bool runsByItself() const override { return false; }
-    void waitUntil(std::int64_t /*ns*/, std::int64_t /*awakeNs*/) const override {}  ///< Returns at once.
+    void waitUntil(std::int64_t /*ns*/, std::int64_t /*awakeNs*/) const override {}  ///< Returns immediately.
     void advanceNs(std::int64_t ns) {
         now_.fetch_add(ns, std::memory_order_acq_rel);
     }  ///< [ns]. Threads: any

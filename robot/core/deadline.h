@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The time limit of a blocking call, with an optional cancel token. Every blocking call of this library takes a
-// Deadline.
+// The time limit of a blocking call, with an optional cancel token. Every blocking call of this library has a
+// Deadline parameter.
 
 #include <algorithm>
 #include <atomic>
@@ -18,8 +18,8 @@ namespace tiller {
 class CancelToken {
 public:
     CancelToken() : CancelToken(nullptr) {}
-    /// The token is also cancelled once `asked` returns true. The waiting thread calls `asked` about every 10 ms.
-    /// For hosts such as Python that can detect an interrupt only in this thread.
+    /// The token is also cancelled once `asked` returns true. The waiting thread calls `asked` about every 10
+    /// ms. Intended for hosts such as Python that can detect an interrupt only in this thread.
     explicit CancelToken(std::function<bool()> asked) : state_(std::make_shared<State>(std::move(asked))) {}
     /// Cancels all copies.
     void cancel() const { state_->cancelled.store(true, std::memory_order_release); }
@@ -43,8 +43,8 @@ class Deadline {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// time  in any unit and representation, e.g. 5s, 0.5s, std::chrono::duration<double>(x). More than a century
-    ///       means no limit; a negative value or NaN means immediately.
+    /// time  in any unit and representation, e.g. 5s, 0.5s, std::chrono::duration<double>(x). More than a
+    ///       century: no limit. A negative value or NaN: already expired.
     template <class Rep, class Period>
     static Deadline after(std::chrono::duration<Rep, Period> time, const CancelToken& token = CancelToken()) {
         using Seconds = std::chrono::duration<double>;
@@ -57,12 +57,13 @@ public:
                    : Deadline(Clock::now() + std::chrono::ceil<Clock::duration>(time), token);
     }
 
-    /// A deadline without a time limit; only the event or the token ends the wait. Example: a move at 2 % speed.
+    /// A deadline without a time limit. Only the awaited event or the token ends the wait. Useful e.g. for a
+    /// move at 2 % speed.
     static Deadline never(const CancelToken& token = CancelToken()) {
         return Deadline(Clock::time_point::max(), token);
     }
 
-    /// True if the time is over or the token is cancelled.
+    /// True if the time has expired or the token is cancelled.
     bool hasExpired() const { return token_.isCancelled() || Clock::now() >= end_; }
     bool isCancelled() const { return token_.isCancelled(); }  ///< True only if the token is cancelled.
     std::chrono::milliseconds remaining() const {  ///< 0 if expired; one day if there is no time limit.
@@ -75,8 +76,8 @@ public:
         const auto left = std::chrono::ceil<std::chrono::milliseconds>(end_ - Clock::now());
         return std::max(left, std::chrono::milliseconds(0));
     }
-    /// Maximum sleep time until the token has to be checked again: 10 ms, so that cancelling takes effect within 20
-    /// ms.
+    /// Maximum sleep time before the token must be checked again: 10 ms, so that cancelling takes effect
+    /// within 20 ms.
     std::chrono::milliseconds nextPoll() const {
         return std::min(remaining(), std::chrono::milliseconds(10));
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Error codes for programs, with the context and the message of the controller. The texts for users, with a
-// suggested action, are in widgets/.
+// Error codes for programs, with the context and the controller's message. User-visible texts with a
+// suggested action are in widgets/.
 
 #include <QMetaType>
 #include <QString>
@@ -15,7 +15,7 @@ namespace tiller {
 enum class ErrorCode {
     None,
     // connection
-    AddressInvalid,     ///< not an address or a host name that resolves
+    AddressInvalid,     ///< neither an address nor a host name that resolves
     HostUnreachable,    ///< no route, or no response
     ConnectionRefused,  ///< the host responds, but no process listens on the port
     ConnectionClosed,   ///< the peer ended the connection
@@ -30,13 +30,13 @@ enum class ErrorCode {
     // motion
     NotConnected,
     NotInControl,  ///< the control program is not running
-    UnsafeState,   ///< not allowed in the current robot mode or safety mode
+    UnsafeState,   ///< not permitted in the current robot or safety mode
     RemoteControlRequired,
     LimitExceeded,    ///< a value or target outside the allowed range
     InvalidArgument,  ///< wrong size, NaN, or a value that suggests a wrong unit
     NoSolution,       ///< a pose the arm cannot reach
-    Stopped,          ///< stopped before the command was complete
-    Rejected,         ///< the controller refused
+    Stopped,          ///< stopped before the command was completed
+    Rejected,         ///< the controller refused the request
     ScriptError,      ///< the controller could not compile or run a script
     // files
     FileNotReadable,

@@ -35,7 +35,7 @@ Result<void> openForReading(QFile& file, const QString& path) {
     if (!path.startsWith(QLatin1Char(':'))) {
         const QByteArray name = QFile::encodeName(path);
         struct stat status {};
-        // Check before opening: opening a device can have an effect.
+        // Check before opening, because opening a device can have side effects.
         if (::stat(name.constData(), &status) == 0 && !S_ISREG(status.st_mode)) {
             return readFailure(path, notRegular());
         }
@@ -78,7 +78,7 @@ Result<QByteArray> readWholeFile(const QString& path, qint64 maxBytes) {
     }
     QByteArray bytes;
     if (file.size() <= maxBytes) {
-        // Read in chunks, up to one byte beyond the limit: system files report no size, and some are endless.
+        // Read in chunks, up to one byte beyond the limit. System files report no size, and some are endless.
         constexpr qint64 kPiece = 1 << 20;
         bytes.reserve(file.size());
         for (QByteArray piece; bytes.size() <= maxBytes; bytes += piece) {

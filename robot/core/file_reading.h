@@ -12,17 +12,17 @@
 
 namespace tiller {
 
-/// The largest URScript file that is read [bytes].
+/// Size of the largest URScript file that is read [bytes].
 inline constexpr qint64 kMaxScriptBytes = 16 << 20;
 
-/// Opens `path` for reading into `file`, which must be closed. Never blocks on a pipe or a device. Paths of embedded
-/// resources (":/...") are read as well.
+/// Opens `path` for reading into `file`, which must be closed. Never blocks on a pipe or a device. Embedded
+/// resources (":/...") are supported.
 /// Errors   FileNotReadable, with the reason in controllerMessage
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<void> openForReading(QFile& file, const QString& path);
 
 /// Reads the regular file `path` completely.
-/// maxBytes  larger files are refused, regardless of the size that the file system reports
+/// maxBytes  larger files are refused, even if the file system reports a smaller size
 /// Errors    FileNotReadable; FileCorrupt if the file is larger than maxBytes
 /// Threads   any. Blocks: for the file system. Real-time: no
 Result<QByteArray> readWholeFile(const QString& path, qint64 maxBytes);

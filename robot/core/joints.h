@@ -2,7 +2,7 @@
 #pragma once
 
 // Six joint values in the order base, shoulder, elbow, wrist 1, wrist 2, wrist 3. Positions, velocities,
-// accelerations and torques are different types, so that they cannot be confused.
+// accelerations and torques have different types, so that they cannot be confused.
 
 #include <Eigen/Core>
 #include <array>

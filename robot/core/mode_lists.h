@@ -9,11 +9,11 @@
 
 namespace tiller {
 
-/// RTDE's safety_status distinguishes causes that older software reports as one safety mode; the numbers are the
-/// same.
+/// RTDE's safety_status distinguishes causes that older software reports as a single safety mode. The numbers
+/// are the same.
 using SafetyStatus = SafetyMode;
 
-/// Known only as a safety status so far. Source: SafetyStatus.msg of the ROS 2 driver
+/// Observed only as a safety status so far. Source: SafetyStatus.msg of the ROS 2 driver
 inline constexpr SafetyStatus kIoPlaneStop = static_cast<SafetyStatus>(23);
 
 std::vector<RobotMode> robotModes();         ///< In numeric order.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// State enumerations of the controller, with the numbers used by RTDE.
-// Source: RTDE guide; numbers above 13 from newer software.
+// State enumerations of the controller, with the numbers used by RTDE. Source: RTDE guide; numbers above 13:
+// newer software.
 
 #include <QString>
 #include <cstdint>
@@ -65,7 +65,7 @@ enum class JointMode : std::int32_t {
     Idle = 255,
 };
 
-/// Spelling of the controller, e.g. "POWER_OFF". Unknown numbers return "UNKNOWN_<n>".
+/// Name as spelled by the controller, e.g. "POWER_OFF". Unknown numbers return "UNKNOWN_<n>".
 QString robotModeName(RobotMode mode);
 QString safetyModeName(SafetyMode mode);       ///< e.g. "PROTECTIVE_STOP"
 QString runtimeStateName(RuntimeState state);  ///< e.g. "PLAYING"

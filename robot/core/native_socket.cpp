@@ -21,7 +21,7 @@
 namespace tiller::native_socket {
 
 #ifdef _WIN32
-// Written according to the Winsock documentation; not run in this project's CI.
+// Written from the Winsock documentation; not run in the project's CI.
 
 namespace {
 SOCKET handle(Descriptor socket) {
@@ -120,7 +120,7 @@ void watchPeer(Descriptor socket) {
     const int on = 1;
     ::setsockopt(fd, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
 #ifdef __linux__
-    // Idle connections are probed once per second; sent data have the same time to be acknowledged.
+    // Idle connections are probed once per second. Sent data must be acknowledged within the same time limit.
     constexpr int kEverySeconds = 1;
     const int probes = static_cast<int>(kPeerTimeout / std::chrono::seconds(kEverySeconds)) - 1;
     const auto timeoutMs = static_cast<unsigned>(kPeerTimeout.count());

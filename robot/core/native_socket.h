@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads and writes connected TCP sockets by descriptor, for the 500 Hz loops and the simulated controller
-// (QTcpSocket allocates memory). tcp_connect.h opens such sockets.
+// Reads and writes connected TCP sockets by descriptor. Used by the 500 Hz loops and the simulated
+// controller, because QTcpSocket allocates memory. tcp_connect.h opens such sockets.
 
 #include <chrono>
 #include <cstddef>
@@ -28,22 +28,22 @@ struct Transfer {
 /// Makes the socket non-blocking, disables Nagle's algorithm and suppresses SIGPIPE.
 void prepare(Descriptor socket);
 
-/// A connection ends if the peer's system has not responded for this time, even when idle. The time is long enough
-/// to bridge network interruptions that TCP recovers from; code that needs a faster reaction monitors the received
-/// data.
+/// A connection ends if the peer's system has not responded for this time, even when idle. The time is long
+/// enough for network interruptions that TCP recovers from. Code that needs a faster reaction monitors the
+/// received data.
 inline constexpr std::chrono::milliseconds kPeerTimeout(5000);
 
-/// Enables keep-alive probes, because a peer without power never closes the connection. On Linux the connection
-/// ends within kPeerTimeout, on other systems according to their configuration.
+/// Enables keep-alive probes, because a peer that loses power never closes the connection. On Linux the
+/// connection ends within kPeerTimeout, on other systems after a time that depends on their configuration.
 void watchPeer(Descriptor socket);
 
 /// Threads  one reader and one writer at a time. Blocks: never. Real-time: one system call each
 Transfer receive(Descriptor socket, std::span<std::uint8_t> into);
-/// Threads, blocking and real-time as receive().
+/// Threads, blocking and real-time: as receive().
 Transfer send(Descriptor socket, std::span<const std::uint8_t> bytes);
 
-/// Ends the wait of another thread in waitReadable(). Without effect on systems that do not support it; the wait
-/// then lasts until its timeout.
+/// Ends the wait of another thread in waitReadable(). Has no effect on unsupported systems, where the wait
+/// lasts until its timeout.
 /// Threads  any. Blocks: never. Real-time: one system call each
 class EventFd {
 public:
@@ -53,31 +53,32 @@ public:
     EventFd& operator=(const EventFd&) = delete;
 
     void wake() const;  ///< Ends the current wait, or the next one.
-    /// Resets the object after calls of wake().
-    /// Returns  whether wake() was called
+    /// Resets the object after calls to wake().
+    /// Returns  true if wake() was called
     bool take() const;
-    Descriptor descriptor() const { return descriptor_; }  ///< negative: not supported by the system
+    Descriptor descriptor() const { return descriptor_; }  ///< negative if unsupported by the system
 
 private:
     Descriptor descriptor_ = -1;
 };
 
-/// Waits until the socket is readable (data, end of stream or error), the waker is triggered, or the time is over.
+/// Waits until the socket is readable (data, end of stream or error), the waker is triggered, or the time has
+/// expired.
 /// Returns  true if the socket is readable
 bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const EventFd* waker = nullptr);
 
-/// Waits until the socket is writable, the connection has failed, or the time is over.
+/// Waits until the socket is writable, the connection has failed, or the time has expired.
 /// Returns  true in the first two cases
 bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
 void close(Descriptor socket);
 
-/// Local port of a connection; 0 if there is none.
+/// Local port of the connection; 0 if not connected.
 std::uint16_t localPort(Descriptor socket);
-std::uint16_t peerPort(Descriptor socket);  ///< Remote port of a connection; 0 if there is none.
+std::uint16_t peerPort(Descriptor socket);  ///< Remote port of the connection; 0 if not connected.
 
-/// A second descriptor of the same connection, which can outlive the Qt socket that opened it. Negative if
-/// the system has no free descriptors.
+/// Returns a second descriptor of the same connection, which can outlive the Qt socket that opened the
+/// connection. Negative if the system has no free descriptors.
 Descriptor duplicate(Descriptor socket);
 
 }  // namespace tiller::native_socket

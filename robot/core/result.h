@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A value or an error. Accessing the value of a failed result is a broken precondition.
+// A value or an error. Accessing the value of a failed result violates a precondition.
 
 #include <optional>
 #include <stdexcept>
@@ -12,7 +12,7 @@
 
 namespace tiller {
 
-/// Thrown by value() of a failed result; what() is Error::message().
+/// Thrown by value() of a failed result. what() returns Error::message().
 class ResultError : public std::logic_error {
 public:
     explicit ResultError(Error error) : std::logic_error(error.message()), error_(std::move(error)) {}
@@ -35,7 +35,8 @@ public:
     /// Throws ResultError on a failed result.
     const T& value() const& { return checked(), std::get<0>(content_); }
     T& value() & { return checked(), std::get<0>(content_); }  ///< Errors   ResultError on a failed result
-    /// Errors   ResultError on a failed result. Moves the value out.
+    /// Moves the value out.
+    /// Errors   ResultError on a failed result
     T&& value() && { return checked(), std::get<0>(std::move(content_)); }
     const T& operator*() const& { return value(); }
     T& operator*() & { return value(); }

@@ -3,8 +3,8 @@
 
 #include "robot/core/angles.h"
 
-// Sources of the values. "Description" means the vendor's public description files (which cite its articles on DH
-// parameters, joint torques and speeds); "assumed" marks values chosen for this project.
+// Sources of the values. "Description" means the vendor's public description files (which cite its articles
+// on DH parameters, joint torques and speeds); "assumed" means chosen for this project.
 //
 // - DH: description files; UR7e has the UR5e's arm, UR12e the UR10e's. Like the controller, this file rounds pi/2
 //   to 1.570796327; forward kinematics then agrees with a recorded pose to the last digit.

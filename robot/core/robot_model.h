@@ -19,15 +19,15 @@ struct DhParameters {
     std::array<double, 6> a{};      ///< [m]
     std::array<double, 6> d{};      ///< [m]
     std::array<double, 6> alpha{};  ///< [rad]
-    std::array<double, 6> theta{};  ///< joint offsets of a calibrated robot [rad]
-    /// Deviation of nearly parallel axes of a calibrated robot [rad]: see kinematics/parallel_axes.h
+    std::array<double, 6> theta{};  ///< joint offsets of a calibrated arm [rad]
+    /// Deviation of nearly parallel axes of a calibrated arm [rad]: see kinematics/parallel_axes.h
     std::array<double, 6> beta{};
 
     bool operator==(const DhParameters&) const = default;
 };
 
-/// One link, in its own DH frame: mass [kg], centre of mass [m],
-/// inertia about the centre of mass ixx, ixy, ixz, iyy, iyz, izz [kg m2].
+/// One link in its own DH frame: mass [kg], centre of mass [m], inertia about the centre of mass (ixx, ixy,
+/// ixz, iyy, iyz, izz) [kg m2].
 struct LinkInertia {
     double mass = 0;
     std::array<double, 3> centreOfMass{};
@@ -78,8 +78,8 @@ const RobotModel& robotModel(RobotModelId id);  ///< Data of one model, valid fo
 std::span<const RobotModel> robotModels();      ///< All supported models.
 /// Looks a model up by name, ignoring case: "ur5e", "UR8Long", "ur8 long".
 std::optional<RobotModelId> robotModelByName(const Text& name);
-/// Looks a model up by robot_type in ConfigurationData. If several models share the type, returns the first; their
-/// joints are identical.
+/// Looks a model up by robot_type in ConfigurationData. If several models share the type, returns the first
+/// of them; their joints are identical.
 std::optional<RobotModelId> robotModelByType(int robotType, bool isCb3);
 
 }  // namespace tiller

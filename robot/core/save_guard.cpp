@@ -69,7 +69,7 @@ struct SaveGuard::Handle {
     int descriptor = -1;
     ~Handle() {
         if (descriptor >= 0) {
-            // Closing alone leaves the lock to a forked child, which has a copy of the descriptor.
+            // Unlock explicitly: after a fork, the child's copy of the descriptor would keep the lock.
             ::flock(descriptor, LOCK_UN);
             ::close(descriptor);
         }

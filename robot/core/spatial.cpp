@@ -102,7 +102,7 @@ std::ostream& operator<<(std::ostream& out, const Wrench& wrench) {
 Eigen::Matrix3d rotationMatrix(const Eigen::Vector3d& rotationVector) {
     const double angle = rotationVector.norm();
     if (angle < 1e-12) {
-        // First order is exact to 1e-24 here and avoids dividing by the angle.
+        // The first-order term is exact to 1e-24 here and avoids a division by the angle.
         Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
         R(0, 1) = -rotationVector.z();
         R(0, 2) = rotationVector.y();

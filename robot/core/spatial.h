@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Poses, twists and wrenches in the controller's representation: metres, radians, newtons, and orientations as
-// rotation vectors (axis times angle, angle in [0, pi]). Names contain the frames: T_base_tool maps tool
-// coordinates to base coordinates.
+// Poses, twists and wrenches in the controller's representation: metres, radians, newtons, and orientations
+// as rotation vectors (axis times angle, angle in [0, pi]). Variable names contain the frames: T_base_tool
+// maps tool coordinates to base coordinates.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -31,14 +31,14 @@ struct Pose {
     /// Errors   std::invalid_argument if the size is not 6
     static Pose fromStdVector(const std::vector<double>& v);
     std::vector<double> toStdVector() const;  ///< x y z rx ry rz [m, rad]
-    /// Index 0, 1, 2: position [m]; 3, 4, 5: rotation vector [rad].
+    /// Indices 0, 1, 2: position [m]; 3, 4, 5: rotation vector [rad].
     double& operator[](int i) { return i < 3 ? position[i] : rotation[i - 3]; }
     double operator[](int i) const { return i < 3 ? position[i] : rotation[i - 3]; }
     std::array<double, 6> array() const {  ///< x y z rx ry rz [m, rad]
         return {position.x(), position.y(), position.z(), rotation.x(), rotation.y(), rotation.z()};
     }
     Eigen::Isometry3d transform() const;  ///< Maps coordinates in this pose's frame to its reference frame.
-    /// For T_a_b returns T_b_a.
+    /// Inverse transform: T_b_a for T_a_b.
     Pose inverse() const;
     bool allFinite() const;  ///< True if no value is NaN or infinite.
     friend bool operator==(const Pose&, const Pose&) = default;
@@ -50,7 +50,7 @@ struct Pose {
     friend std::ostream& operator<<(std::ostream& out, const Pose& pose);
 };
 
-/// Linear [m/s] and angular [rad/s] velocity, in the frame documented by the user of the type.
+/// Linear [m/s] and angular [rad/s] velocity. The frame is documented where the type is used.
 struct Twist {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();
     Eigen::Vector3d angular = Eigen::Vector3d::Zero();
@@ -66,7 +66,7 @@ struct Twist {
     friend bool operator==(const Twist&, const Twist&) = default;
 };
 
-/// Force [N] and torque [Nm], in the frame documented by the user of the type.
+/// Force [N] and torque [Nm]. The frame is documented where the type is used.
 struct Wrench {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Vector3d torque = Eigen::Vector3d::Zero();
@@ -86,7 +86,7 @@ Eigen::Matrix3d rotationMatrix(const Eigen::Vector3d& rotationVector);
 /// Rotation matrix to rotation vector [rad], length 0 ... pi.
 Eigen::Vector3d rotationVector(const Eigen::Matrix3d& R);
 
-/// Roll, pitch, yaw [rad], R = Rz(yaw) Ry(pitch) Rx(roll). At pitch = +-90 deg yaw is set to 0.
+/// Roll, pitch, yaw [rad] with R = Rz(yaw) Ry(pitch) Rx(roll). At pitch = +-90 deg, yaw is set to 0.
 Eigen::Vector3d rpyFromRotationVector(const Eigen::Vector3d& rotationVector);
 /// The inverse of rpyFromRotationVector(). Both [rad].
 Eigen::Vector3d rotationVectorFromRpy(const Eigen::Vector3d& rpy);

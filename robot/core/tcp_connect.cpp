@@ -22,7 +22,7 @@ namespace {
 using native_socket::Descriptor;
 
 #ifdef _WIN32
-// Written according to the Winsock documentation; not run in this project's CI.
+// Written from the Winsock documentation; not run in the project's CI.
 using Handle = SOCKET;
 constexpr int kRefused = WSAECONNREFUSED;
 constexpr int kConnectPending = WSAEWOULDBLOCK;
@@ -86,7 +86,7 @@ AddressList resolve(const QString& host, int port, int& failure) {
 
 Error expired(const Deadline& deadline, const QString& context) {
     return {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-            QStringLiteral("no answer in time")};
+            QStringLiteral("no response in time")};
 }
 
 Error refusal(int error, const QString& context) {
@@ -97,7 +97,8 @@ Error refusal(int error, const QString& context) {
 Result<Descriptor> connectTo(const addrinfo& address, const Deadline& deadline, const QString& context) {
     const Handle socket = ::socket(address.ai_family, address.ai_socktype, address.ai_protocol);
     if (static_cast<Descriptor>(socket) < 0) {
-        return Error{ErrorCode::Internal, context, QStringLiteral("no file descriptor is left for a socket")};
+        return Error{ErrorCode::Internal, context,
+                     QStringLiteral("no file descriptors are left for a socket")};
     }
     const auto descriptor = static_cast<Descriptor>(socket);
     makeNonBlocking(socket);

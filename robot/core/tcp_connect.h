@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Opens all TCP connections. The function needs neither an application object nor an event loop, so that programs
-// without Qt can use the backend from any thread. It checks the deadline and its cancel token while waiting.
+// Opens all TCP connections. No application object or event loop is needed, so programs without Qt can use
+// the library from any thread. The deadline and its cancel token are checked while waiting.
 
 #include <QString>
 
@@ -12,12 +12,12 @@
 
 namespace tiller {
 
-/// Connects to host:port, trying the addresses of the name one after the other.
+/// Connects to host:port. Tries all addresses of a host name, one after the other.
 /// port     1 ... 65535
 /// context  of the error; empty: "connect to host:port"
 /// Returns  a connected descriptor, prepared by native_socket::prepare(); the caller closes it
 /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled, Internal
-/// Threads  any. Blocks: until the deadline (resolving a name takes as long as the system needs)
+/// Threads  any. Blocks: until the deadline, but name resolution takes as long as the system needs
 Result<native_socket::Descriptor> connectTcp(const QString& host, int port, const Deadline& deadline,
                                              QString context = {});
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Strings at the interface of this library: accepts and returns the string types of Qt and of the standard library,
-// and writes values of this library to a std::ostream.
+// String conversions at the interface of this library. Accepts and returns the string types of Qt and of the
+// standard library, and writes values of this library to a std::ostream.
 
 #include <QString>
 #include <array>
@@ -59,7 +59,7 @@ constexpr std::string_view enumeratorName() {
     return colon == std::string_view::npos ? kName : kName.substr(colon + 1);
 }
 
-// Enumerators are searched among -1 ... 255 and the larger powers of two.
+// Enumerators are searched in the range -1 ... 255 and among the larger powers of two.
 inline constexpr std::size_t kPlainCandidates = 257;
 inline constexpr std::size_t kCandidates = kPlainCandidates + 23;
 constexpr std::int64_t candidate(std::size_t i) {  ///< The candidate number i.
@@ -100,16 +100,16 @@ concept ScopedEnum = std::is_enum_v<E> && !std::is_convertible_v<E, int>;
 
 }  // namespace detail
 
-/// Writes the name of an enumerator as in the header (e.g. "LinkLost"), and a number without a name as a number.
-/// Robot modes use the controller's spelling instead: see modes.h.
+/// Writes the name of an enumerator as spelled in the header (e.g. "LinkLost"), or the number if it has no
+/// name. Robot modes use the controller's spelling instead: see modes.h.
 template <detail::ScopedEnum E>
 std::ostream& operator<<(std::ostream& out, E value) {
     const std::string_view name = detail::nameOf(value);
     return name.empty() ? out << static_cast<std::int64_t>(value) : out << name;
 }
 
-/// toString(value) returns the output of operator<< as a std::string. An object instead of a function, so that
-/// argument-dependent lookup does not find it in place of another toString (Qt Test has one).
+/// toString(value) returns the output of operator<< as a std::string. It is an object rather than a function,
+/// so that argument-dependent lookup does not find it in place of another toString (Qt Test has one).
 struct ToString {
     template <class T>
     std::string operator()(const T& value) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A mutex with timeout. std::timed_mutex would be sufficient, but ThreadSanitizer does not know its wait function
-// (pthread_mutex_clocklock) and reports every such lock as an error.
+// A mutex with a timeout. std::timed_mutex would be sufficient, but ThreadSanitizer does not support its wait
+// function (pthread_mutex_clocklock) and reports every such lock as an error.
 
 #include <chrono>
 #include <condition_variable>
@@ -10,7 +10,7 @@
 
 namespace tiller {
 
-/// A mutex with a timeout, for std::unique_lock and std::lock_guard.
+/// Usable with std::unique_lock and std::lock_guard.
 /// Threads  any
 class Turn {
 public:

@@ -11,9 +11,9 @@
 
 namespace tiller {
 
-/// Polls `happened` every `look`, for conditions set by another process or by a thread that must not make the
-/// system call of a notification.
-/// Returns  whether the condition was true before the deadline
+/// Polls `happened` at intervals of `look`. Use this for conditions set by another process, or by a thread
+/// that must not make the system call of a notification.
+/// Returns  true if the condition became true before the deadline
 template <class Happened>
 bool waitUntil(const Deadline& deadline, Happened happened,
                std::chrono::nanoseconds look = std::chrono::milliseconds(1)) {

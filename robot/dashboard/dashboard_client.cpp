@@ -17,7 +17,7 @@ native_socket::Descriptor descriptorOf(const QTcpSocket& socket) {
     return static_cast<native_socket::Descriptor>(socket.socketDescriptor());
 }
 
-// The end of the reply depends on the version.
+// The line end of the reply depends on the software version.
 bool isRemoteRefusal(const QString& reply) {
     return reply.contains(QLatin1String("Remote Control"), Qt::CaseInsensitive) &&
            reply.contains(QLatin1String("not allowed"), Qt::CaseInsensitive);

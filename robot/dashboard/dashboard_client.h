@@ -28,14 +28,14 @@ struct ProgramState {
     QString program;  ///< empty if none is loaded
 };
 
-/// Threads  one at a time: the thread that connected. For threads that must not block see service_worker.h. Every
-///          call blocks until the reply or the deadline.
-/// Errors   of every call: NotConnected, ConnectionClosed, Timeout (no reply), Cancelled, RemoteControlRequired
-///          (the robot is in Local), Rejected (an undocumented reply, see controllerMessage), InvalidArgument (a
-///          line break in a text). The context contains address and command. Timeout and Cancelled close the
-///          connection, because a late reply would be taken for the reply to the next command.
-///          RemoteControlRequired closes it, because controllers apply the switch to Remote to new connections
-///          only.
+/// Threads  one at a time: the thread that connected. For threads that must not block, see service_worker.h.
+///          Every call blocks until the reply or the deadline.
+/// Errors   of every call: NotConnected, ConnectionClosed, Timeout (no reply), Cancelled,
+///          RemoteControlRequired (the robot is in Local), Rejected (an undocumented reply, see
+///          controllerMessage), InvalidArgument (a line break in a text). The context contains address and
+///          command. Timeout and Cancelled close the connection, because a late reply would be taken for the
+///          reply to the next command. RemoteControlRequired closes it, because the controller applies a
+///          change to Remote only to connections opened afterwards.
 class DashboardClient {
 public:
     explicit DashboardClient(Text host, int port = kDashboardPort);
@@ -47,23 +47,24 @@ public:
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
     void close();              ///< No effect without a connection.
-    bool isConnected() const;  ///< State after the last call.
-    /// Checks whether the server has closed the connection since the last reply, and closes the socket in this
-    /// case.
-    /// Returns  isConnected(). Blocks: never
+    bool isConnected() const;  ///< Connection state after the last call.
+    /// Checks whether the server has closed the connection since the last reply, and closes the socket in
+    /// this case.
+    /// Returns  isConnected()
+    /// Blocks   never
     bool checkConnection();
 
     // Power and recovery commands return when the action has started; robotMode() shows the progress.
     Result<void> powerOn(const Deadline& deadline);
     Result<void> powerOff(const Deadline& deadline);      ///< Switches the power off; the brakes engage.
     Result<void> brakeRelease(const Deadline& deadline);  ///< Changes to RUNNING; powers on if necessary.
-    /// Refused (Rejected) for 5 s after the stop.
+    /// Rejected during the first 5 s after the stop.
     Result<void> unlockProtectiveStop(const Deadline& deadline);
     Result<void> closeSafetyPopup(const Deadline& deadline);  ///< Closes one safety popup.
     Result<void> restartSafety(const Deadline& deadline);     ///< After a safety violation or fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline);    ///< Current robot mode.
-    Result<SafetyMode> safetyMode(const Deadline& deadline);  ///< Current safety mode.
+    Result<RobotMode> robotMode(const Deadline& deadline);
+    Result<SafetyMode> safetyMode(const Deadline& deadline);
     /// Also false if remote control is disabled in the settings. Since 5.6
     Result<bool> isInRemoteControl(const Deadline& deadline);
 
@@ -76,9 +77,9 @@ public:
     Result<ProgramState> programState(const Deadline& deadline);
     /// path  relative to the programs folder
     Result<void> loadProgram(const Text& path, const Deadline& deadline);
-    Result<void> play(const Deadline& deadline);   ///< Starts or resumes the loaded program.
-    Result<void> pause(const Deadline& deadline);  ///< Pauses the running program.
-    Result<void> stop(const Deadline& deadline);   ///< Stops the running program.
+    Result<void> play(const Deadline& deadline);  ///< Starts or resumes the loaded program.
+    Result<void> pause(const Deadline& deadline);
+    Result<void> stop(const Deadline& deadline);
 
     // Pendant
     Result<void> popup(const Text& text, const Deadline& deadline);

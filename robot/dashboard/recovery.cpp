@@ -35,10 +35,10 @@ bool isTooEarly(const DashboardClient&, const Error& error) {
     return error.controllerMessage.contains(QLatin1String("until 5s"));
 }
 bool isTooEarly(const RobotApiClient&, const Error& error) {
-    return error.controllerMessage.startsWith(QLatin1String("409"));  // "not available now"
+    return error.controllerMessage.startsWith(QLatin1String("409"));  // HTTP status for "not available now"
 }
 
-/// Whether the error is a connection failure as it occurs while a controller restarts.
+/// Whether the error is a connection failure that can occur while a controller restarts.
 bool isOutage(const Error& error) {
     return error.code == ErrorCode::ConnectionClosed || error.code == ErrorCode::ConnectionRefused ||
            error.code == ErrorCode::HostUnreachable || error.code == ErrorCode::NotConnected ||
@@ -57,7 +57,7 @@ void closePopup(DashboardClient& client, const Deadline& deadline) {
 }
 void closePopup(RobotApiClient&, const Deadline&) {}  // PolyScope X has no such popup
 
-/// Unlocks as soon as the controller permits.
+/// Unlocks the protective stop as soon as the controller permits it.
 template <class Client>
 Result<void> unlock(Client& client, const Deadline& deadline, const RecoveryProgress& progress) {
     bool waiting = false;
@@ -90,14 +90,14 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
     report(RecoveryStep::Look);
     RecoveryStep last = RecoveryStep::Look;
     Error outage;
-    // Returns nothing for an outage: the modes read next show its effect.
+    // An outage is not returned as an error, because the modes read next show its effect.
     const auto endsWith = [&](const Error& error) -> std::optional<Error> {
         if (!isOutage(error)) {
             return error;
         }
         outage = error;
-        // Steps started before a restart have to be repeated, except for an unlock: a consent is valid for
-        // one unlock.
+        // Steps started before a restart have to be repeated, except for an unlock, because a consent is
+        // valid for one unlock only.
         last = last == RecoveryStep::Unlock ? last : RecoveryStep::Look;
         pause(deadline, kOutagePause);
         return std::nullopt;
@@ -122,7 +122,7 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
             report(RecoveryStep::Done);
             return {};
         }
-        // Each step is started once; later iterations wait for its effect.
+        // Each step is started once. Later iterations wait for its effect.
         Result<void> done;
         if (next != RecoveryStep::Look && next != last) {
             switch (next) {
@@ -138,21 +138,21 @@ Result<void> recoverWith(Client& client, const RecoveryConsent& consent, const D
                     break;
                 case RecoveryStep::RestartSafety:
                     if (!consent.restartSafety) {
-                        return missing("the safety system has to be restarted, which needs your consent");
+                        return missing("the safety system has to be restarted, which requires your consent");
                     }
                     report(next);
                     done = client.restartSafety(deadline);
                     break;
                 case RecoveryStep::PowerOn:
                     if (!consent.powerOn) {
-                        return missing("the arm is off; powering it on needs your consent");
+                        return missing("the arm is off; powering it on requires your consent");
                     }
                     report(next);
                     done = client.powerOn(deadline);
                     break;
                 default:
                     if (!consent.releaseBrakes) {
-                        return missing("the brakes are on; releasing them needs your consent");
+                        return missing("the brakes are on; releasing them requires your consent");
                     }
                     report(next);
                     done = client.brakeRelease(deadline);

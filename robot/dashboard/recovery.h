@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Guided recovery from a stop to a running robot: checks the state and performs and reports one step after the
-// other.
-// Decisions of a person are required in advance as explicit consents: without them, no protective stop is unlocked
-// and the safety system is not restarted (the manufacturer forbids automatic reset).
+// Guided recovery from a stop to a running robot. Checks the state, and performs and reports one step after
+// the other. Decisions that require a person are made in advance as explicit consents. Without them, no
+// protective stop is unlocked and the safety system is not restarted, because the manufacturer forbids
+// automatic reset.
 
 #include <functional>
 
@@ -27,8 +27,8 @@ struct RecoveryConsent {
 
 enum class RecoveryStep {
     Look,              ///< reads the modes; also repeated until they change
-    CloseSafetyPopup,  ///< once, before an unlock
-    WaitForUnlock,     ///< the controller refuses for kUnlockAfter
+    CloseSafetyPopup,  ///< closes the safety popup once, before an unlock
+    WaitForUnlock,     ///< waits for kUnlockAfter, while the controller refuses to unlock
     Unlock,            ///< unlock a protective stop
     RestartSafety,     ///< after a violation or fault
     PowerOn,
@@ -49,19 +49,19 @@ RecoveryStep nextRecoveryStep(SafetyMode safety, RobotMode mode);
 /// Called in the thread of recover() before each step.
 using RecoveryProgress = std::function<void(RecoveryStep)>;
 
-/// Brings the robot to RUNNING with safety mode NORMAL or REDUCED. If the controller restarts meanwhile, the
-/// function reconnects until the deadline.
+/// Brings the robot to RUNNING with safety mode NORMAL or REDUCED. If the controller restarts during the
+/// recovery, the function reconnects until the deadline.
 /// Errors   as DashboardClient; Rejected, with the missing condition, if a step needs a consent that was not
-///          given or an action of a person at the robot (emergency stop pressed, safeguard open). Only the
-///          reported steps have been performed in this case
+///          given, or an action of a person at the robot (emergency stop pressed, safeguard open). In this
+///          case, only the reported steps have been performed.
 /// Threads  the one that connected the client. Blocks: until the deadline
 Result<void> recover(DashboardClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
-/// As above, for PolyScope X.
+/// Same as recover() above, for PolyScope X.
 Result<void> recover(RobotApiClient& client, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 
-/// As above, through the dashboard or, if there is none, through the Robot API.
+/// Same as recover() above, through the dashboard server or, if it is not available, through the Robot API.
 Result<void> recover(const ServiceAddress& address, const RecoveryConsent& consent, const Deadline& deadline,
                      const RecoveryProgress& progress = {});
 

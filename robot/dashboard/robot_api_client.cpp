@@ -33,7 +33,7 @@ QByteArray header(const QByteArray& head, const QByteArray& name) {
     return {};
 }
 
-/// Removes chunk lengths and line ends; empty while the data are incomplete.
+/// Removes chunk lengths and line ends. Returns an empty value while the data are incomplete.
 std::optional<QByteArray> unchunked(const QByteArray& chunks) {
     QByteArray body;
     for (qsizetype at = 0;;) {
@@ -134,7 +134,7 @@ Result<QJsonObject> RobotApiClient::request(const QByteArray& method, const QStr
         if (reply.status < 300 || reply.status >= 400 || reply.location.isEmpty()) {
             break;
         }
-        // Redirects are limited to the same robot.
+        // Redirects are only followed within the same robot.
         target = QUrl::fromEncoded(reply.location).path(QUrl::FullyEncoded).toLatin1();
     }
     const QJsonObject object = QJsonDocument::fromJson(reply.body).object();
@@ -224,7 +224,7 @@ Result<SafetyMode> RobotApiClient::safetyMode(const Deadline& deadline) const {
         return name.error();
     }
     if (*name == QLatin1String("EMERGENCY_STOP")) {
-        return SafetyMode::RobotEmergencyStop;  // the API does not report which emergency stop
+        return SafetyMode::RobotEmergencyStop;  // the API does not report which emergency stop is active
     }
     for (int mode = static_cast<int>(SafetyMode::Normal); mode <= static_cast<int>(SafetyMode::Fault);
          ++mode) {

@@ -20,8 +20,9 @@ inline constexpr int kRobotApiPort = 80;
 /// Every call uses a separate connection, so there is no connect function.
 /// Threads  any, several at once. Every call blocks until the reply or the deadline.
 /// Errors   of every call: AddressInvalid, HostUnreachable, ConnectionRefused, ConnectionClosed, Timeout,
-///          Cancelled, ProtocolError (not a reply of the API), RemoteControlRequired (403), VersionUnsupported (404
-///          for a query: software before 10.12), Rejected (other failures; see controllerMessage)
+///          Cancelled, ProtocolError (the reply is not from this API), RemoteControlRequired (403),
+///          VersionUnsupported (404 for a query: software before 10.12), Rejected (other failures; see
+///          controllerMessage)
 /// Source   Robot API of PolyScope X
 class RobotApiClient {
 public:
@@ -37,18 +38,18 @@ public:
     Result<void> unlockProtectiveStop(const Deadline& deadline);  ///< Call only after inspecting the arm.
     Result<void> restartSafety(const Deadline& deadline);         ///< After a safety violation or fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline) const;     ///< Current robot mode.
-    Result<SafetyMode> safetyMode(const Deadline& deadline) const;   ///< Current safety mode.
+    Result<RobotMode> robotMode(const Deadline& deadline) const;
+    Result<SafetyMode> safetyMode(const Deadline& deadline) const;
     Result<bool> isInRemoteControl(const Deadline& deadline) const;  ///< False in automatic and manual mode.
 
     /// name  without the file extension
     Result<void> loadProgram(const Text& name, const Deadline& deadline);
     /// action  "play", "pause", "resume" or "stop"
     Result<void> runProgram(const Text& action, const Deadline& deadline);
-    Result<ProgramState::Run> programState(const Deadline& deadline) const;  ///< State of the loaded program.
+    Result<ProgramState::Run> programState(const Deadline& deadline) const;
 
-    /// Sends any request below /universal-robots/robot-api and returns the JSON object of the reply; empty if there
-    /// is none.
+    /// Sends any request below /universal-robots/robot-api and returns the JSON object of the reply, or an
+    /// empty object if the reply contains none.
     Result<QJsonObject> request(const QByteArray& method, const QString& path, const QJsonObject& body,
                                 const Deadline& deadline) const;
 

@@ -15,7 +15,7 @@ struct RobotIdentity {
     QString serialNumber;  ///< empty: unknown
 };
 
-/// Queries the primary interface and the dashboard one after the other; values not received in time remain empty.
+/// Queries the primary interface, then the dashboard server. Values not received in time remain empty.
 /// portOffset  added to every port number
 /// isCb3       from the version of the controller
 /// Threads  any. Blocks: until both have replied, at most until the deadline

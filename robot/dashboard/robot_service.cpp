@@ -63,7 +63,8 @@ public:
                 report.remoteControl = *remote;
             }
             if (const auto mode = client_->command(QStringLiteral("get operational mode"), deadline)) {
-                // Other replies mean that no mode is set, or that the software does not support it.
+                // Other replies mean that no mode is set, or that the software does not support operational
+                // modes.
                 const QString word = mode->trimmed().toUpper();
                 if (word == QLatin1String("MANUAL") || word == QLatin1String("AUTOMATIC")) {
                     report.operationalMode = word;
@@ -134,7 +135,7 @@ public:
         ServiceReport report;
         report.kind = kind();
         if (version_ < kAsksAndLoads) {
-            // This version supports no queries; only check whether the API still responds.
+            // This version does not support queries. Only check whether the API still responds.
             const auto state = noted(client_.programState(deadline));
             return state ? Result<ServiceReport>(report) : Result<ServiceReport>(state.error());
         }
@@ -153,7 +154,7 @@ public:
     }
 
 private:
-    /// First version of the API that supports queries and the other load command.
+    /// First version of the API that supports queries and the changed load command.
     static inline const QVersionNumber kAsksAndLoads{3, 1, 4};
 
     template <class T>
@@ -177,7 +178,7 @@ ServiceAddress serviceAt(const Text& host, int portOffset) {
 
 Result<std::unique_ptr<RobotService>> openService(const ServiceAddress& address, const Deadline& deadline) {
     auto dashboard = std::make_unique<DashboardClient>(address.host, address.dashboardPort);
-    // A firewall may drop the packets: reserve time for the other port.
+    // A firewall may drop the packets, so reserve time for the other port.
     const auto connected = dashboard->connect(Deadline::after(deadline.remaining() / 2, deadline.token()));
     if (connected) {
         return std::unique_ptr<RobotService>(std::make_unique<DashboardService>(std::move(dashboard)));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Pendant functions that are also available to a PC: power, recovery, programs. A common interface for the
-// dashboard server of CB3 and e-Series and the Robot API of PolyScope X; the available service is detected
-// automatically.
+// Pendant functions that are also available to a PC: power, recovery, programs. Provides a common interface
+// for the dashboard server of CB3 and e-Series and the Robot API of PolyScope X, and detects which service is
+// available.
 
 #include <QString>
 #include <memory>
@@ -21,7 +21,7 @@ struct ServiceReport {
     ServiceKind kind = ServiceKind::Unknown;
     std::optional<bool> remoteControl;  ///< empty if the software does not report it
     QString operationalMode;            ///< "MANUAL", "AUTOMATIC"; empty: not set or not reported
-    QString program;                    ///< loaded on the robot; empty: none or not reported
+    QString program;                    ///< loaded on the robot; empty: no program, or not reported
 };
 
 /// Threads  one at a time. Every call blocks until the reply or the deadline.
@@ -31,7 +31,7 @@ class RobotService {
 public:
     virtual ~RobotService() = default;
 
-    virtual ServiceKind kind() const = 0;  ///< Type of the service in use.
+    virtual ServiceKind kind() const = 0;
     /// False after the connection is lost; call openService() again.
     virtual bool isConnected() = 0;
 
@@ -39,7 +39,7 @@ public:
     virtual Result<void> perform(RobotCommand command, const Deadline& deadline) = 0;
     /// Requires an explicit confirmation by a person: the manufacturer forbids automatic reset.
     virtual Result<void> unlockProtectiveStop(const Deadline& deadline) = 0;
-    /// name  as in the programs folder of the controller; for PolyScope X with or without the file extension
+    /// name  as in the programs folder of the controller. For PolyScope X, the file extension is optional.
     virtual Result<void> loadProgram(const Text& name, const Deadline& deadline) = 0;
     /// Reads control mode, operational mode and loaded program.
     virtual Result<ServiceReport> look(const Deadline& deadline) = 0;
@@ -54,9 +54,9 @@ struct ServiceAddress {
 /// Address of the services if all ports of the robot are shifted by the same offset.
 ServiceAddress serviceAt(const Text& host, int portOffset = 0);
 
-/// Connects to the dashboard or, if there is none, to the Robot API.
-/// Errors   of the dashboard if neither responds: AddressInvalid, HostUnreachable, ConnectionRefused, Timeout,
-///          Cancelled
+/// Connects to the dashboard server or, if it is not available, to the Robot API.
+/// Errors   of the dashboard if neither responds: AddressInvalid, HostUnreachable, ConnectionRefused,
+///          Timeout, Cancelled
 Result<std::unique_ptr<RobotService>> openService(const ServiceAddress& address, const Deadline& deadline);
 
 }  // namespace tiller::dashboard

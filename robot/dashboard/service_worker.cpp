@@ -9,7 +9,7 @@
 
 namespace tiller::dashboard {
 
-// A queued signal is the only safe way to call an object in another thread that may be deleted meanwhile.
+// The object in the other thread may be deleted at any time. Only a queued signal can call it safely.
 class Completion : public QObject {
     Q_OBJECT
 Q_SIGNALS:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access to the robot's service for threads that must not block: calls are queued and run one after the other in a
-// worker thread; results are posted to the event loop of the caller.
+// Access to the robot's service for threads that must not block. Calls are queued and run one after the other
+// in a worker thread. Results are posted to the event loop of the caller.
 
 #include <QObject>
 #include <QString>
@@ -16,8 +16,8 @@
 
 namespace tiller::dashboard {
 
-/// Owns one thread with normal priority; started by start(), ended by stop() or the destructor, which cancel the
-/// current call and drop all waiting calls.
+/// Owns one thread with normal priority, started by start(). stop() and the destructor end the thread, cancel
+/// the current call and drop all waiting calls.
 class ServiceWorker {
 public:
     explicit ServiceWorker(ServiceAddress address);
@@ -25,12 +25,13 @@ public:
     ServiceWorker(const ServiceWorker&) = delete;
     ServiceWorker& operator=(const ServiceWorker&) = delete;
 
-    /// Starts the thread. It connects to the service at the first call, and again after a loss of the connection.
+    /// Starts the thread. It connects to the service at the first call, and reconnects after a lost
+    /// connection.
     void start();
     void stop();  ///< Ends the thread and drops waiting calls.
 
-    /// Makes the next call use a new connection, because the controller may have dropped the current one without
-    /// closing it.
+    /// Makes the next call open a new connection, because the controller may have dropped the current one
+    /// without closing it.
     /// Threads  any. Blocks: never
     void reconnect();
 
@@ -56,7 +57,7 @@ public:
     }
 
 private:
-    /// Runs with the service, or with null and the error; returns the function to run in the caller's thread.
+    /// Runs with the service, or with null and the error. Returns the function to run in the caller's thread.
     using Job = std::function<std::function<void()>(RobotService*, const Error&, const Deadline&)>;
     void enqueue(Job job, QObject* context, std::chrono::milliseconds atMost);
 

@@ -20,11 +20,11 @@ using simulator::arm::Payload;
 
 constexpr double kPeriod = 0.002;     // control period [s]
 constexpr double kPeriodCb3 = 0.008;  // [s]
-constexpr double kMaxRowStep = 0.1;   // [s] between two rows; the motion during a longer gap is unknown
-constexpr int kSettling = 10;         // control periods without comparison after the model was initialized
-constexpr double kGravity = 9.82;     // m/s2
-constexpr double kMaxJoint = 100;     // rad: larger values mean a damaged file
-constexpr double kMaxMassKg = 1000;   // kg
+constexpr double kMaxRowStep = 0.1;   // [s], between two rows; the motion in a longer gap is unknown
+constexpr int kSettling = 10;         // control periods excluded after initializing the model
+constexpr double kGravity = 9.82;     // [m/s2]
+constexpr double kMaxJoint = 100;     // [rad], larger values mean a damaged file
+constexpr double kMaxMassKg = 1000;   // [kg]
 constexpr std::uint64_t kRowsAtOnce = 4096;
 constexpr double kTeachButton = 4;  // bit of robot_status_bits
 
@@ -40,7 +40,7 @@ struct Field {
     bool isThere() const { return first >= 0; }
 };
 
-/// The required columns of a recording, and the rows read from it.
+/// The required columns of a recording and the rows read from it.
 class Rows {
 public:
     explicit Rows(const recording::Recording& recording) : recording_(recording) {
@@ -64,7 +64,7 @@ public:
         times_ = std::move(*times);
         return {};
     }
-    /// Number of rows read, with a limit.
+    /// Number of rows read from every column.
     std::size_t count() const {
         std::size_t least = times_.size();
         for (const auto& column : values_) {
@@ -126,7 +126,7 @@ bool isPlausible(const Vector6& q) {
     return q.allFinite() && q.cwiseAbs().maxCoeff() < kMaxJoint;
 }
 
-/// Empty if the payload is missing or implausible.
+/// Payload of the row; empty if it is missing or implausible.
 std::optional<Payload> payloadAt(const Rows& rows, std::size_t row) {
     Payload payload;
     payload.mass = rows.number(rows.mass, row);
@@ -140,13 +140,13 @@ std::optional<Payload> payloadAt(const Rows& rows, std::size_t row) {
     return sane ? std::optional(payload) : std::nullopt;
 }
 
-/// No field contains the mounting of the arm. It is derived from the target torques at standstill, which are linear
-/// in the gravity in the base frame.
+/// No field contains the mounting of the arm. It is derived from the target torques at standstill, which are
+/// a linear function of gravity in the base frame.
 Result<Eigen::Vector3d> gravityOf(Rows& rows, const RobotModel& model, recording::RowRange range) {
     constexpr std::uint64_t kSpots = 40;
-    constexpr double kStanding = 1e-4;  // rad/s
-    constexpr double kOffBy = 0.7;      // m/s2: with a larger error the model does not explain the torques
-    constexpr double kTilted = 0.05;    // rad
+    constexpr double kStanding = 1e-4;  // [rad/s]
+    constexpr double kOffBy = 0.7;      // [m/s2], with a larger error the model does not explain the torques
+    constexpr double kTilted = 0.05;    // [rad]
     const Eigen::Vector3d upright(0, 0, kGravity);
     if (!rows.targetMoment.isThere() || !rows.targetQd.isThere() || !rows.mass.isThere() ||
         !rows.centre.isThere()) {
@@ -201,7 +201,7 @@ Result<Eigen::Vector3d> gravityOf(Rows& rows, const RobotModel& model, recording
 /// Detects the first period during which a value exceeds its limit.
 class Stretch {
 public:
-    /// Returns  the period once it is long enough: its start, with the maximum so far
+    /// Returns  the period once it is long enough: its start and the maximum so far
     std::optional<Difference> see(const Difference& now, double limit, double lasting) {
         if (!(now.amount > limit)) {
             begun_.reset();
@@ -211,7 +211,7 @@ public:
             begun_ = now;
         }
         begun_->amount = std::max(begun_->amount, now.amount);
-        // With a tolerance: times are sums of periods.
+        // With a tolerance, because times are sums of periods.
         return now.seconds - begun_->seconds >= lasting * (1 - 1e-6) ? begun_ : std::nullopt;
     }
     void end() { begun_.reset(); }
@@ -220,7 +220,7 @@ private:
     std::optional<Difference> begun_;
 };
 
-/// Compares arm and model row by row.
+/// Compares the arm with the model, row by row.
 class Comparison {
 public:
     Comparison(const Rows& rows, const RobotModel& model, const Limits& limits, Report& report)
@@ -288,7 +288,7 @@ private:
         }
     }
 
-    /// True if the drives hold the arm and it is not guided by hand.
+    /// True if the drives hold the arm and it is not being guided by hand.
     bool isDriven(std::size_t row) const {
         const bool running = !rows_.robotMode.isThere() ||
                              rows_.number(rows_.robotMode, row) == static_cast<double>(RobotMode::Running);
@@ -357,8 +357,8 @@ private:
                      rows_.vector<3>(rows_.actualForce, row) - state.tcpForce.force);
         }
     }
-    /// Computed from the controller's target TCP pose, which includes the calibration of the arm; otherwise as
-    /// recorded.
+    /// Computed from the controller's target TCP pose, which includes the calibration of the arm. If there is
+    /// no target pose, the recorded TCP offset is used.
     std::optional<Eigen::Isometry3d> tcpOffsetAt(std::size_t row) const {
         const Field& field = rows_.targetPose.isThere() ? rows_.targetPose : rows_.tcpOffset;
         const Vector6 values = rows_.vector<6>(field, row);
@@ -379,7 +379,7 @@ private:
     void judgeTcp(Quantity quantity, std::size_t row, std::uint64_t number, const Eigen::Vector3d& apart) {
         outcomeOf(quantity).rows += judge({quantity, -1, number, rows_.time(row), apart.norm()}) ? 1 : 0;
     }
-    /// Returns  false if there is no value
+    /// Returns  false if a value is missing
     bool judge(const Difference& now) {
         if (!std::isfinite(now.amount)) {
             return false;
@@ -391,8 +391,8 @@ private:
         const auto place = static_cast<std::size_t>(std::max(now.joint, 0));
         Stretch& stretch = stretches_[static_cast<std::size_t>(now.quantity)][place];
         const auto found = stretch.see(now, outcome.limit, limits_.lasting);
-        // For joints that diverge in the same row, report the one with the largest deviation; for a single joint,
-        // its maximum.
+        // If several joints diverge in the same row, report the one with the largest deviation. For a single
+        // joint, report its maximum.
         if (found && (!outcome.parted || found->row < outcome.parted->row ||
                       (found->row == outcome.parted->row && found->amount > outcome.parted->amount))) {
             outcome.parted = found;

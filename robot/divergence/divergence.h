@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Finds out when an arm deviated from its expected behaviour: the recorded joint targets are applied to the arm of
-// the simulated controller with the timing of the recording, and the resulting drive and sensor values are compared
-// with the recorded ones. The simulated arm has no contact, carries the payload configured in the controller, and
-// has no friction. Therefore the two diverge if something pushes or blocks the arm, if the payload differs, or if a
-// joint does not follow.
+// Determines when an arm deviated from its expected behaviour. The recorded joint targets are applied to the
+// arm of the simulated controller with the timing of the recording, and the resulting drive and sensor values
+// are compared with the recorded ones. The simulated arm has no contact and no friction, and carries the
+// payload configured in the controller. Therefore the real and the simulated arm diverge if something pushes
+// or blocks the real arm, if the payload differs, or if a joint does not follow its target.
 //
 //     const auto file = recording::openRecording(path).value();
 //     const auto report = divergence::compare(*file, {.limits = {.current = 3}});
@@ -34,9 +34,9 @@ enum class Quantity : std::uint8_t {
 };
 inline constexpr std::size_t kQuantityCount = 4;
 
-/// Permitted differences between arm and model. A quantity with limit 0 is not compared. The defaults allow for
-/// effects of a healthy arm that the model does not include: lag of the drives, friction of the joints, drift of
-/// the force sensor.
+/// Maximum permitted differences between arm and model. A quantity with limit 0 is not compared. The defaults
+/// allow for effects in a healthy arm that the model does not include: lag of the drives, friction of the
+/// joints, drift of the force sensor.
 struct Limits {
     double jointPosition = 0.00873;  ///< [rad], half a degree
     double tcpPosition = 0.005;      ///< [m]
@@ -50,15 +50,15 @@ struct Limits {
 
 struct Choice {
     Limits limits = {};
-    /// Empty: as stated in the recording.
+    /// Empty: the model stated in the recording.
     std::optional<RobotModelId> model = {};
     double from = 0;                                         ///< [s] on the recording's time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
-    /// Called with the completed fraction, 0 to 1. Returning false cancels with Cancelled
+    /// Called with the completed fraction, 0 to 1. Returning false cancels the comparison with Cancelled.
     std::function<bool(double)> progress = {};
 };
 
-/// A difference between arm and model.
+/// A deviation of the arm from the model.
 struct Difference {
     Quantity quantity = Quantity::JointPosition;
     int joint = -1;         ///< 0 base ... 5 wrist 3; -1: TCP
@@ -70,33 +70,36 @@ struct Difference {
 /// The result for one quantity.
 struct Outcome {
     Quantity quantity = Quantity::JointPosition;
-    double limit = 0;                         ///< in its unit; 0: not requested
+    double limit = 0;                         ///< limit in the unit of the quantity; 0: not requested
     std::vector<std::string> missing = {};    ///< missing fields that prevented the comparison
     std::uint64_t rows = 0;                   ///< number of compared rows
-    std::optional<Difference> greatest = {};  ///< over all rows; empty: not compared
-    /// The first deviation beyond the limit, with its maximum until the end of this deviation.
+    std::optional<Difference> greatest = {};  ///< maximum over all rows; empty: not compared
+    /// The first deviation above the limit, with its maximum.
     std::optional<Difference> parted = {};
 };
 
 struct Report {
     RobotModelId model = RobotModelId::UR5e;
-    /// Gravity vector in the base frame, derived from the controller's torques; upright otherwise [m/s2].
+    /// Gravity vector in the base frame [m/s2], derived from the controller's torques, or that of an upright
+    /// arm if this is not possible.
     Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, 9.82);
     std::uint64_t rows = 0;     ///< number of rows read
     std::uint64_t leftOut = 0;  ///< rows excluded: arm without power, guided by hand, or after a gap
-    std::optional<std::uint64_t> firstCompared = {};    ///< the first compared row; empty: none
+    std::optional<std::uint64_t> firstCompared = {};    ///< time of the first compared row; empty: none
     std::array<Outcome, kQuantityCount> outcomes = {};  ///< indexed by Quantity
 
     /// The first deviation of any quantity; empty: none.
     std::optional<Difference> first() const;
-    /// True if they deviated from the start: another arm, another payload, or an external force from the beginning.
+    /// True if arm and model deviated from the start: a different arm or payload, or an external force from
+    /// the beginning.
     bool partedFromStart() const { return first() && first()->row == firstCompared; }
 };
 
 /// Compares a recording with the model of its arm.
-/// Errors   FieldUnknown if the recording does not contain target_q and actual_q; InvalidArgument if the robot
-///          model is unknown, a limit is invalid, or the rows are too far apart; Cancelled; those of Recording
-/// Threads  any: the thread that uses the recording. Blocks: about 5 us per row
+/// Errors   FieldUnknown if the recording does not contain target_q and actual_q; InvalidArgument if the
+///          robot model is unknown, a limit is invalid, or the rows are too far apart; Cancelled; and the
+///          errors of Recording
+/// Threads  the thread that uses the recording. Blocks: about 5 us per row
 Result<Report> compare(const recording::Recording& recording, const Choice& choice = {});
 
 }  // namespace tiller::divergence

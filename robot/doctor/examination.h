@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks all prerequisites for monitoring and moving a robot from this PC: network, ports, protocol, software,
-// modes, registers, data rate. The checks only read; they change no setting of the robot. The connection check in
-// the window and `tiller-cli doctor` show the same report.
+// Checks all prerequisites for monitoring and moving a robot from this PC: network, ports, protocol,
+// software, modes, registers, data rate. The checks do not change any setting of the robot. The connection
+// check in the window and `tiller-cli doctor` show the same report.
 
 #include <QString>
 #include <functional>
@@ -26,7 +26,7 @@ struct Ports {
 struct Patient {
     Text host;  ///< address or name
     Ports ports;
-    /// SCHED_FIFO priority of the receive thread
+    /// SCHED_FIFO priority of the receiver thread
     int priority = 90;
 };
 
@@ -34,11 +34,11 @@ struct Patient {
 /// portOffset  added to every port of the controller
 Patient patientAt(const Text& host, int portOffset = 0);
 
-/// Checks all conditions in order; conditions that depend on a failed one are Skipped.
-/// each      called with every finding from the calling thread; may be empty
-/// Returns   one finding per condition, also after a cancel (the rest Skipped)
-/// Threads   any; use a worker, because no events are processed. Blocks: about two seconds for a healthy robot, at
-///           most twelve, and at most until the deadline
+/// Checks all conditions in order. Conditions that depend on a failed one are Skipped.
+/// each      called in the calling thread with every finding; may be empty
+/// Returns   one finding per condition, even after a cancel (conditions not yet checked are Skipped)
+/// Threads   any; use a worker, because no events are processed. Blocks: about two seconds for a healthy
+///           robot; at most twelve seconds, and never longer than the deadline
 Report examine(const Patient& patient, const Deadline& deadline,
                const std::function<void(const Finding&)>& each = {});
 

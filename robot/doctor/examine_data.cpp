@@ -20,9 +20,9 @@ namespace {
 constexpr int kHandshakeMs = 2500;
 constexpr int kProbeMs = 1000;
 constexpr int kListenMs = 6000;
-/// Duration of the data rate measurement in controller time [s].
+/// Duration of the data rate measurement, in controller time [s].
 constexpr double kLookSeconds = 0.5;
-/// With a smaller share of the expected packages, the data rate is not sufficient for control.
+/// Below this fraction of the expected packages, the data rate is not sufficient for control.
 constexpr double kMinShare = 0.9;
 /// The registers used by control.script, counted from the start of a range.
 constexpr int kIntRegisters = 5;
@@ -39,8 +39,8 @@ std::vector<std::string> registersFrom(int first) {
     return names;
 }
 
-/// Whether there is any response to the first RTDE request: the text of another protocol looks like the start of a
-/// package that never ends.
+/// Whether there is any response to the first RTDE request. The text of another protocol looks like the start
+/// of an endless package.
 bool respondsWithData(const QString& host, int port, const Deadline& deadline) {
     auto socket = script::openTcpSocket(host, port, deadline);
     if (!socket) {
@@ -73,16 +73,15 @@ void judgeSoftware(Examiner& examiner, const SoftwareVersion& version) {
         version.isCb3() ? SoftwareVersion{3, 9, 0, 0} : SoftwareVersion{5, 3, 0, 0};
     if (version < least) {
         examiner.found(Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
-                       DoctorText::tr("This software is too old. Update the robot to %1.%2 or newer.")
+                       DoctorText::tr("The robot's software is too old. Update it to %1.%2 or newer.")
                            .arg(wanted.major)
                            .arg(wanted.minor));
     } else if (version < wanted) {
-        examiner.found(
-            Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
-            DoctorText::tr(
-                "Some values and the registers for control are missing. Update the robot to %1.%2 or newer.")
-                .arg(wanted.major)
-                .arg(wanted.minor));
+        examiner.found(Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
+                       DoctorText::tr("Some values and the registers for control are missing. Update the "
+                                      "robot's software to %1.%2 or newer.")
+                           .arg(wanted.major)
+                           .arg(wanted.minor));
     } else {
         examiner.good(Condition::Software, text);
     }
@@ -128,10 +127,10 @@ void examineRegisters(Examiner& examiner) {
             Condition::Protocol, Verdict::Bad,
             mute ? QStringLiteral("rtde.mute") : QStringLiteral("rtde.not-rtde"),
             mute
-                ? DoctorText::tr("the RTDE port accepts connections but does not answer")
+                ? DoctorText::tr("the RTDE port accepts connections but does not respond")
                 : DoctorText::tr("the service on port %1 does not use RTDE").arg(examiner.patient.ports.rtde),
-            mute ? DoctorText::tr("Too many RTDE clients, or the controller has hung: close other programs, "
-                                  "then restart the controller.")
+            mute ? DoctorText::tr("Too many RTDE clients are connected, or the controller hangs: close other "
+                                  "programs, then restart the controller.")
                  : DoctorText::tr(
                        "Check the address: this is another device, or another program uses the port."));
         return;
@@ -157,7 +156,7 @@ void examineRegisters(Examiner& examiner) {
         examiner.found(Condition::UpperRegisters, Verdict::Attention,
                        QStringLiteral("registers.upper.absent"),
                        DoctorText::tr("this software version has no registers 24 to 47"),
-                       DoctorText::tr("Update the robot's software to 3.9 or 5.3."));
+                       DoctorText::tr("Update the robot's software to 3.9, 5.3 or newer."));
     } else {
         examiner.good(Condition::UpperRegisters, DoctorText::tr("registers 24 to 47 are free"));
     }
@@ -204,7 +203,7 @@ void examineData(Examiner& examiner) {
                        DoctorText::tr("Close other RTDE programs, then restart the robot's controller."));
         return;
     }
-    // Based on the controller's time stamps, so that the load of this PC has no effect.
+    // Uses the controller's timestamps, so that the load of this PC has no effect.
     const double wanted = receiver.version().maxFrequency();
     const double rate = last > first ? (packages - 1) / (last - first) : 0;
     const QString detail =
@@ -212,7 +211,7 @@ void examineData(Examiner& examiner) {
     if (rate < kMinShare * wanted) {
         examiner.found(Condition::DataRate, Verdict::Bad, QStringLiteral("rate.low"), detail,
                        DoctorText::tr("Packets are missing: use a cable instead of a wireless link; close "
-                                      "other programs that load the robot or this PC."));
+                                      "other programs that put load on the robot or this PC."));
     } else {
         examiner.good(Condition::DataRate, detail);
     }
@@ -223,13 +222,14 @@ void examineData(Examiner& examiner) {
                        DoctorText::tr("the system does not grant this user real-time priority"),
                        priority.advice);
     }
-    // Only relevant with the priority privilege, which is reported first.
+    // Relevant only with the permission for real-time priority, which is reported first.
     const QString latency = realtime::CpuLatency::advice();
     if (priority.ok() && latency.isEmpty()) {
-        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops request it"));
+        examiner.good(Condition::WakeUpLatency, DoctorText::tr("permitted; real-time loops use it"));
     } else if (priority.ok()) {
         examiner.found(Condition::WakeUpLatency, Verdict::Attention, QStringLiteral("latency.none"),
-                       DoctorText::tr("CPUs may enter deep sleep states, which delay loops"), latency);
+                       DoctorText::tr("CPUs may enter deep sleep states, which delay real-time loops"),
+                       latency);
     }
     const receive::RobotState robot(sample);
     judgeModes(examiner, robot.robotMode(), robot.safetyMode());

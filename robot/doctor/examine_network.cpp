@@ -24,7 +24,7 @@ struct Door {
     Error error;  ///< code None: the port is open
 };
 
-/// All ports in parallel: a firewall that drops packets would otherwise cost one timeout per port.
+/// Checks all ports in parallel. Otherwise a firewall that drops packets would cost one timeout per port.
 void tryDoors(const QString& address, std::array<Door, 5>& doors, const Deadline& deadline) {
     std::array<std::thread, 5> knocking;
     for (std::size_t i = 0; i < doors.size(); ++i) {
@@ -55,7 +55,7 @@ bool examineAddress(Examiner& examiner) {
         }
     }
     examiner.found(Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
-                   DoctorText::tr("\"%1\" is not an address, and no host of that name was found").arg(host),
+                   DoctorText::tr("\"%1\" is not an address, and no host with this name was found").arg(host),
                    DoctorText::tr("Enter the four numbers shown on the teach pendant under About, or ask "
                                   "your network administrator for the name."));
     return false;
@@ -83,25 +83,22 @@ void examinePorts(Examiner& examiner) {
         examiner.found(
             Condition::Host, Verdict::Bad,
             silent ? QStringLiteral("host.silent") : QStringLiteral("host.unreachable"),
-            silent ? DoctorText::tr("%1 does not answer").arg(examiner.address)
-                   : DoctorText::tr("There is no route to %1").arg(examiner.address),
+            silent ? DoctorText::tr("%1 does not respond").arg(examiner.address)
+                   : DoctorText::tr("no network route to %1").arg(examiner.address),
             silent ? DoctorText::tr("Check that the robot is switched on, the cable is plugged in, and no "
                                     "firewall blocks the connection.")
-                   : DoctorText::tr(
-                         "Give this PC an address in the robot's network (the same first three numbers), and "
-                         "check "
-                         "the cable."));
+                   : DoctorText::tr("Assign this PC an address in the robot's network (the same first three "
+                                    "numbers), and check the cable."));
         return;
     }
     if (open == 0 && refused == static_cast<int>(doors.size())) {
-        examiner.found(
-            Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
-            DoctorText::tr("%1 answers, but provides no robot services").arg(examiner.address),
-            DoctorText::tr("Check that this is the address of the robot. A robot that has just been switched "
-                           "on needs another minute."));
+        examiner.found(Condition::Host, Verdict::Bad, QStringLiteral("host.no-robot"),
+                       DoctorText::tr("%1 responds, but provides no robot services").arg(examiner.address),
+                       DoctorText::tr("Check that this is the address of the robot. A robot that has just "
+                                      "been switched on may need another minute."));
         return;
     }
-    examiner.good(Condition::Host, DoctorText::tr("%1 answers").arg(examiner.address));
+    examiner.good(Condition::Host, DoctorText::tr("%1 responds").arg(examiner.address));
     for (const Door& door : doors) {
         if (door.condition == Condition::ServicePort) {
             if (door.error.code == ErrorCode::None) {
@@ -120,7 +117,7 @@ void examinePorts(Examiner& examiner) {
                 .arg(QLatin1String(door.name),
                      wasRefused ? QStringLiteral("refused") : QStringLiteral("silent")),
             wasRefused ? DoctorText::tr("port %1 is closed").arg(door.port)
-                       : DoctorText::tr("port %1 does not answer").arg(door.port),
+                       : DoctorText::tr("port %1 does not respond").arg(door.port),
             wasRefused ? DoctorText::tr("Enable this interface on the robot: Settings, Security, Services.")
                        : DoctorText::tr("A firewall blocks this port: allow TCP port %1 to the robot.")
                              .arg(door.port));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// Checks of the service for power and programs (the dashboard, or the Robot API of PolyScope X), and of the arm as
-// reported by the primary interface.
+// Checks of the service for power and programs (the dashboard server, or the Robot API of PolyScope X), and
+// of the arm as reported by the primary interface.
 
 #include "robot/core/robot_model.h"
 #include "robot/dashboard/dashboard_client.h"
@@ -29,12 +29,12 @@ void examineDashboard(Examiner& examiner) {
         connected ? client.polyscopeVersion(deadline) : Result<SoftwareVersion>(connected.error());
     if (!version) {
         const bool mute = version.error().code == ErrorCode::Timeout;
-        // The port is open, so the condition now depends on the service on this port.
+        // The port is open, so the result now depends on the service on this port.
         examiner.forget(Condition::ServicePort);
         examiner.found(
             Condition::ServicePort, Verdict::Bad,
             mute ? QStringLiteral("service.mute") : QStringLiteral("service.not-dashboard"),
-            mute ? DoctorText::tr("the dashboard accepts connections but does not answer")
+            mute ? DoctorText::tr("the dashboard accepts connections but does not respond")
                  : DoctorText::tr("the service on port %1 is not a dashboard server")
                        .arg(examiner.patient.ports.dashboard),
             mute ? DoctorText::tr("Restart the robot's controller; if the problem persists, see its log.")
@@ -70,7 +70,7 @@ void examineRobotApi(Examiner& examiner) {
                 .arg(examiner.patient.ports.dashboard)
                 .arg(port),
             DoctorText::tr("Enable the Dashboard Server on the robot: Settings, Security, Services. "
-                           "PolyScope X needs 10.11 or newer for the Robot API."));
+                           "PolyScope X requires 10.11 or newer for the Robot API."));
         return;
     }
     examiner.good(Condition::ServicePort,
@@ -79,7 +79,7 @@ void examineRobotApi(Examiner& examiner) {
                       .arg(port));
     const Result<bool> remote = client.isInRemoteControl(examiner.within(kReplyMs));
     if (!remote) {
-        return;  // no queries before 10.12
+        return;  // no queries are possible before 10.12
     }
     if (*remote) {
         examiner.good(Condition::RemoteControl, DoctorText::tr("Remote"));
@@ -115,12 +115,12 @@ void examineModel(Examiner& examiner) {
     if (!heard || !configuration) {
         examiner.found(
             Condition::Model, Verdict::Bad, QStringLiteral("model.untold"),
-            DoctorText::tr("the primary interface does not describe the arm"),
+            DoctorText::tr("the primary interface sends no data about the arm"),
             DoctorText::tr("Check that this is the address of the robot, and restart its controller."));
         return;
     }
     for (const RobotModel& model : robotModels()) {
-        // CB3 and e-Series use the same numbers: the software version distinguishes them.
+        // CB3 and e-Series use the same numbers, so the software version distinguishes them.
         if (model.robotType == configuration->robotType &&
             (!examiner.version || model.isCb3() == examiner.version->isCb3())) {
             examiner.good(Condition::Model, QLatin1String(model.name));
@@ -130,7 +130,7 @@ void examineModel(Examiner& examiner) {
     examiner.found(
         Condition::Model, Verdict::Attention, QStringLiteral("model.unknown"),
         DoctorText::tr("robot type %1 is not known to this version of Tiller").arg(configuration->robotType),
-        DoctorText::tr("Monitoring works. Limits and previews use the dimensions the robot reports; jog "
+        DoctorText::tr("Monitoring works. Limits and previews use the dimensions that the robot reports; jog "
                        "slowly at first."));
 }
 

@@ -15,7 +15,7 @@ struct Row {
 
 constexpr std::array<Row, kConditionCount> kRows = {{
     {"address", QT_TRANSLATE_NOOP("Doctor", "Address resolves")},
-    {"host", QT_TRANSLATE_NOOP("Doctor", "Host answers")},
+    {"host", QT_TRANSLATE_NOOP("Doctor", "Host responds")},
     {"port.rtde", QT_TRANSLATE_NOOP("Doctor", "RTDE port")},
     {"port.primary", QT_TRANSLATE_NOOP("Doctor", "Primary port")},
     {"port.secondary", QT_TRANSLATE_NOOP("Doctor", "Secondary port")},
@@ -28,7 +28,7 @@ constexpr std::array<Row, kConditionCount> kRows = {{
     {"safety", QT_TRANSLATE_NOOP("Doctor", "Safety")},
     {"power", QT_TRANSLATE_NOOP("Doctor", "Power and brakes")},
     {"registers.upper", QT_TRANSLATE_NOOP("Doctor", "Control registers free")},
-    {"registers.lower", QT_TRANSLATE_NOOP("Doctor", "No fieldbus uses registers")},
+    {"registers.lower", QT_TRANSLATE_NOOP("Doctor", "No fieldbus uses the registers")},
     {"rate", QT_TRANSLATE_NOOP("Doctor", "Data rate")},
     {"privilege", QT_TRANSLATE_NOOP("Doctor", "Real-time priority on this PC")},
     {"latency", QT_TRANSLATE_NOOP("Doctor", "Timer wake-ups on this PC")},

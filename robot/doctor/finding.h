@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The conditions that an examination checks, and its findings: one line per condition with cause and suggested
+// The conditions that an examination checks, and its findings. A finding reports the cause and a suggested
 // action.
 
 #include <QJsonObject>
@@ -18,7 +18,7 @@ enum class Verdict {
     Good,
     Attention,  ///< works, but needs attention
     Bad,        ///< prevents the use of Tiller
-    Skipped,    ///< not checked because of another condition
+    Skipped,    ///< not checked because another condition failed
 };
 
 /// In the order of their dependencies.
@@ -40,7 +40,7 @@ enum class Condition {
     LowerRegisters,  ///< 0-23: used by fieldbus adapters
     DataRate,
     Privilege,
-    WakeUpLatency,  ///< whether this PC permits disabling deep sleep of its CPUs
+    WakeUpLatency,  ///< this PC permits disabling deep sleep of its CPUs
     ToolAndPayload,
 };
 inline constexpr int kConditionCount = static_cast<int>(Condition::ToolAndPayload) + 1;
@@ -51,7 +51,7 @@ struct Finding {
     QString
         cause;  ///< stable name for programs and tests, e.g. "port.rtde.refused"; empty if Good or Skipped
     QString detail;  ///< observed value, e.g. "192.168.0.10", "500 of 500 packages per second"
-    QString fix;     ///< suggested action in sentences; empty if none
+    QString fix;     ///< suggested action in full sentences; empty if none
 };
 
 using Report = std::vector<Finding>;
@@ -63,11 +63,11 @@ QString conditionTitle(Condition condition);
 /// "good", "attention", "bad", "skipped".
 QString verdictName(Verdict verdict);
 
-/// Bad if any finding is Bad; otherwise Attention if any finding is.
+/// Bad if any finding is Bad; otherwise Attention if any finding is Attention.
 Verdict overall(const Report& report);
 /// {"verdict": ..., "findings": [{"condition", "title", "verdict", "cause", "detail", "fix"}, ...]}
 QJsonObject toJson(const Report& report);
-/// One line per condition, with an indented suggested action.
+/// One line per condition, followed by the suggested action in an indented line.
 QString toText(const Report& report);
 
 }  // namespace tiller::doctor

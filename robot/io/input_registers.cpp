@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 struct InputRegisters::Private {
     InputRegistersOptions options;
     Newest newest;
-    std::vector<std::string> names;  ///< one recipe per name
+    std::vector<std::string> names;  ///< register names, with one recipe each
     mutable std::mutex mutex;
     std::unique_ptr<rtde::Connection> connection;
     std::atomic<bool> connected{false};
@@ -68,7 +68,8 @@ struct InputRegisters::Private {
         return {};
     }
 
-    /// The robot sends no data on this connection, so a closed connection is only detected by checking.
+    /// The robot sends no data on this connection, so a closed connection is only detected by an explicit
+    /// check.
     bool isAlive() const {
         return connection &&
                connection->readPackage({}, std::chrono::nanoseconds(0)) == rtde::Connection::Read::Nothing;
@@ -113,7 +114,7 @@ struct InputRegisters::Private {
         }
         const auto settled = [&] {
             const auto reported = newest(name);
-            return !reported || *reported == value;  // not received, or confirmed
+            return !reported || *reported == value;  // field not received, or value confirmed
         };
         if (waitUntil(deadline, settled)) {
             return {};

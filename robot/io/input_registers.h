@@ -23,8 +23,9 @@ namespace tiller::io {
 struct InputRegistersOptions {
     Text host = {};
     std::uint16_t port = rtde::kPort;
-    /// Numbers of the registers to write. 0-23 are used by a fieldbus if there is one; 24-47 are intended for
-    /// external clients. The control program uses integers 0-9 and doubles 0-17 of its range.
+    /// Numbers of the registers to write. Registers 0-23 are reserved for a fieldbus if one is used; 24-47
+    /// are intended for external clients. The control program uses integers 0-9 and doubles 0-17 of its
+    /// range.
     std::vector<int> ints = {};     ///< 0-47
     std::vector<int> doubles = {};  ///< 0-47
     std::vector<int> bits = {};     ///< 64-127
@@ -33,8 +34,8 @@ struct InputRegistersOptions {
 /// Threads  any; calls are serialized
 class InputRegisters {
 public:
-    /// newest  returns the value reported by the robot for a field, or nothing if it is not received; without this
-    ///         function, writes are not confirmed
+    /// newest  returns the value that the robot reports for a field, or nothing if the field is not received.
+    ///         Without this function, writes are not confirmed.
     using Newest = std::function<std::optional<double>(const std::string& field)>;
     explicit InputRegisters(InputRegistersOptions options, Newest newest = {});
     ~InputRegisters();
@@ -47,8 +48,8 @@ public:
     /// Errors  as rtde::Connection::open; InvalidArgument for an invalid register number; registers used by other
     ///         clients do not cause an error here
     Result<void> connect(const Deadline& deadline);
-    void disconnect();         ///< Disconnects and releases the registers.
-    bool isConnected() const;  ///< True if the connection is open.
+    void disconnect();  ///< Disconnects and releases the registers.
+    bool isConnected() const;
 
     /// Errors  NotConnected, InvalidArgument (not listed in the options, or NaN), RegisterInUse, FieldUnknown,
     ///         LinkLost, Timeout (the robot does not report the value), Cancelled

@@ -20,7 +20,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// The recipes of the connection: one per group that another client can use separately.
+/// Groups of fields. Each group has a separate recipe, because another client may use any of them.
 enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kGroups };
 
 struct GroupFacts {
@@ -53,11 +53,11 @@ constexpr std::array<GroupFacts, kGroups> kFacts = {{
 
 constexpr int kAnalogOutputs = 2;
 constexpr std::uint32_t kAllOutputs = (1U << kDigitalOutputs) - 1;
-// A slider is displayed in whole percent; the robot may round the value.
+// The slider is displayed in whole percent, and the robot may round the value.
 constexpr double kSliderTolerance = 0.005;
 constexpr std::int64_t kFreshNs = 1 * kNsPerSecond;
 
-/// The fields that confirm a command.
+/// RTDE fields that confirm a command.
 using ReportFields = std::array<const char*, 3>;
 constexpr ReportFields kDigitalReport{"actual_digital_output_bits"};
 constexpr ReportFields kSliderReport{"target_speed_fraction"};
@@ -77,9 +77,9 @@ Group groupOf(int output) {
     return output < kFirstConfigurable ? kStandard : output < kFirstTool ? kConfigurable : kTool;
 }
 
-/// Controllers report currents in mA or in A; the two ranges do not overlap.
+/// Controllers report currents in mA or in A. The two ranges do not overlap.
 bool isLevel(double reported, AnalogDomain domain, double level) {
-    constexpr double kTolerance = 0.01;  // of the range
+    constexpr double kTolerance = 0.01;  // share of the range
     if (domain == AnalogDomain::Voltage) {
         constexpr double kVolts = 10.0;
         return std::abs(reported / kVolts - level) < kTolerance;
@@ -160,7 +160,8 @@ struct Outputs::Link {
         connection.reset();
     }
 
-    /// The robot sends no data on this connection, so a closed connection is only detected by checking.
+    /// The robot sends no data on this connection, so a closed connection is only detected by an explicit
+    /// check.
     bool isAlive() const {
         if (!connection) {
             return false;
@@ -212,16 +213,17 @@ struct Outputs::Link {
         for (const char* field : fields) {
             if (field != nullptr &&
                 std::find(feedback.absent.begin(), feedback.absent.end(), field) != feedback.absent.end()) {
-                return Error{ErrorCode::FieldUnknown, what,
-                             QStringLiteral("the receiver does not receive %1, which confirms the command")
-                                 .arg(QLatin1String(field))};
+                return Error{
+                    ErrorCode::FieldUnknown, what,
+                    QStringLiteral("the receiver does not receive %1, which is needed to confirm the command")
+                        .arg(QLatin1String(field))};
             }
         }
         return {};
     }
 
-    /// The state just before sending: only later reports confirm the command, and only later disconnects end
-    /// the wait.
+    /// State just before sending. Only later reports confirm the command, and only later disconnects end the
+    /// wait.
     struct Moment {
         std::uint64_t sequence = 0;
         std::uint64_t disconnects = 0;
@@ -243,7 +245,8 @@ struct Outputs::Link {
         if (deadline.isCancelled()) {
             return Error{ErrorCode::Cancelled, what, {}};
         }
-        // The controller may have dropped the connection without closing it: the next call opens a new one.
+        // The controller may have dropped the connection without closing it. The next call opens a new
+        // connection.
         lock.unlock();
         const std::lock_guard guard(mutex);
         drop();
@@ -294,7 +297,7 @@ Result<void> Outputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values
                 return opened;
             }
         }
-        // All or nothing: check every group before sending to the first.
+        // Check every group before sending to the first one, so that either all outputs are set or none.
         std::vector<Group> groups;
         for (const Group group : {kStandard, kConfigurable, kTool}) {
             const std::uint32_t ofGroup = ((1U << kFacts[group].bits) - 1) << kFacts[group].firstBit;

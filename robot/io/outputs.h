@@ -29,8 +29,8 @@ inline constexpr int kStandardOutputs = 8;    ///< 0 ... 7
 inline constexpr int kFirstConfigurable = 8;  ///< 8 ... 15
 inline constexpr int kFirstTool = 16;         ///< 16, 17
 inline constexpr int kDigitalOutputs = 18;
-/// Minimum of the speed slider. Lower values would make the arm creep, and zero has caused protective stops. Lower
-/// requests are refused rather than changed. To hold the arm, stop or pause it.
+/// Minimum of the speed slider. At lower values the arm would creep, and zero has caused protective stops.
+/// Lower requests are rejected, not clamped. To stop the arm, use stop or pause.
 inline constexpr double kLowestSpeedFraction = 0.02;
 
 /// Values reported by the robot, used for confirmation.
@@ -47,11 +47,11 @@ struct Report {
 struct OutputFeedback {
     /// Returns the newest report. Called from the thread that waits for a confirmation.
     std::function<Report()> newest;
-    /// RTDE names of fields that are never reported: commands that need them for confirmation are refused.
+    /// RTDE names of fields that are never reported. Commands that need them for confirmation are rejected.
     std::vector<std::string> absent = {};
 
-    /// From the newest sample of a receiver, which must outlive the Outputs. The receiver has to subscribe to
-    /// the fields that confirm the commands used: actual_digital_output_bits, target_speed_fraction,
+    /// Reads the newest sample of a receiver, which must outlive the Outputs. The receiver has to subscribe
+    /// to the fields that confirm the commands used: actual_digital_output_bits, target_speed_fraction,
     /// analog_io_types, standard_analog_output0 and standard_analog_output1.
     static OutputFeedback fromReceiver(const receive::Receiver& receiver);
 };
@@ -63,7 +63,7 @@ struct OutputsOptions {
     std::uint16_t port = rtde::kPort;
 };
 
-/// Threads  any; calls are serialized. There is no internal thread: call from a worker, because confirmation
+/// Threads  any; calls are serialized. There is no internal thread. Call from a worker, because confirmation
 ///          blocks.
 class Outputs {
 public:
@@ -72,11 +72,11 @@ public:
     Outputs(const Outputs&) = delete;
     Outputs& operator=(const Outputs&) = delete;
 
-    /// Opens a new connection, replacing an existing one. The set functions call it when there is no connection.
+    /// Opens a new connection, replacing an existing one. The set functions connect automatically.
     /// Errors  as rtde::Connection::open; inputs used by other clients do not cause an error here
     Result<void> connect(const Deadline& deadline);
-    /// Disconnects and ends waiting calls. Waits for a connection attempt in progress, which its deadline's token
-    /// can cancel.
+    /// Disconnects and ends waiting calls. Waits for a connection attempt in progress; the token of its
+    /// deadline can cancel the attempt.
     void disconnect();
     /// True if the connection was open when it was last used. Blocks: never
     bool isConnected() const;
@@ -101,10 +101,10 @@ public:
     /// Errors  as setDigitalOutputs()
     Result<void> setAnalogOutput(int output, AnalogDomain domain, double level, const Deadline& deadline);
 
-    /// Whether a group of outputs can be set; otherwise the error is the reason.
+    /// Succeeds if the group of outputs can be set; otherwise the error contains the reason.
     Result<void> canSetDigitalOutput(int output) const;
-    Result<void> canSetSpeedSlider() const;   ///< As canSetDigitalOutput().
-    Result<void> canSetAnalogOutput() const;  ///< As canSetDigitalOutput().
+    Result<void> canSetSpeedSlider() const;   ///< Like canSetDigitalOutput().
+    Result<void> canSetAnalogOutput() const;  ///< Like canSetDigitalOutput().
 
 private:
     struct Link;

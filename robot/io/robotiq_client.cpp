@@ -16,12 +16,12 @@ namespace {
 using std::chrono::milliseconds;
 using Status = native_socket::Status;
 
-/// Longer than any valid reply [bytes]; a longer line does not come from a gripper.
+/// Longer than any valid reply [bytes]. A longer line cannot come from a gripper.
 constexpr std::size_t kMaxReplyLength = 1024;
 constexpr std::size_t kQuoted = 80;  // quoted length of an invalid reply [bytes]
-/// Interval between two requests of a wait.
+/// Polling interval while waiting.
 constexpr milliseconds kAskEvery(10);
-/// With less time left no further request is sent: an interrupted request closes the connection.
+/// No further request is sent when less time is left, because interrupting a request closes the connection.
 constexpr milliseconds kLastAnswer(250);
 
 std::optional<int> numberIn(std::string_view text) {
@@ -39,8 +39,8 @@ bool isByte(int value) {
     return value >= 0 && value <= kRobotiqMost;
 }
 
-/// Whether the variable is a gripper register with a byte value. Other variables, such as the cycle counter, are
-/// larger.
+/// Whether the variable is a gripper register with a byte value. Other variables, such as the cycle counter,
+/// can have larger values.
 bool isRegister(std::string_view name) {
     constexpr std::string_view kRegisters[] = {"ACT", "GTO", "ATR", "ARD", "STA", "OBJ", "FLT",
                                                "POS", "PRE", "SPE", "FOR", "COU", "MOD"};
@@ -97,7 +97,7 @@ struct RobotiqClient::Link {
         return readReply(line, deadline);
     }
 
-    // The real URCap sends acknowledgements without a line end, other replies with one.
+    // The real URCap sends acknowledgements without a line end. All other replies have one.
     std::optional<std::string> takeReply() {
         while (true) {
             const std::size_t end = received.find('\n');
@@ -120,7 +120,8 @@ struct RobotiqClient::Link {
             if (auto reply = takeReply()) {
                 return std::move(*reply);
             }
-            // Check in every iteration, because a peer that sends continuously never leaves the loop otherwise.
+            // Checked in every iteration, because the loop would never end with a peer that sends
+            // continuously.
             if (received.size() > kMaxReplyLength) {
                 const QString begin = QString::fromStdString(received.substr(0, kQuoted));
                 Error error = broken(ErrorCode::ProtocolError, line);
@@ -142,8 +143,7 @@ struct RobotiqClient::Link {
         }
     }
 
-    /// Waits until the next request; unexpected input, in particular the end of the connection, ends the wait
-    /// early.
+    /// Waits until the next request. Unexpected input or a closed connection ends the wait early.
     void pause(const Deadline& deadline) const {
         native_socket::waitReadable(descriptor, std::min(deadline.remaining(), kAskEvery));
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Controls a Robotiq gripper at the robot's wrist through the socket of its URCap on the controller: named
-// variables
-// (ACT, GTO, POS, ...), one line per request, one reply. No control of the arm and no running program are needed. A
-// stop of the arm does not affect the gripper: it continues to hold.
-// Source: the manufacturer's instruction manual (registers and their meaning), and the script of its URCap.
+// Controls a Robotiq gripper at the robot's wrist through the socket of its URCap on the controller. The
+// protocol uses named variables (ACT, GTO, POS, ...), with one request per line and one reply per request.
+// Neither control of the arm nor a running program is needed. Stopping the arm does not affect the gripper,
+// which keeps its grip. Source: the manufacturer's instruction manual (registers and their meaning), and the
+// script of its URCap.
 
 #include <cstdint>
 #include <memory>
@@ -77,26 +77,27 @@ public:
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused (no URCap), Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
     void close();              ///< No effect without a connection.
-    bool isConnected() const;  ///< State after the last call.
+    bool isConnected() const;  ///< Connection state after the last call.
 
-    /// Reads a variable; empty if the URCap has no value: the gripper has no power, or the variable does not exist.
+    /// Reads a variable. Empty if the URCap has no value, because the gripper has no power or the variable
+    /// does not exist.
     Result<std::optional<int>> get(const std::string& name, const Deadline& deadline);
     /// Sets several variables at once.
     /// Errors  Rejected: the reply was not an acknowledgement
     Result<void> set(const Values& values, const Deadline& deadline);
 
-    /// Reads the complete RobotiqState; empty if the gripper has no power or its cable is disconnected.
+    /// Reads the complete state. Empty if the gripper has no power or its cable is disconnected.
     Result<std::optional<RobotiqState>> look(const Deadline& deadline);
-    /// Resets the gripper and starts the activation, which opens and closes the fingers once and releases a held
-    /// object. Use look() to find out when it is complete.
+    /// Resets the gripper and starts the activation, which opens and closes the fingers once and releases a
+    /// held object. Use look() to find out when the activation is complete.
     /// Errors  Rejected: the gripper does not reset
     Result<void> beginActivation(const Deadline& deadline);
-    /// Starts a motion, and returns when the gripper has accepted it; until then its state belongs to the previous
-    /// motion. Use look() to find out when and where the fingers stop.
+    /// Starts a motion, and returns when the gripper has accepted it. Until then, the reported state is that
+    /// of the previous motion. Use look() to find out when and where the fingers stop.
     /// position, speed, force  0 ... 255
     /// Errors  InvalidArgument; Rejected: the gripper does not accept the request
     Result<void> move(int position, int speed, int force, const Deadline& deadline);
-    /// Stops the fingers at their current position; a held object remains held. The next move() continues.
+    /// Stops the fingers at their current position. A held object remains gripped. The next move() continues.
     Result<void> stop(const Deadline& deadline);
 
 private:

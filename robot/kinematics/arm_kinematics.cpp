@@ -44,7 +44,7 @@ Matrix6 jacobianAt(const std::array<Eigen::Isometry3d, 7>& frames, const Eigen::
     return J;
 }
 
-/// The twist in the base frame that moves one pose to the other in unit time.
+/// The twist in the base frame that moves `actual` to `target` in unit time.
 Vector6 difference(const Eigen::Isometry3d& target, const Eigen::Isometry3d& actual) {
     Vector6 result;
     result << target.translation() - actual.translation(),
@@ -56,8 +56,9 @@ constexpr double kConverged = 1e-13;
 constexpr double kAccepted = 1e-9;
 constexpr int kMaxRefinements = 12;
 
-/// Newton steps on the real chain, with damping to remain finite in a singularity. The closed form is exact for
-/// right angles, so that usually one step removes the error of 1e-10 caused by the controller's rounded pi/2.
+/// Newton steps on the actual kinematic chain, damped to remain finite at a singularity. The closed form
+/// assumes exact right angles, so usually one step removes the error of 1e-10 caused by the controller's
+/// rounded pi/2.
 /// Returns  false if the pose is not reachable
 bool refine(const DhParameters& dh, const Eigen::Isometry3d& target, JointPositions& q) {
     constexpr double kDamping = 1e-14;
@@ -82,8 +83,9 @@ bool refine(const DhParameters& dh, const Eigen::Isometry3d& target, JointPositi
     return best < kAccepted;
 }
 
-/// With wrist 3 free: the smallest rotation of axis 5 about axis 2 for which upper arm and forearm reach from the
-/// shoulder to the end of the forearm [rad]. 0 if it is reachable already or never.
+/// For a free wrist 3: the smallest rotation of axis 5 about axis 2 for which upper arm and forearm reach
+/// from the shoulder to the end of the forearm [rad]. 0 if the point is already reachable, or cannot be
+/// reached at all.
 /// T_1_4  with the current axis; axis 2 is z of frame 1
 double turnIntoReach(const Eigen::Isometry3d& T_1_4, double d5, double a2, double a3) {
     const Eigen::Vector2d axis5 = T_1_4.linear().col(2).head<2>();
@@ -91,7 +93,7 @@ double turnIntoReach(const Eigen::Isometry3d& T_1_4, double d5, double a2, doubl
     const double away = wrist.norm();
     const double longest2 = (a2 + a3) * (a2 + a3);
     const double shortest2 = (a2 - a3) * (a2 - a3);
-    // Angle between the wrist and axis 5 [rad]: the closer to 0, the shorter the arm may be.
+    // Angle between the wrist and axis 5 [rad]. The closer the angle is to 0, the shorter the arm may be.
     const auto between = [&](double length2) {
         return std::acos(std::clamp((away * away + d5 * d5 - length2) / (2 * d5 * away), -1.0, 1.0));
     };
@@ -100,7 +102,7 @@ double turnIntoReach(const Eigen::Isometry3d& T_1_4, double d5, double a2, doubl
     return std::copysign(wanted, now) - now;
 }
 
-/// Refines and wraps a closed-form candidate and adds it if it is new.
+/// Refines and wraps a closed-form candidate, and adds it unless it is a duplicate.
 void keep(const DhParameters& dh, const Eigen::Isometry3d& target, JointPositions q, InverseSolutions& into) {
     for (int i = 0; i < kJointCount; ++i) {
         q[i] -= dh.theta[static_cast<std::size_t>(i)];
@@ -156,7 +158,7 @@ Matrix6 jacobian(const DhParameters& dh, const JointPositions& q, const Pose& tc
 
 InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base_flange,
                          double wrist3AtSingularity) {
-    // Rounding can put poses on the boundary of the workspace slightly outside.
+    // Rounding can move poses on the boundary of the workspace slightly outside.
     constexpr double kEdge = 1e-8;
     constexpr double kWristSingular = 1e-8;
 
@@ -173,7 +175,7 @@ InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base
     const Eigen::Matrix3d R = T_base_flange.linear();
     const Eigen::Vector3d p05 = T_base_flange.translation() - d6 * R.col(2);
 
-    // In the top view, the wrist centre has the distance d4 from the plane of the arm.
+    // In the top view, the distance of the wrist centre from the plane of the arm is d4.
     const double radius2 = p05.x() * p05.x() + p05.y() * p05.y();
     const double alongArm2 = radius2 - d4 * d4;
     if (alongArm2 < -kEdge) {
@@ -186,8 +188,8 @@ InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base
         const double theta1 = heading + shoulderSide * std::atan2(alongArm, d4);
         const double s1 = std::sin(theta1);
         const double c1 = std::cos(theta1);
-        // Components of axis 6 and of the flange's x and y along axis 2: cos theta5, and sin theta5 times cos and
-        // -sin of theta6.
+        // Components of axis 6 and of the flange's x and y axes along axis 2: cos theta5, and sin theta5
+        // multiplied by cos theta6 and by -sin theta6.
         const double cos5 = R(0, 2) * s1 - R(1, 2) * c1;
         const double alongX = R(0, 0) * s1 - R(1, 0) * c1;
         const double alongY = -R(0, 1) * s1 + R(1, 1) * c1;
@@ -205,7 +207,7 @@ InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base
                 return T_1_6 * (link(0, d5, -kPi / 2, theta5) * link(0, d6, 0, wrist3)).inverse();
             };
             if (sin5 < kWristSingular) {
-                // Wrist 3 then rotates axis 5 about axis 2 in one of two directions.
+                // At the singularity, wrist 3 rotates axis 5 about axis 2. The sign depends on theta5.
                 const double turn = turnIntoReach(T_1_4With(theta6), d5, a2, a3);
                 theta6 += cos5 > 0 ? -turn : turn;
             }
@@ -213,7 +215,7 @@ InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base
             const Eigen::Vector3d p13 = T_1_4 * Eigen::Vector3d(0, -d4, 0);
 
             const double reach2 = p13.x() * p13.x() + p13.y() * p13.y();
-            // 1 - cos and 1 + cos of theta3, which remain accurate where cos alone does not.
+            // 1 - cos and 1 + cos of theta3, which remain accurate where cos alone is not.
             const double fromStretched = ((a2 + a3) * (a2 + a3) - reach2) / (2 * a2 * a3);
             const double fromFolded = (reach2 - (a2 - a3) * (a2 - a3)) / (2 * a2 * a3);
             if (fromStretched < -kEdge || fromFolded < -kEdge) {
@@ -247,7 +249,7 @@ std::optional<JointPositions> inverseNearest(const DhParameters& dh, const Pose&
         JointPositions turned;
         double distance = 0;
         for (int i = 0; i < kJointCount; ++i) {
-            // Every joint may be shifted by full turns independently.
+            // Each joint may be shifted by full turns independently.
             double best = std::numeric_limits<double>::infinity();
             for (const double turn : {-kTwoPi, 0.0, kTwoPi}) {
                 const double q = solution[i] + turn;

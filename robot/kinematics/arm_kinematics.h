@@ -40,13 +40,13 @@ struct InverseSolutions {
     int count = 0;
     /// The valid solutions.
     std::span<const JointPositions> span() const& { return {q.data(), static_cast<std::size_t>(count)}; }
-    std::span<const JointPositions> span() const&& = delete;  ///< the span of a temporary would dangle
+    std::span<const JointPositions> span() const&& = delete;  ///< avoids a dangling span of a temporary
 };
 
-/// Joint positions for T_base_flange. At a wrist singularity, where wrist 3 is free, `wrist3AtSingularity` [rad] is
-/// used, or the nearest angle at which the pose is reachable. The closed form covers link lengths and offsets; the
-/// deviations of a calibrated arm are corrected by Newton steps, after parallel_axes.h has moved the frames to the
-/// links.
+/// Joint positions for T_base_flange. At a wrist singularity, where wrist 3 is free, `wrist3AtSingularity`
+/// [rad] is used, or the nearest angle at which the pose is reachable. The closed form covers link lengths
+/// and offsets. Newton steps correct the deviations of a calibrated arm; they require the frames to be placed
+/// at the links, see parallel_axes.h.
 /// Threads  any. Real-time: yes (no allocation)
 InverseSolutions inverse(const DhParameters& dh, const Eigen::Isometry3d& T_base_flange,
                          double wrist3AtSingularity = 0.0);

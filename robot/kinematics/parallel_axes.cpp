@@ -33,8 +33,8 @@ struct Link {
     double beta = 0;
 };
 
-/// Replaces a link by another description with the same end axis; the next joint compensates the shift and rotation
-/// of the frame along this axis.
+/// Replaces the parameters of a link by equivalent ones with the same end axis. The parameters of the next
+/// joint compensate for the shift and rotation of the frame along this axis.
 void replace(DhParameters& dh, int joint, const Link& with) {
     const auto i = static_cast<std::size_t>(joint);
     const Eigen::Isometry3d before = linkTransform(dh, joint, 0);
@@ -48,7 +48,7 @@ void replace(DhParameters& dh, int joint, const Link& with) {
     dh.theta[i + 1] = turnedBack(dh.theta[i + 1] + std::atan2(moved(1, 0), moved(0, 0)));
 }
 
-/// Places the frame at the intersection of the next axis with the plane of this one.
+/// Places the frame at the intersection of the next axis with the XY plane of the current frame.
 /// Returns  false if the axes are far from parallel, or identical
 bool toHayati(DhParameters& dh, int joint) {
     constexpr double kParallel = 0.9;   // cosine
@@ -72,7 +72,8 @@ bool toHayati(DhParameters& dh, int joint) {
     return true;
 }
 
-/// Places the frame at the foot of the common normal; parallel axes have none and remain unchanged.
+/// Places the frame at the foot of the common normal. Parallel axes have no unique normal, so their frames
+/// remain unchanged.
 void toDenavitHartenberg(DhParameters& dh, int joint) {
     const Eigen::Isometry3d T = linkTransform(dh, joint, 0);
     const Eigen::Vector3d axis = T.linear().col(2);
@@ -108,7 +109,7 @@ DhParameters asDenavitHartenberg(const DhParameters& arm) {
 
 DhParameters calibrated(const RobotModel& model, const DhParameters& reported) {
     constexpr double kLongest = 3;      // [m]
-    constexpr double kShortest = 0.05;  // [m], of upper arm and forearm
+    constexpr double kShortest = 0.05;  // [m], for upper arm and forearm
     const DhParameters arm = resolveParallelAxes(reported);
     const auto isOfAnArm = [](const std::array<double, 6>& lengths) {
         return std::ranges::all_of(lengths, [](double length) { return std::abs(length) < kLongest; });

@@ -82,7 +82,7 @@ PayloadEstimate estimatePayload(std::span<const PayloadReading> readings, double
     result.torqueResidual = std::sqrt(torqueLeft.squaredNorm() / static_cast<double>(count));
     double worst = -1;
     for (Eigen::Index i = 0; i < count; ++i) {
-        // 1 N at a distance of 0.1 m counts as much as 0.1 Nm.
+        // A force of 1 N is weighted like a torque of 0.1 Nm (a lever arm of 0.1 m).
         const double left = forceLeft.segment<3>(3 * i).norm() + 10 * torqueLeft.segment<3>(3 * i).norm();
         if (left > worst) {
             worst = left;

@@ -22,7 +22,7 @@ struct PayloadReading {
 };
 
 inline constexpr int kMinPayloadPoses = 4;
-/// Minimum share of rotation about a second axis, see kMinTipSpread.
+/// Minimum rotation about a second axis, as defined for kMinTipSpread.
 inline constexpr double kMinPayloadSpread = 0.15;
 
 struct PayloadEstimate {
@@ -54,8 +54,9 @@ inline constexpr double kMinPayloadMass = 0.1;
 /// Threads  any. Real-time: no (allocates)
 PayloadEstimate estimatePayload(std::span<const PayloadReading> readings, double gravity = kStandardGravity);
 
-/// Wrench about the flange in the flange frame, for controllers that do not report the raw reading: computed from
-/// the wrench at the TCP in the base frame, from which the controller has subtracted the known payload.
+/// Wrench about the flange in the flange frame, for controllers that do not report the raw reading. It is
+/// computed from the wrench at the TCP in the base frame, from which the controller has subtracted the known
+/// payload.
 /// mass, centre  of this payload
 /// down          direction of gravity in the base frame
 Wrench feltAtFlange(const Wrench& atTcp, const Eigen::Matrix3d& R_base_flange, const Eigen::Vector3d& tcp,

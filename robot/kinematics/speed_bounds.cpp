@@ -41,7 +41,7 @@ SpeedBound jointSpeedBound(const DhParameters& dh, const JointPositions& from, c
     const Vector6 qd = way / largest;
     double tcp = 0;
     double elbow = 0;
-    // A single joint carries both points on circles around its axis, at constant speeds.
+    // If only one joint moves, both points move on circles around its axis at constant speed.
     const bool isSingleJoint = (way.array() != 0).count() == 1;
     const int last = isSingleJoint ? 0 : kJointSamples;
     for (int i = 0; i <= last; ++i) {
@@ -64,7 +64,7 @@ SpeedBound lineSpeedBound(const DhParameters& dh, const JointPositions& from, co
     const double length = line.norm();
     const Eigen::Matrix3d R_start = rotationMatrix(start.rotation);
     const Eigen::Vector3d turn = rotationVector(R_start.transpose() * rotationMatrix(to.rotation));
-    // The measured position of an arm at rest varies by some hundredths of a millimetre.
+    // The measured position of an arm at rest varies by a few hundredths of a millimetre.
     constexpr double kOnTheSpot = 1e-4;  // [m]
     constexpr double kNoTurn = 1e-6;     // [rad]
     const bool onTheSpot = length < kOnTheSpot;

@@ -17,7 +17,7 @@ inline constexpr int kMinTipPoses = 4;
 /// ... 1). Below this value, an error of 1 mm at the point causes an error of many millimetres at the tip.
 inline constexpr double kMinTipSpread = 0.10;
 
-/// The tip and the consistency of the poses.
+/// The estimated tip, and the consistency of the poses.
 struct TipFit {
     enum class Problem {
         None,
@@ -29,7 +29,7 @@ struct TipFit {
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< in the flange frame [m]
     Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< the touched point in the base frame [m]
     std::vector<double> residuals;  ///< distance of the tip from the point for each pose [m]
-    double rms = 0;                 ///< of the residuals [m]
+    double rms = 0;                 ///< rms of the residuals [m]
     int worst = 0;                  ///< index of the pose with the largest residual
     double spread = 0;              ///< see kMinTipSpread
 
@@ -73,8 +73,8 @@ struct ToolRotationFit {
     bool ok() const { return problem == Problem::None; }  ///< True if the rotation was determined.
 };
 
-/// Rotation of the tool from three poses with equal orientation: a start pose, one moved along the tool's +Z, and
-/// one moved towards its +X.
+/// Rotation of the tool from three poses with equal orientation: a start pose, a pose moved along the tool's
+/// +Z, and a pose moved towards its +X.
 /// T_base_flange  of the three poses
 ToolRotationFit fitToolRotation(const std::array<Eigen::Isometry3d, 3>& T_base_flange);
 

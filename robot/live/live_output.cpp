@@ -25,7 +25,7 @@ namespace {
 
 using namespace recording::mcap;
 
-// Two or three packages at 500 Hz; shorter intervals are not visible.
+// Two or three packages at 500 Hz. A shorter interval would not be visible.
 constexpr std::chrono::milliseconds kSendEvery{5};
 constexpr std::uint32_t kJointStates = 1;
 constexpr std::uint32_t kWrench = 2;
@@ -82,7 +82,7 @@ struct LiveOutput::Worker {
         if (!options.udpAddress.isEmpty()) {
             if (!udpHost.setAddress(options.udpAddress)) {
                 return Error{ErrorCode::AddressInvalid, QStringLiteral("send to %1").arg(options.udpAddress),
-                             QStringLiteral("this is not an IP address, such as 127.0.0.1")};
+                             QStringLiteral("this is not an IP address; use an address such as 127.0.0.1")};
             }
             udp = std::make_unique<QUdpSocket>();
         }
@@ -150,8 +150,8 @@ struct LiveOutput::Worker {
         if (!state || sample.connection != connection) {
             RobotStateMessage fresh(options.fields, sample);
             if (!state || fresh.definition() != state->definition()) {
-                // Another robot sends other fields: the definition of a channel is immutable, so a new channel
-                // number is used.
+                // Another robot sends other fields. The definition of a channel is immutable, so a new
+                // channel number is used.
                 server->advertise({++stateChannel, kStateTopic, kStateType, fresh.definition()});
             }
             state = std::move(fresh);

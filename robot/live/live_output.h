@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Publishes live robot data: by a WebSocket server for Foxglove and compatible viewers (foxglove.sdk.v1, messages
-// in CDR), and as JSON in UDP datagrams for PlotJuggler. The output is read-only; no request of a viewer reaches
-// the robot. It is disabled until start(), and by default accepts viewers on this machine only.
+// Publishes live robot data through a WebSocket server for Foxglove and compatible viewers (foxglove.sdk.v1,
+// messages in CDR), and as JSON in UDP datagrams for PlotJuggler. The output is read-only: viewers cannot
+// send any request to the robot. It is disabled until start(), and by default accepts only viewers on this
+// machine.
 
 #include <chrono>
 #include <cstdint>
@@ -17,17 +18,18 @@
 
 namespace tiller::live {
 
-/// Limits for viewers, so that a misbehaving viewer can neither exhaust the memory of this machine nor delay other
-/// viewers.
+/// Limits for viewers. They prevent a misbehaving viewer from exhausting the memory of this machine or
+/// delaying other viewers.
 struct LiveLimits {
-    int maxViewers = 16;  ///< with a subscription
-    /// Connections without a subscription, and handshakes in progress (each). A new one replaces the oldest.
+    int maxViewers = 16;  ///< viewers with a subscription
+    /// Maximum number of connections without a subscription, and of handshakes in progress. A new one
+    /// replaces the oldest.
     int maxIdleConnections = 32;
     qint64 maxHeaderBytes = 16 * 1024;    ///< HTTP header of the handshake [bytes]
     qint64 maxRequestBytes = 64 * 1024;   ///< incoming frame, and incoming message
     qint64 maxRequestRate = 1024 * 1024;  ///< incoming bytes of one viewer [1/s]
-    /// Unsent messages of one viewer; the oldest are dropped. Viewers share the messages, so that 16 queues take little
-    /// more memory than one.
+    /// Maximum number of unsent messages for one viewer; the oldest are dropped. Viewers share the messages,
+    /// so 16 queues take little more memory than one.
     qint64 maxQueueBytes = 8 * 1024 * 1024;
     std::chrono::milliseconds handshakeTimeout{5'000};
     std::chrono::milliseconds stallTimeout{
@@ -37,8 +39,8 @@ struct LiveLimits {
 struct LiveOptions {
     /// Address of the server; empty: no server. 0.0.0.0: all addresses of this machine.
     Text listenAddress = QStringLiteral("127.0.0.1");
-    std::uint16_t port = 8765;  ///< 0: any free port, see port()
-    /// Destination of the datagrams; empty: none.
+    std::uint16_t port = 8765;  ///< 0: any free port; see port()
+    /// Destination of the UDP datagrams; empty: none.
     Text udpAddress = {};
     std::uint16_t udpPort = 9870;  ///< default of PlotJuggler
     /// RTDE names of the published fields; empty: all fields of the receiver.
@@ -51,19 +53,19 @@ struct LiveOptions {
 };
 
 struct LiveProgress {
-    int viewers = 0;                 ///< currently connected
-    std::uint64_t packets = 0;       ///< packages of the robot that were processed
-    std::uint64_t messages = 0;      ///< messages to viewers
+    int viewers = 0;                 ///< number of connected viewers
+    std::uint64_t packets = 0;       ///< processed packages from the robot
+    std::uint64_t messages = 0;      ///< messages sent to viewers
     std::uint64_t dropped = 0;       ///< messages dropped because a viewer was too slow
     std::uint64_t datagrams = 0;     ///< datagrams sent successfully
     std::uint64_t disconnected = 0;  ///< connections closed because of a limit
     std::uint64_t refused = 0;       ///< connections refused because of their origin
-    Text refusedOrigin = {};         ///< of the last refused connection
+    Text refusedOrigin = {};         ///< origin of the last refused connection
 };
 
 /// Owns the thread "tiller-live" (normal priority) with the sockets. Samples enter the thread through a
 /// subscription.
-/// Threads  start() and stop() from one thread, the rest from any
+/// Threads  start() and stop(): one thread. All others: any
 class LiveOutput {
 public:
     LiveOutput();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The surroundings of the arm: a floor, boxes and planes. Used by the 3D view, for checking moves, and by the
+// The surroundings of the arm: a floor, boxes and planes. Used by the 3D view, the check of moves, and the
 // simulated controller.
 
 #include <QJsonObject>
@@ -21,19 +21,19 @@ inline constexpr double kMaxSafetyDistance = 0.5;        ///< [m]
 struct CellBox {
     QUuid id;
     QString name;
-    QUuid frame;  ///< reference frame of `pose`; null: base frame; missing: unplaced
-    Pose pose;    ///< of the centre; the edges are parallel to its axes [m, rad]
+    QUuid frame;  ///< reference frame of `pose`; null: base frame; unplaced if missing
+    Pose pose;    ///< pose of the centre; the edges are parallel to its axes [m, rad]
     Eigen::Vector3d size = Eigen::Vector3d::Constant(0.1);  ///< edges along X, Y, Z [m]
     bool enabled = true;                                    ///< false: neither displayed nor checked
     QJsonObject extra;  ///< unknown fields of the file, preserved when saving
     friend bool operator==(const CellBox&, const CellBox&) = default;
 };
 
-/// The XY plane of its pose is the border; the arm stays on the +Z side.
+/// A plane: the XY plane of its pose is the border, and the arm stays on the +Z side.
 struct CellPlane {
     QUuid id;
     QString name;
-    QUuid frame;  ///< reference frame of `pose`; null: base frame; missing: unplaced
+    QUuid frame;  ///< reference frame of `pose`; null: base frame; unplaced if missing
     Pose pose;    ///< [m, rad]
     bool enabled = true;
     QJsonObject extra;
@@ -47,7 +47,8 @@ struct CellGeometry {
     std::optional<double> floor;  ///< height in the base frame [m]; empty: no floor
     CellBoxList boxes;
     CellPlaneList planes;
-    double safetyDistance = kDefaultSafetyDistance;  ///< of the arm from all objects and from itself [m]
+    double safetyDistance =
+        kDefaultSafetyDistance;  ///< minimum distance of the arm from all objects and from itself [m]
     QJsonObject extra;
 
     bool isEmpty() const {

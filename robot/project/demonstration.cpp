@@ -11,7 +11,7 @@
 namespace tiller::project {
 namespace {
 
-/// Half width of the smoothing window [s]: hand tremor has a frequency of about 10 Hz.
+/// Half width of the smoothing window [s]. Hand tremor has a frequency of about 10 Hz.
 constexpr double kSmoothedOver = 0.05;
 /// Maximum joint movement that counts as standstill [rad].
 constexpr double kStandstillTolerance = 0.0005;
@@ -41,7 +41,7 @@ public:
         const double at =
             length > 0 ? std::clamp((place.values - from.values).dot(way) / length, 0.0, 1.0) : 0.0;
         Offset best = between(place, JointPositions(Vector6(from.values + at * way)));
-        // The position nearest in joint space is not the position nearest for the TCP: near an end, the end
+        // The position nearest in joint space is not the position nearest for the TCP. Near an end, the end
         // itself may be closer.
         for (const JointPositions* end : {&from, &to}) {
             if (const Offset off = between(place, *end); off.share(tolerance) < best.share(tolerance)) {
@@ -59,7 +59,7 @@ private:
     const Pose& tcpOffset_;
 };
 
-/// Replaces each sample by the mean of its neighbourhood if that is within the tolerance.
+/// Replaces each sample by the mean of its neighbourhood if the mean is within the tolerance.
 std::vector<JointPositions> smoothed(const Demonstration& shown, const Ruler& ruler,
                                      const PathTolerance& tolerance) {
     std::vector<JointPositions> out = shown.q;
@@ -114,9 +114,9 @@ std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& 
     }
     const Ruler ruler(dh, tcpOffset);
     const std::vector<JointPositions> smooth = smoothed(shown, ruler, tolerance);
-    // The segment between two kept positions is split at the sample with the largest deviation until all deviations
-    // are within the tolerance. Neighbouring samples have no sample in between, and each is close to its smoothed
-    // position.
+    // The segment between two kept positions is split at the sample with the largest deviation until all
+    // deviations are within the tolerance. Adjacent samples need no further split, because each is close to
+    // its smoothed position.
     std::vector<bool> kept(shown.size(), false);
     kept.front() = kept.back() = true;
     std::vector<std::pair<std::size_t, std::size_t>> ways{{0, shown.size() - 1}};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A motion taught by hand: joint positions over time, and the reduction to a few waypoints. Stored as a table with
-// the columns timestamp and actual_q_0 ... actual_q_5 as in a recording, which tools for learning from
-// demonstration can read directly.
+// A motion taught by hand: joint positions over time, and the reduction to a few waypoints. Stored as a table
+// with the columns timestamp and actual_q_0 ... actual_q_5 as in a recording, so tools for learning from
+// demonstration can read it directly.
 
 #include <QByteArray>
 #include <array>
@@ -20,18 +20,18 @@ struct Demonstration {
     std::vector<double> times;      ///< [s], increasing
     std::vector<JointPositions> q;  ///< [rad], same size
 
-    std::size_t size() const { return q.size(); }            ///< Number of samples.
-    void append(double time, const JointPositions& place) {  ///< Appends a sample.
+    std::size_t size() const { return q.size(); }
+    void append(double time, const JointPositions& place) {
         times.push_back(time);
         q.push_back(place);
     }
 };
 
-/// Permitted deviation of the taught positions from the reduced path, for both values. Between two kept positions
-/// the path is linear in joint space, as MoveJ.
+/// Permitted deviation of the taught positions from the reduced path. Both limits apply. Between two kept
+/// positions the path is linear in joint space, as with MoveJ.
 struct PathTolerance {
-    double joints = 0.0087;  ///< of each joint [rad], 0.5 deg
-    double tcp = 0.001;      ///< of the TCP [m]
+    double joints = 0.0087;  ///< deviation of each joint [rad], 0.5 deg
+    double tcp = 0.001;      ///< deviation of the TCP [m]
 };
 
 struct KeptPlace {
@@ -42,10 +42,10 @@ struct KeptPlace {
 /// Removes standstill at the beginning and the end.
 Demonstration withoutPauses(const Demonstration& shown);
 
-/// The reduced path: smoothed over some hundredths of a second, with as few positions as possible, so that all
-/// taught positions are within the tolerance. First and last position are those of the demonstration.
+/// The reduced path: smoothed over a few hundredths of a second, with as few positions as possible while all
+/// taught positions remain within the tolerance. First and last position are those of the demonstration.
 /// tcpOffset  during teaching
-/// Threads    any. Real-time: no (a millisecond or two per thousand samples)
+/// Threads    any. Real-time: no (one or two milliseconds per thousand samples)
 std::vector<KeptPlace> keptPath(const Demonstration& shown, const DhParameters& dh, const Pose& tcpOffset,
                                 const PathTolerance& tolerance);
 
@@ -54,19 +54,20 @@ struct PathDeviation {
     double joints = 0;
     double tcp = 0;
 };
-/// Compares each sample with the path at about the same time; the nearest position is weighted by the tolerance.
+/// Compares each sample with the path at about the same time. The tolerance weights joint and TCP distances
+/// to find the nearest position.
 PathDeviation deviation(const Demonstration& shown, const std::vector<KeptPlace>& kept,
                         const DhParameters& dh, const Pose& tcpOffset, const PathTolerance& tolerance = {});
 
-/// The motion along these positions, with samples at each position and every `period` [s].
+/// Samples of the motion along these positions: one at each position and one every `period` [s].
 Demonstration alongPath(const std::vector<KeptPlace>& places, double period);
 
-/// "timestamp,actual_q_0,...,actual_q_5" and one line per sample, with full precision.
+/// Returns the header "timestamp,actual_q_0,...,actual_q_5" and one line per sample, with full precision.
 QByteArray demonstrationCsv(const Demonstration& shown);
-/// Reads the columns of such a table from any source; other columns are ignored.
+/// Reads the columns of such a table from any source. Other columns are ignored.
 /// times, joints  columns of equal length
-/// Errors         FileCorrupt with the row (counted from 1, without the header) and the reason: not a number, time
-///                not increasing, a joint beyond the limits of all arms; fewer than two rows
+/// Errors         FileCorrupt with the row (counted from 1, without the header) and the reason: not a number,
+///                time not increasing, a joint beyond the limits of all arms; fewer than two rows
 Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
                                         const std::array<const std::vector<double>*, 6>& joints);
 

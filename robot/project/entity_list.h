@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// An ordered list of objects with an id and a name: frames, tools, payloads, patterns and others. References use
-// the id; users see the name.
+// An ordered list of objects with an id and a name: frames, tools, payloads, patterns and others. References
+// use the id, and the user interface shows the name.
 
 #include <QString>
 #include <QUuid>
@@ -13,7 +13,8 @@
 
 namespace tiller::project {
 
-/// Returns `wanted` if the name is free, otherwise with the next free number: "pick", "pick 2", "pick 3".
+/// Returns `wanted` if the name is free, otherwise the name with the next free number: "pick", "pick 2",
+/// "pick 3".
 QString freeName(const QString& wanted, const std::function<bool(const QString&)>& isTaken);
 
 /// Entity  has `QUuid id` and `QString name`
@@ -23,18 +24,18 @@ public:
     EntityList() = default;
     EntityList(std::initializer_list<Entity> entities) : entities_(entities) {}
 
-    std::size_t size() const { return entities_.size(); }  ///< Number of entries.
+    std::size_t size() const { return entities_.size(); }
     bool isEmpty() const { return entities_.empty(); }
     const Entity& at(std::size_t index) const { return entities_.at(index); }  ///< Throws std::out_of_range.
     auto begin() const { return entities_.begin(); }
     auto end() const { return entities_.end(); }
-    void append(Entity entity) { entities_.push_back(std::move(entity)); }  ///< Appends at the end.
-    /// index  of the new entry, 0 ... size()
+    void append(Entity entity) { entities_.push_back(std::move(entity)); }
+    /// index  of the inserted entry, 0 ... size()
     void insert(std::size_t index, Entity entity) {
         const std::size_t at = std::min(index, entities_.size());
         entities_.insert(entities_.begin() + static_cast<std::ptrdiff_t>(at), std::move(entity));
     }
-    /// Replaces an entry at the same index.
+    /// Replaces the entry at this index.
     void replace(std::size_t index, Entity entity) { entities_.at(index) = std::move(entity); }
     void remove(std::size_t index) {  ///< Removes an entry; later entries move up.
         if (index < entities_.size()) {
@@ -43,25 +44,25 @@ public:
     }
     void clear() { entities_.clear(); }
 
-    /// -1 if there is no such id.
+    /// Returns -1 if there is no such id.
     int indexOf(const QUuid& id) const {
         return placeOf([&](const Entity& entity) { return entity.id == id; });
     }
-    int indexOfName(const QString& name) const {  ///< -1 if there is no such name.
+    int indexOfName(const QString& name) const {  ///< Returns -1 if there is no such name.
         return placeOf([&](const Entity& entity) { return entity.name == name; });
     }
     const Entity* find(const QUuid& id) const {
         return pointer(indexOf(id));
-    }  ///< Null if there is no such id.
-    /// As find(), by name. If several entries have the name (the tables of the window prevent this), returns the
-    /// first one.
+    }  ///< Returns null if there is no such id.
+    /// Like find(), by name. If several entries have the same name, returns the first one. The tables of the
+    /// user interface prevent duplicate names.
     const Entity* findByName(const QString& name) const { return pointer(indexOfName(name)); }
 
-    QString uniqueName(const QString& wanted) const {  ///< As freeName(), with the names of this list.
+    QString uniqueName(const QString& wanted) const {  ///< Like freeName(), with the names of this list.
         return freeName(wanted, [this](const QString& name) { return indexOfName(name) >= 0; });
     }
     /// The next free name of the form "frame 1", "frame 2".
-    /// stem  the word in the operator's language
+    /// stem  the noun in the operator's language
     QString nextName(const QString& stem) const {
         return uniqueName(QStringLiteral("%1 %2").arg(stem).arg(size() + 1));
     }

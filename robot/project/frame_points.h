@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Defines a frame by three TCP positions: the origin, a point on the +X axis, and a point on the +Y side. Points
-// that are too close together or collinear are refused: an error of 1 mm would rotate the axes by degrees.
+// Defines a frame by three TCP positions: the origin, a point on the +X axis, and a point on the +Y side.
+// Points that are too close together or collinear are rejected, because an error of 1 mm would rotate the
+// axes by degrees.
 
 #include <optional>
 
@@ -17,8 +18,8 @@ struct FramePoints {
     std::optional<Eigen::Vector3d> towardsY;
 };
 
-/// Minimum distance of both points from the origin, and of the third point from the X axis [m]: an error of 1 mm
-/// then rotates an axis by less than 3 and 6 deg.
+/// Minimum distance of both points from the origin, and of the third point from the X axis [m]. At these
+/// distances, an error of 1 mm rotates an axis by less than 3 deg and 6 deg, respectively.
 inline constexpr double kMinFrameArm = 0.020;
 inline constexpr double kMinFrameOffset = 0.010;
 
@@ -26,16 +27,16 @@ inline constexpr double kMinFrameOffset = 0.010;
 struct FramePointsCheck {
     enum class Problem {
         None,
-        Incomplete,  ///< no problem yet, but points are missing
+        Incomplete,  ///< no problem so far, but points are missing
         NotFinite,
         XTooClose,  ///< the point on +X is too close to the origin
         YTooClose,  ///< the point on the +Y side is too close to the origin
         InLine,     ///< the distance of the third point from the X axis is below kMinFrameOffset
     };
     Problem problem = Problem::Incomplete;
-    double alongX = 0;                                    ///< from the origin to the point on +X [m]
-    double towardsY = 0;                                  ///< from the origin to the third point [m]
-    double offLine = 0;                                   ///< from the X axis to the third point [m]
+    double alongX = 0;                                    ///< distance from the origin to the point on +X [m]
+    double towardsY = 0;                                  ///< distance from the origin to the third point [m]
+    double offLine = 0;                                   ///< distance from the X axis to the third point [m]
     bool ok() const { return problem == Problem::None; }  ///< True if the points define a frame.
 };
 

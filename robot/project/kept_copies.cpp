@@ -9,7 +9,7 @@
 namespace tiller::project {
 namespace {
 
-/// Additional field of the project file in kept copies.
+/// Name of an additional field of the project file, used in kept copies only.
 constexpr char kField[] = "keptCopy";
 
 }  // namespace
@@ -37,7 +37,7 @@ Result<void> CopyKeeper::keep(const Project& project, const QString& name, std::
         QDir().mkpath(folder_);
         file_ = QDir(folder_).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) +
                                        QStringLiteral(".tiller"));
-        // Lock before the file exists: other windows must not offer it while this window is open.
+        // Lock before the file exists, because other windows must not offer it while this window is open.
         lock_.emplace(file_);
         (void)lock_->acquire();
     }

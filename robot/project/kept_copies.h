@@ -2,8 +2,8 @@
 #pragma once
 
 // Protects unsaved work: a copy of a sample project, a project whose file cannot be written, or changes in a
-// window that must not save. Each window stores its work in an application folder, so that it survives a
-// crash or a closed window; the next start offers to restore it.
+// window that must not save. Each window stores its work in an application folder, so the work survives a
+// crash or a closed window. The next start offers to restore it.
 
 #include <QDateTime>
 #include <QList>
@@ -31,13 +31,13 @@ public:
     /// folder  created when needed; empty: no copies
     explicit CopyKeeper(const QString& folder);
 
-    /// Continues a kept copy: it is replaced by the next keep(), and removed when the work is saved. If another
-    /// window continues the same copy, this object uses a separate one.
+    /// Continues a kept copy. The next keep() replaces the copy; it is removed when the work is saved. If
+    /// another window continues the same copy, this object uses a separate one.
     void adopt(const KeptCopy& copy);
     /// revision  increases with every change of the document; revisions older than the last one are ignored
     /// Errors    FileNotWritable, DiskFull
     Result<void> keep(const Project& project, const QString& name, std::uint64_t revision);
-    /// Removes the copy: the work up to `revision` was saved, or discarded by the user.
+    /// Removes the copy after the work up to `revision` was saved, or discarded by the user.
     void remove(std::uint64_t revision);
 
 private:
@@ -45,7 +45,7 @@ private:
     std::mutex mutex_;
     QString file_;  ///< empty if there is no copy
     std::optional<ProjectLock> lock_;
-    std::optional<std::uint64_t> revision_;  ///< of the last call
+    std::optional<std::uint64_t> revision_;  ///< revision of the last call
     bool removed_ = false;                   ///< whether the last call was remove()
 };
 

@@ -25,7 +25,7 @@ public:
     bool keepPose(Waypoint& point) const {
         const std::optional<Pose> place = placeOf(point, from_, frames_);
         if (!place) {
-            return true;  // a missing frame is displayed anyway
+            return true;  // the user interface shows a missing frame anyway
         }
         if (point.ruling == TargetKind::Joints) {
             setPlace(point, *place, frames_);
@@ -57,9 +57,10 @@ public:
         return solved.has_value();
     }
 
-    /// As keepFlange(), for a path. The joint steps of the path must not increase.
+    /// Like keepFlange(), for a path. The joint steps of the path must not increase.
     bool keepPath(RecordedPath& path) const {
-        constexpr double kJump = 0.5;  // [rad] between two points: another configuration, or a singularity
+        constexpr double kJump =
+            0.5;  // [rad] between two points; indicates another configuration or a singularity
         JointPositions before;
         JointPositions last;
         for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -102,7 +103,7 @@ Pattern movedWith(const Pattern& before, const Waypoint& first) {
     Pattern after = before;
     after.first = first;
     if (first.pose == before.first.pose) {
-        return after;  // exactly equal: its waypoints are computed from it
+        return after;  // exactly equal, because the waypoints of the pattern are computed from it
     }
     const Eigen::Isometry3d move =
         first.pose.transform() * before.first.pose.transform().inverse(Eigen::Isometry);
@@ -137,7 +138,7 @@ ModelChange changeModel(const Project& project, const RobotModel& from, const Ro
         const Pattern& before = project.patterns.at(i);
         Waypoint first = before.first;
         if (poses) {
-            (void)changer.keepPose(first);  // reachability is shown by its waypoints
+            (void)changer.keepPose(first);  // the waypoints of the pattern show whether it is reachable
         } else {
             changer.keepJoints(first);
         }

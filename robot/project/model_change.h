@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts a project that was taught with one robot model for use with another one. Equal joint positions lead to
-// different TCP poses, so either the poses or the joint positions are kept and the others recomputed.
+// Converts a project that was taught with one robot model for use with another one. Equal joint positions
+// result in different TCP poses, so either the poses or the joint positions are kept and the others
+// recomputed.
 
 #include <QStringList>
 
@@ -10,7 +11,7 @@
 
 namespace tiller::project {
 
-/// True if equal joint positions lead to equal poses with both models.
+/// True if equal joint positions result in equal poses with both models.
 bool isSameGeometry(RobotModelId a, RobotModelId b);
 
 /// True if the project contains data that depend on the arm: waypoints, positions, patterns or paths.
@@ -20,24 +21,24 @@ bool hasTaughtPlaces(const Project& project);
 bool isOfOtherModel(const Project& project, RobotModelId connected);
 
 enum class Keep {
-    Poses,   ///< keep poses; joint positions are recomputed by inverse kinematics, nearest to the old ones
+    Poses,   ///< keep poses; inverse kinematics selects the joint positions nearest to the old ones
     Joints,  ///< keep joint positions; poses are recomputed by forward kinematics
 };
 
 struct ModelChange {
-    Project project;  ///< for the new arm, as stated in Project::robot
+    Project project;  ///< the converted project; Project::robot is the new model
     /// Names of waypoints that the new arm cannot reach. They keep their pose, which becomes the target, so that
     /// they remain marked as unreachable.
     QStringList unreachable;
-    /// Names of positions and paths that the new arm cannot reach. They have joint positions only, which would lead
-    /// to other poses, so they are removed.
+    /// Names of positions and paths that the new arm cannot reach. They contain only joint positions, which
+    /// would result in different poses, so they are removed.
     QStringList removed;
 };
 
 /// Converts a project to another arm. Frames, tools, payloads and the cell are unchanged.
 /// from     the arm used for teaching
 /// to       the arm to be used, with its calibration if known
-/// Threads  any. Blocks: never. Real-time: no (some ten microseconds per waypoint and path point)
+/// Threads  any. Blocks: never. Real-time: no (tens of microseconds per waypoint and path point)
 ModelChange changeModel(const Project& project, const RobotModel& from, const RobotModel& to, Keep keep);
 
 }  // namespace tiller::project

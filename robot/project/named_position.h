@@ -23,7 +23,7 @@ struct NamedPosition {
 };
 using PositionList = EntityList<NamedPosition>;
 
-/// No obstacles above this height: the TCP may travel horizontally there.
+/// Height above which there are no obstacles, so the TCP may travel horizontally there.
 struct SafeHeight {
     QUuid frame;        ///< measured along the Z axis of this frame; null: base frame
     double height = 0;  ///< [m]
@@ -32,7 +32,7 @@ struct SafeHeight {
 
 struct Positions {
     PositionList list;
-    QUuid home;  ///< position for the Home key; null: default of the program
+    QUuid home;  ///< position for the Home button; null: default of the program
     std::optional<SafeHeight> safeHeight;
 
     /// Null if not selected.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A pattern such as a tray, rack or stack: columns x rows between three taught corners, in layers. It remains
-// editable and creates ordinary waypoints.
+// A pattern such as a tray, rack or stack: columns x rows between three taught corners, in layers. The
+// pattern remains editable and creates ordinary waypoints.
 
 #include <array>
 #include <vector>
@@ -17,7 +17,7 @@ using tiller::operator<<;  // makes the enumerations below printable
 /// Order of the positions within a layer; layers follow in ascending order.
 enum class PatternOrder {
     Rows,     ///< every row starts at the first column
-    Meander,  ///< every second row in reverse: shortest path
+    Meander,  ///< every second row in reverse, for the shortest path
 };
 
 struct PatternCell {
@@ -27,13 +27,13 @@ struct PatternCell {
 };
 
 inline constexpr int kMaxPatternSteps = 200;       ///< limit for columns, rows and layers
-inline constexpr int kMaxPatternPositions = 5000;  ///< limit for their product
+inline constexpr int kMaxPatternPositions = 5000;  ///< limit for the product of columns, rows and layers
 
 struct Pattern {
     QUuid id;
     QString name;
-    /// The position at column 0, row 0, layer 0: template for the others except for the position. Its pose is the
-    /// target, and its frame is the frame of the pattern.
+    /// The waypoint at column 0, row 0, layer 0. It is the template for all other waypoints except for the
+    /// position. Its pose is the target, and its frame is the frame of the pattern.
     Waypoint first;
     Eigen::Vector3d columnEnd =
         Eigen::Vector3d::Zero();  ///< position at the end of the first row, in this frame [m]
@@ -42,8 +42,8 @@ struct Pattern {
     int columns = 1;              ///< positions per row
     int rows = 1;
     int layers = 1;
-    /// Distance of layers against the tool direction (-Z of the TCP at `first`) [m]; negative: in the tool
-    /// direction.
+    /// Distance between layers, against the tool direction (-Z of the TCP at `first`) [m]; negative: in the
+    /// tool direction.
     double layerStep = 0;
     PatternOrder order = PatternOrder::Rows;
     std::vector<PatternCell> excluded;  ///< skipped in every layer
@@ -66,8 +66,8 @@ Pose poseAt(const Pattern& pattern, const PatternPlace& place);
 /// Name of a position: "tray 2.3" (row, column), or "tray 1.2.3" (layer, row, column) with several layers.
 QString nameAt(const Pattern& pattern, const PatternPlace& place);
 
-/// The waypoint for a position. Its joint positions are the solution nearest to `near` [rad], or `near` itself if
-/// the position is unreachable; it is then marked like any unreachable waypoint.
+/// The waypoint for a position. Its joint positions are the solution nearest to `near` [rad]. If the position
+/// is unreachable, they are `near` itself, and the waypoint is marked like any unreachable waypoint.
 /// Returns  a waypoint with a new id and without history
 Waypoint waypointAt(const Pattern& pattern, const PatternPlace& place, const RobotModel& model,
                     const FrameList& frames, const JointPositions& near);
@@ -75,7 +75,7 @@ Waypoint waypointAt(const Pattern& pattern, const PatternPlace& place, const Rob
 /// All waypoints in order, each with the joint positions nearest to the previous one.
 std::vector<Waypoint> waypointsOf(const Pattern& pattern, const RobotModel& model, const FrameList& frames);
 
-/// True if the waypoint has the pose given by the pattern; false after it was changed manually.
+/// True if the waypoint has the pose defined by the pattern, false if it was changed manually afterwards.
 bool isWhereLaid(const Waypoint& waypoint, const Pattern& pattern);
 
 }  // namespace tiller::project

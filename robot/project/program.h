@@ -2,7 +2,7 @@
 #pragma once
 
 // A program as data: a tree of steps. A step consists of its kind and the fields of this kind, as stored in
-// the file; robot/station/program interprets them. A step of an unknown kind keeps all its fields.
+// the file. robot/station/program interprets the steps. A step of an unknown kind keeps all its fields.
 
 #include <QJsonObject>
 #include <QString>
@@ -20,7 +20,7 @@ inline constexpr int kMaxProgramSteps = 100'000;  ///< maximum number of steps i
 struct ProgramStep {
     QUuid id;
     QString kind;        ///< "moveJ"; see robot/station/program/step_kind.h
-    QJsonObject fields;  ///< by name; numbers in SI units, references as ids
+    QJsonObject fields;  ///< indexed by name; numbers in SI units, references as ids
     bool disabled = false;
     std::vector<ProgramStep> steps;  ///< steps inside a section
     friend bool operator==(const ProgramStep&, const ProgramStep&) = default;
@@ -37,9 +37,9 @@ struct Program {
 };
 using ProgramList = EntityList<Program>;
 
-/// Whether a field of the step, or of a step inside it, refers to this waypoint, frame, tool, program or
-/// other object.
+/// Whether a field of the step, or of a nested step, refers to this waypoint, frame, tool, program or other
+/// object.
 bool refersTo(const ProgramStep& step, const QUuid& id);
-bool refersTo(const Program& program, const QUuid& id);  ///< True if any of its steps refers to it.
+bool refersTo(const Program& program, const QUuid& id);  ///< True if any of its steps refers to the object.
 
 }  // namespace tiller::project

@@ -11,7 +11,7 @@ ProjectAccess::ProjectAccess(const QString& path) : path_(path), lock_(path) {}
 
 Result<Project> ProjectAccess::load(std::optional<std::uint64_t> replaced) {
     const std::lock_guard guard(mutex_);
-    // Lock before reading: the previous owner may still be writing.
+    // Lock before reading, because the previous owner may still be writing.
     (void)lock_.acquire();
     Result<OpenedProject> opened = openProject(path_);
     if (!opened) {
@@ -55,7 +55,7 @@ Result<ProjectAccess::SaveResult> ProjectAccess::save(const Project& project, st
     }
     const Result<SaveReport> report = saveProject(path_, project, known_);
     if (!report) {
-        // If only flushing the folder failed, the file may contain the new content nevertheless.
+        // If only flushing the folder failed, the file may still contain the new content.
         if (const Result<QByteArray> bytes = serializeProject(project); bytes && known_) {
             known_->append(fingerprintOf(*bytes));
         }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access of one window to a project file that other windows, computers and programs can open and change. It holds
-// the lock, remembers the content that this window has read or written, and never replaces any other content.
+// Access of one window to a project file that other windows, computers and programs can open and change.
+// Holds the lock, records which content this window has read or written, and never replaces any other
+// content.
 
 #include <QByteArray>
 #include <QList>
@@ -30,23 +31,23 @@ public:
     struct Check {
         std::optional<LockOwner> owner;  ///< the other window that has the project open
         bool changedByOther = false;     ///< the file has content that this window has not read
-        QByteArray fingerprint;          ///< of the current file; empty if missing or unreadable
+        QByteArray fingerprint;          ///< fingerprint of the current file; empty if missing or unreadable
     };
 
-    /// path  may be missing. The constructor does not access the file.
+    /// path  of the file, which need not exist. The constructor does not access the file.
     explicit ProjectAccess(const QString& path);
 
     // Threads of all calls: any. Blocks: for the file system, and for other calls of the same object. Real-time: no
 
-    /// Takes the lock if it is free, and reads the file. Later saves expect this content.
-    /// replaced  revision of the document that the content replaces: pending saves of this and older revisions are
-    ///           skipped
+    /// Takes the lock if it is free, and reads the file. Later saves require this content.
+    /// replaced  revision of the document that the content replaces. Pending saves of this and older
+    ///           revisions are skipped.
     /// Errors    as loadProject()
     Result<Project> load(std::optional<std::uint64_t> replaced = std::nullopt);
-    /// As load(), for a damaged file.
+    /// Like load(), for a damaged file.
     /// Errors   as recoverProject()
     Result<RecoveredProject> recover();
-    /// Takes the lock for a new file: the first save expects that the file does not exist.
+    /// Takes the lock for a new file. The first save requires that the file does not exist.
     void start();
     /// Takes the lock for a file that the user agreed to replace.
     void replaceAny();
@@ -54,9 +55,9 @@ public:
     /// revision  increases with every change of the document; revisions older than the last save are skipped
     /// Errors    as saveProject()
     Result<SaveResult> save(const Project& project, std::uint64_t revision);
-    /// Whether saving would work now. Takes the lock if its owner has released it.
+    /// Whether a save is currently possible. Takes the lock if its owner has released it.
     Check check();
-    /// Takes the lock from the other window, which detects this in its next check.
+    /// Takes the lock from the other window, which detects the loss in its next check.
     /// Errors   FileNotWritable, DiskFull
     Result<void> takeOver();
     /// Releases the lock when the window shows another project. Later saves have no effect and return

@@ -14,7 +14,7 @@
 namespace tiller::project {
 namespace {
 
-/// Name in earlier versions; the fields are the same.
+/// Format name in files of earlier versions. The fields are the same.
 constexpr char kFormerFormat[] = "tiller-session";
 
 QString placeOf(const QByteArray& bytes, int offset) {
@@ -33,7 +33,7 @@ Error inFile(Error error, const QString& path) {
     return error;
 }
 
-/// Copies a file that cannot be read completely to another name before it is replaced.
+/// Copies a file that cannot be read completely to another name before the file is replaced.
 /// there  content of the file
 Result<QString> keepDamaged(const QString& path, const QByteArray& there) {
     if (there.isEmpty() || parseProject(there).ok()) {
@@ -155,7 +155,7 @@ Result<Project> loadProject(const QString& path) {
 
 Result<QByteArray> serializeProject(const Project& document) {
     QByteArray bytes = QJsonDocument(toJson(document)).toJson(QJsonDocument::Indented);
-    // Content that could not be read again must not be written, e.g. NaN, which JSON does not support.
+    // Content that could not be read back must not be written, e.g. NaN, which JSON does not support.
     const Result<Project> again = parseProject(bytes);
     if (!again) {
         return Error{ErrorCode::InvalidArgument, again.error().context, {}};

@@ -74,7 +74,7 @@ struct Project {
 struct FileProblem {
     QString where;  ///< e.g. "line 12, column 3", "waypoints[3].joints[2]"
     QString what;   ///< e.g. "is not a number"
-    /// Text for users.
+    /// Returns the problem as text for users.
     QString toString() const { return where.isEmpty() ? what : where + QStringLiteral(": ") + what; }
 };
 
@@ -85,8 +85,8 @@ struct RecoveredProject {
     int lostWaypoints = 0;  ///< number of skipped entries
     int lostFrames = 0;
     int lostParts = 0;       ///< tools, payloads, positions, patterns, boxes, planes, paths and programs
-    int lostObstacles = 0;   ///< boxes and planes, of the lost parts: the arm is not kept away from them
-    QByteArray fingerprint;  ///< of the file's content; empty if not read from a file
+    int lostObstacles = 0;   ///< lost boxes and planes; the arm does not avoid them
+    QByteArray fingerprint;  ///< fingerprint of the content; empty if not read from a file
 };
 
 /// A project and the content it was read from.
@@ -103,24 +103,24 @@ QByteArray fingerprintOf(const QByteArray& content);
 /// Errors   FileNotReadable; FileCorrupt with location and reason; VersionUnsupported for a newer file
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<Project> loadProject(const QString& path);
-Result<OpenedProject> openProject(const QString& path);  ///< As loadProject().
-Result<Project> parseProject(const QByteArray& bytes);   ///< As loadProject().
+Result<OpenedProject> openProject(const QString& path);  ///< Like loadProject().
+Result<Project> parseProject(const QByteArray& bytes);   ///< Like loadProject().
 
-/// Reads all valid entries, also from a truncated file. Never changes the file.
-/// Errors   FileNotReadable; FileCorrupt if it is not a project; VersionUnsupported
+/// Reads all valid entries, even from a truncated file. Never changes the file.
+/// Errors   FileNotReadable; FileCorrupt if the file is not a project; VersionUnsupported
 Result<RecoveredProject> recoverProject(const QString& path);
-Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);  ///< As recoverProject().
+Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes);  ///< Like recoverProject().
 
 /// The result of saving.
 struct SaveReport {
     QString keptCopy;             ///< e.g. "cell-7.tiller.damaged-1"; empty if there was no damaged file
-    QByteArray fingerprint;       ///< of the written content
+    QByteArray fingerprint;       ///< fingerprint of the written content
     bool changedByOther = false;  ///< not written: the file has content that this program has not read
 };
 
-/// Replaces the file atomically: after a crash, a full disk or a power failure the old file is intact.
-/// known    fingerprints of the contents that may be replaced; without this argument, any content. A missing file
-///          is created.
+/// Replaces the file atomically. After a crash, a full disk or a power failure the old file is intact.
+/// known    fingerprints of the contents that may be replaced. Without this argument, any content may be
+///          replaced. A missing file is created.
 /// Errors   InvalidArgument for invalid values (not finite, no name); FileNotWritable, DiskFull
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<SaveReport> saveProject(const QString& path, const Project& document,

@@ -82,7 +82,8 @@ std::optional<LockOwner> ProjectLock::readOwner() const {
 
 #ifdef Q_OS_WIN
 
-// An open file without FILE_SHARE_DELETE cannot be replaced. FILE_FLAG_DELETE_ON_CLOSE removes it with its process.
+// An open file without FILE_SHARE_DELETE cannot be replaced. FILE_FLAG_DELETE_ON_CLOSE removes the file when
+// its process ends.
 struct ProjectLock::Handle {
     HANDLE file = INVALID_HANDLE_VALUE;
     ~Handle() { CloseHandle(file); }
@@ -109,7 +110,8 @@ std::optional<LockOwner> ProjectLock::acquire() {
 }
 
 Result<void> ProjectLock::takeOver() {
-    // After renaming the other owner's lock file, its handle refers to a file that is no longer the lock.
+    // After the other owner's lock file has been renamed, its handle refers to a file that is no longer the
+    // lock.
     const QString aside = lockPath_ + QLatin1Char('.') + QUuid::createUuid().toString(QUuid::Id128);
     MoveFileExW(reinterpret_cast<const wchar_t*>(lockPath_.utf16()),
                 reinterpret_cast<const wchar_t*>(aside.utf16()), MOVEFILE_REPLACE_EXISTING);
@@ -154,7 +156,7 @@ struct ProjectLock::Handle {
         return ::fstat(descriptor, &own) == 0 && ::stat(path.constData(), &there) == 0 &&
                own.st_ino == there.st_ino && own.st_dev == there.st_dev;
     }
-    /// On a full disk the lock file does not contain its owner, but the lock works.
+    /// On a full disk the lock file does not name its owner, but the lock works.
     void writeOwner() const {
         const QByteArray bytes = describeThisProcess();
         if (::ftruncate(descriptor, 0) != 0 ||
@@ -172,7 +174,7 @@ std::optional<LockOwner> ProjectLock::acquire() {
         int descriptor =
             ::open(name.constData(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW, 0666);
         if (descriptor < 0 && errno == EACCES) {
-            // The lock file of another user: it can be locked without write access.
+            // A lock file of another user can be locked without write access.
             descriptor = ::open(name.constData(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
         }
         if (descriptor < 0) {
@@ -183,7 +185,8 @@ std::optional<LockOwner> ProjectLock::acquire() {
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
             return errno == EWOULDBLOCK ? readOwner() : std::nullopt;
         }
-        // The previous owner may have removed the file between open() and flock(): then it is no longer the lock.
+        // The previous owner may have removed the file between open() and flock(). In this case the open file
+        // is not the lock file.
         if (handle->isAt(name)) {
             handle->writeOwner();
             handle_ = std::move(handle);
@@ -209,7 +212,7 @@ Result<void> ProjectLock::takeOver() {
     if (handle->descriptor < 0) {
         return failure();
     }
-    // Locked before it is renamed, so that no other process can lock it in between.
+    // Lock the file before renaming it, so that no other process can lock it in between.
     ::flock(handle->descriptor, LOCK_EX | LOCK_NB);
     handle->writeOwner();
     if (::rename(name.constData(), QFile::encodeName(lockPath_).constData()) != 0) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Shows which window has a project open. The lock file ".cell-7.tiller.lock" in the same folder names its owner;
-// the system releases it when the owner's process ends, even by kill -9, so that no stale lock remains. A lock can
-// be taken over from a running owner, which can detect this with isHeld().
+// Shows which window has a project open. The lock file ".cell-7.tiller.lock" in the same folder contains the
+// name of its owner. The system releases the lock when the owner's process ends, even by kill -9, so no stale
+// lock remains. A lock can be taken over from a running owner, which can detect the loss with isHeld().
 
 #include <QDateTime>
 #include <QString>
@@ -37,13 +37,13 @@ public:
     /// Takes the lock unless a running process holds it.
     /// Returns  the other owner, if any; empty if the lock was taken, or if the file system does not support locks
     std::optional<LockOwner> acquire();
-    /// Takes the lock even from a running owner.
+    /// Takes the lock even if a running process holds it.
     /// Errors   FileNotWritable, DiskFull
     Result<void> takeOver();
     /// False after another window has taken over the lock.
     bool isHeld() const;
     void release();  ///< No effect if the lock is not held.
-    /// On a file system without locks, acquire() returns no owner but isHeld() is false.
+    /// On a file system without locks, acquire() returns no owner, but isHeld() is false.
     QString path() const { return lockPath_; }
 
 private:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Determines whether the arm can reach a waypoint, the joint positions there, and the duration of the move.
+// Determines whether the arm can reach a waypoint, the joint positions at the waypoint, and the duration of
+// the move.
 
 #include <optional>
 
@@ -13,7 +14,7 @@ namespace tiller::project {
 struct Reach {
     enum class Obstacle {
         None,
-        OutOfReach,    ///< no joint positions lead to this pose
+        OutOfReach,    ///< there are no joint positions for this pose
         JointLimit,    ///< a joint would exceed its range
         FrameMissing,  ///< the frame is not in the project
         OnTheWay,      ///< start and end are reachable, but not the straight line between them
@@ -25,7 +26,8 @@ struct Reach {
     bool ok() const { return obstacle == Obstacle::None; }  ///< True if the target is reachable.
 };
 
-/// The target of a waypoint. A pose is solved nearest to the taught joint positions.
+/// Computes the target of a waypoint. For a pose target, returns the solution nearest to the taught joint
+/// positions.
 /// Threads  any. Blocks: never
 Reach reach(const RobotModel& model, const Waypoint& waypoint, const FrameList& frames);
 
@@ -37,13 +39,14 @@ struct MovePreview {
     double duration = 0;       ///< [s] at `speedFraction`
 };
 
+/// A MoveL is checked in steps along its line; `reach` is OnTheWay if a step is unreachable or a joint
+/// position would jump.
 /// speedFraction  speed slider, 0 < fraction <= 1
-/// A MoveL is followed in steps along its line; `reach` is OnTheWay if a step is unreachable or a joint would jump.
 MovePreview previewMove(const RobotModel& model, const Waypoint& waypoint, const FrameList& frames,
                         const JointPositions& from, double speedFraction = 1.0);
 
-/// TCP pose in the base frame for which the flange reaches the waypoint's flange pose, if a TCP other than the
-/// waypoint's is active.
+/// TCP pose in the base frame at which the flange has the waypoint's flange pose, for the case that a TCP
+/// other than the waypoint's is active.
 std::optional<Pose> targetForTcp(const Waypoint& waypoint, const FrameList& frames,
                                  const Pose& activeTcpOffset);
 

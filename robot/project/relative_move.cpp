@@ -31,7 +31,7 @@ Pose movedPose(const Pose& T_base_tcp, const RelativeMove& move, const Pose& T_b
     }
     const Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity() - 2 * axis * axis.transpose();
     Eigen::Matrix3d mirrored = mirror * R;
-    mirrored.col(0) *= -1;  // make it right-handed again
+    mirrored.col(0) *= -1;  // restore a right-handed frame
     return Pose(T_base_axes.position + mirror * from, rotationVector(mirrored));
 }
 

@@ -16,9 +16,9 @@ using tiller::operator<<;  // makes the enumerations below printable
 
 struct RelativeMove {
     enum class Kind {
-        Offset,  ///< by `offset` along the axes
-        Turn,    ///< by `angle` about `axis` through the origin of the frame
-        Mirror,  ///< in the plane through the origin of the frame that is normal to `axis`
+        Offset,  ///< translation by `offset` along the axes
+        Turn,    ///< rotation by `angle` about `axis` through the origin of the frame
+        Mirror,  ///< reflection in the plane through the frame's origin normal to `axis`
     };
     enum class Axes {
         Frame,  ///< axes of `frame`
@@ -32,20 +32,21 @@ struct RelativeMove {
     double angle = 0;                                  ///< [rad]
 };
 
-/// TCP position of a waypoint in the base frame, from its joint positions or its pose, depending on the target
+/// TCP pose of a waypoint in the base frame, from its joint positions or its pose, depending on the target
 /// type.
 /// Returns  empty if its frame is not in the list
 std::optional<Pose> placeOf(const Waypoint& waypoint, const RobotModel& model, const FrameList& frames);
 
-/// T_base_tcp after the move. For a mirror image, Y and Z of the tool are mirrored and X is derived from them: the
-/// tool approaches from the mirrored side.
+/// T_base_tcp after the move. For a mirror image, Y and Z of the tool are mirrored, and X is derived from
+/// them, so the tool approaches from the mirrored side.
 /// T_base_frame  frame of the move
 Pose movedPose(const Pose& T_base_tcp, const RelativeMove& move, const Pose& T_base_frame);
 
-/// The waypoints after the move, each with the joint positions nearest to the old ones. An unreachable pose target
-/// is kept and marked.
-/// Errors   NoSolution if a waypoint with joint target is unreachable: the context contains the names, separated by
-///          commas; InvalidArgument if the frame of the move or of a waypoint is not in the list
+/// The waypoints after the move, each with the joint positions nearest to the previous ones. An unreachable
+/// pose target is kept and marked.
+/// Errors   NoSolution if a waypoint with a joint target is unreachable (the context contains the names,
+///          separated by commas); InvalidArgument if the frame of the move or of a waypoint is not in the
+///          list
 Result<std::vector<Waypoint>> movedBy(const std::vector<Waypoint>& waypoints, const RelativeMove& move,
                                       const RobotModel& model, const FrameList& frames);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Tools at the flange: tool centre points and payloads with names, and the selected ones. The controller has
-// separate settings; in case of a difference the user is asked.
+// Named tools (tool centre points) and payloads at the flange, and the selected ones. The controller has
+// separate settings. If they differ, the user is asked which ones to use.
 
 #include <QJsonObject>
 #include <QString>
@@ -31,7 +31,7 @@ struct Tool {
 
 /// Maximum mass in a project [kg]: above the payload of all models.
 inline constexpr double kHeaviestPayload = 50.0;
-/// maximum distance of the centre of gravity from the flange, per axis [m]
+/// Maximum distance of the centre of gravity from the flange, per axis [m].
 inline constexpr double kFarthestPayload = 5.0;
 
 /// The load at the flange: the tool including the held object.

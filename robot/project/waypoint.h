@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A taught position with the parameters of the move to it. It contains both the joint positions and the pose of
-// teaching, and selects one of them as the target: joint positions to reproduce the arm configuration, the pose if
-// the waypoint belongs to a frame and moves with it.
+// A taught position with the parameters of the move to it. It contains both the joint positions and the pose
+// recorded during teaching, and selects one of them as the target: the joint positions to reproduce the arm
+// configuration, or the pose if the waypoint belongs to a frame and moves with this frame.
 
 #include <QJsonObject>
 #include <QString>
@@ -56,13 +56,13 @@ struct Waypoint {
     QUuid frame;     ///< reference frame of `pose`; null: base frame
     Pose tcpOffset;  ///< flange to TCP during teaching [m, rad]
     JointPositions joints;
-    Pose pose;                               ///< of the TCP, in `frame`
+    Pose pose;                               ///< TCP pose in `frame`
     double jointSpeed = kDefaultJointSpeed;  ///< used by MoveJ [rad/s]
     double toolSpeed = kDefaultToolSpeed;    ///< used by MoveL [m/s]
     double blend = 0;                        ///< [m]; 0: stop at the point
     QString group;                           ///< group name; may be empty
     WaypointColour colour = WaypointColour::None;
-    QString note;             ///< may have several lines
+    QString note;             ///< may contain several lines
     WaypointActions actions;  ///< executed at the waypoint in this order
     PatternPlace place;       ///< position in the pattern that created it
     WaypointHistory history;
@@ -76,7 +76,7 @@ struct Waypoint {
     friend bool operator==(const Waypoint&, const Waypoint&) = default;
 };
 
-/// A taught coordinate system. Waypoints in this frame move when it is taught again.
+/// A taught coordinate system. When it is taught again, the waypoints in this frame move with it.
 struct Frame {
     QUuid id;
     QString name;

@@ -29,7 +29,7 @@ inline constexpr int channelOf(IoGroup group, int pin) {
 struct WaypointAction {
     enum class Kind {
         SetOutput,     ///< set `group`, `pin` to `value`
-        PulseOutput,   ///< set `group`, `pin` to `value` for `seconds`, then to the other value
+        PulseOutput,   ///< set `group`, `pin` to `value` for `seconds`, then to the opposite
         WaitForInput,  ///< wait until `group`, `pin` has `value`, at most `seconds`; 0: no limit
         WaitTime,      ///< wait for `seconds`
         OpenGripper,

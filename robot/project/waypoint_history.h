@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The latest changes of a waypoint, with the previous values, the author and the time. A value type with shared
-// data, since every undo step and every autosave keeps a copy.
+// The latest changes of a waypoint, with the previous values, the author and the time. A value type with
+// shared data, because every undo step and every autosave keeps a copy.
 
 #include <QDateTime>
 #include <QString>
@@ -19,8 +19,8 @@ public:
     /// The oldest revisions are dropped.
     static constexpr int kMaxRevisions = 20;
 
-    int size() const { return static_cast<int>(revisions_.size()); }  ///< Number of revisions.
-    bool isEmpty() const { return revisions_.empty(); }               ///< True if there were no changes.
+    int size() const { return static_cast<int>(revisions_.size()); }
+    bool isEmpty() const { return revisions_.empty(); }
     /// Index 0 is the oldest. Throws std::out_of_range.
     const WaypointRevision& at(int index) const { return *revisions_.at(static_cast<std::size_t>(index)); }
     /// Adds the newest revision.

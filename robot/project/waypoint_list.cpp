@@ -62,7 +62,7 @@ std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames
         return std::nullopt;
     }
     if (waypoint.frame.isNull()) {
-        return waypoint.pose;  // exactly equal, without a conversion through a matrix
+        return waypoint.pose;  // exactly equal, because no matrix conversion is involved
     }
     return Pose(frame->transform() * waypoint.pose.transform());
 }

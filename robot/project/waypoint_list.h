@@ -22,30 +22,30 @@ public:
 
 class WaypointList {
 public:
-    int size() const { return static_cast<int>(waypoints_.size()); }  ///< Number of waypoints.
+    int size() const { return static_cast<int>(waypoints_.size()); }
     bool isEmpty() const { return waypoints_.empty(); }
     /// Throws std::out_of_range.
     const Waypoint& at(int index) const { return waypoints_.at(static_cast<std::size_t>(index)); }
     auto begin() const { return waypoints_.begin(); }
     auto end() const { return waypoints_.end(); }
 
-    /// -1 if there is no such id.
+    /// Returns -1 if there is no such id.
     int indexOf(const QUuid& id) const;
-    int indexOfName(const QString& name) const;  ///< -1 if there is no such name.
+    int indexOfName(const QString& name) const;  ///< Returns -1 if there is no such name.
 
-    /// index  of the new waypoint, 0 ... size()
+    /// index  of the inserted waypoint, 0 ... size()
     void insert(int index, Waypoint waypoint);
-    void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }  ///< Appends at the end.
-    Waypoint take(int index);                    ///< Removes and returns a waypoint; later ones move up.
-    void replace(int index, Waypoint waypoint);  ///< Replaces a waypoint at the same index.
-    /// Moves the waypoint at `from` to index `to`.
+    void append(Waypoint waypoint) { insert(size(), std::move(waypoint)); }
+    Waypoint take(int index);                    ///< Removes and returns a waypoint; later waypoints move up.
+    void replace(int index, Waypoint waypoint);  ///< Replaces the waypoint at this index.
     void move(int from, int to);
     void clear() { waypoints_.clear(); }
 
-    /// Returns `wanted` if the name is free, otherwise with the next free number: "pick", "pick 2", "pick 3".
+    /// Returns `wanted` if the name is free, otherwise the name with the next free number: "pick", "pick 2",
+    /// "pick 3".
     QString uniqueName(const QString& wanted) const;
     /// The next free name of the form "waypoint 1", "waypoint 2".
-    /// stem  the word in the operator's language
+    /// stem  the noun in the operator's language
     QString nextName(const QString& stem) const;
     friend bool operator==(const WaypointList&, const WaypointList&) = default;
 
@@ -56,12 +56,12 @@ private:
 /// TCP pose of the waypoint in the base frame; empty if its frame is not in the list.
 std::optional<Pose> poseInBase(const Waypoint& waypoint, const FrameList& frames);
 
-/// The waypoint taught at this position: its pose is expressed in the frame, its joint positions are set.
-/// Returns  empty if the frame is not in the list
+/// Returns the waypoint taught at this position, with its pose expressed in the frame and its joint positions
+/// set; empty if the frame is not in the list.
 std::optional<Waypoint> taughtAt(Waypoint waypoint, const JointPositions& q, const Pose& T_base_tcp,
                                  const Pose& tcpOffset, const FrameList& frames);
 
-/// Expresses the same position in another frame (null: base frame); only the stored pose changes.
+/// Expresses the same position in another frame (null: base frame). Only the stored pose changes.
 /// Returns  empty if one of the two frames is not in the list
 std::optional<Waypoint> givenIn(Waypoint waypoint, const QUuid& frame, const FrameList& frames);
 

@@ -21,7 +21,7 @@ struct WaypointUse {
     friend bool operator==(const WaypointUse&, const WaypointUse&) = default;
 };
 
-/// Patterns and positions of the document that refer to the waypoint; empty: none.
+/// Patterns and positions of the document that refer to the waypoint; may be empty.
 QVector<WaypointUse> usesOf(const Project& document, const Waypoint& waypoint);
 
 }  // namespace tiller::project

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Texts for help() of the modules with the names of ur_rtde: one entry per class and method.
-// tests/python/test_docs.py compares them with the modules and with the units in the C++ headers.
+// tests/python/test_docs.py compares the entries with the modules and with the units in the C++ headers.
 #include "robot/python/docstrings.h"
 
 #include <unordered_map>
@@ -111,8 +111,8 @@ const std::unordered_map<std::string_view, const char*> kTexts = {
 {"RTDEControlInterface.getAsyncOperationProgressEx", "Progress, number and state of the last asynchronous motion as an AsyncOperationStatus."},
 {"RTDEControlInterface.forceMode", "Makes the arm compliant.\n\ntask_frame: pose in the base frame [m, rad]. selection_vector: six of 0 or 1, 1 is compliant. wrench: target on the compliant axes [N, Nm]. type: 1, 2 or 3, the definition of the force frame relative to the task frame. limits: maximum speeds of compliant axes [m/s, rad/s], maximum deviation of the others [m, rad]."},
 {"RTDEControlInterface.forceModeStop", "Ends force mode."},
-{"RTDEControlInterface.forceModeSetDamping", "Damping of force mode, 0 ... 1."},
-{"RTDEControlInterface.forceModeSetGainScaling", "Gain of force mode, 0 ... 2."},
+{"RTDEControlInterface.forceModeSetDamping", "Sets the damping of force mode, 0 ... 1."},
+{"RTDEControlInterface.forceModeSetGainScaling", "Sets the gain of force mode, 0 ... 2."},
 {"RTDEControlInterface.setPayload", "Sets the mass [kg] and the centre of gravity from the flange [m] of the payload; without cog it is unchanged."},
 {"RTDEControlInterface.getInverseKinematics", "Joint positions [rad] for the TCP pose x in the base frame [m, rad], computed by the robot.\nqnear: select the solution nearest to these joint positions [rad]; empty: to the current ones. max_position_error [m], max_orientation_error [rad].\nReturns an empty list if there is no solution."},
 {"RTDEControlInterface.getInverseKinematicsHasSolution", "True if there is a solution for the TCP pose x [m, rad]: see getInverseKinematics()."},
@@ -122,12 +122,12 @@ const std::unordered_map<std::string_view, const char*> kTexts = {
 {"RTDEControlInterface.kickWatchdog", "Resets the watchdog of setWatchdog()."},
 {"RTDEControlInterface.freedriveMode", "Lets a person move the arm by hand.\nfree_axes: six of 0 or 1. feature: frame of the axes in the base frame [m, rad]."},
 {"RTDEControlInterface.endFreedriveMode", "Ends freedrive."},
-{"RTDEControlInterface.getFreedriveStatus", "0 normal, 1 near a singularity, 2 too close to one."},
+{"RTDEControlInterface.getFreedriveStatus", "Freedrive status: 0 normal, 1 near a singularity, 2 too close to a singularity."},
 {"RTDEControlInterface.teachMode", "Lets a person move the arm by hand on all axes; supported by all software versions."},
 {"RTDEControlInterface.endTeachMode", "Ends teach mode."},
 {"RTDEControlInterface.ftRtdeInputEnable", "Uses the forces from setExternalForceTorque() instead of the robot's sensor.\nsensor_mass [kg], sensor_measuring_offset [m] and sensor_cog [m] from the flange."},
-{"RTDEControlInterface.enableExternalFtSensor", "As ftRtdeInputEnable(), with the function name of older software."},
-{"RTDEControlInterface.setExternalForceTorque", "One measurement of an external sensor [N, Nm]."},
+{"RTDEControlInterface.enableExternalFtSensor", "Same as ftRtdeInputEnable(), with the function name of older software."},
+{"RTDEControlInterface.setExternalForceTorque", "Passes one measurement of an external sensor to the robot [N, Nm]."},
 {"RTDEControlInterface.zeroFtSensor", "Sets the current reading of the force sensor to zero."},
 {"RTDEControlInterface.toolContact", "Number of control periods since the first contact in this direction; 0: no contact."},
 {"RTDEControlInterface.getTargetWaypoint", "TCP pose of the target of the current move [m, rad]."},
@@ -180,7 +180,7 @@ const std::unordered_map<std::string_view, const char*> kTexts = {
 {"RTDEIOInterface.setInputDoubleRegister", "Writes input double register 18-22, with the upper range 42-46."},
 // ---- dashboard_client
 {"DashboardClient", "Client of the dashboard server of the robot (CB3 and e-Series), one line per command.\n\nEvery command raises RuntimeError if there is no connection, if no reply arrives within 2.5 s, or if the server refuses. Safe to use from several threads. `with` connects at the start and disconnects at the end."},
-{"DashboardClient.__init__", "A client for the server on this host. Call connect() to connect it."},
+{"DashboardClient.__init__", "Creates a client for the server on this host. Call connect() to open the connection."},
 {"DashboardClient.connect", "Connects and reads the greeting. timeout_ms: time limit [ms]."},
 {"DashboardClient.isConnected", "True if there is a connection."},
 {"DashboardClient.disconnect", "Ends the connection."},
@@ -197,7 +197,7 @@ const std::unordered_map<std::string_view, const char*> kTexts = {
 {"DashboardClient.powerOn", "Switches on the power of the arm."},
 {"DashboardClient.powerOff", "Switches off the power of the arm."},
 {"DashboardClient.brakeRelease", "Switches on the power if necessary, and releases the brakes."},
-{"DashboardClient.unlockProtectiveStop", "Unlocks a protective stop; refused in its first 5 seconds. Inspect the cause first: it is not checked otherwise."},
+{"DashboardClient.unlockProtectiveStop", "Unlocks a protective stop; refused in its first 5 seconds. Inspect the cause first: the command does not check it."},
 {"DashboardClient.restartSafety", "Restarts the safety system after a fault or violation; the power goes off."},
 {"DashboardClient.closeSafetyPopup", "Closes a safety message on the pendant."},
 {"DashboardClient.robotmode", "Robot mode, e.g. \"Robotmode: RUNNING\"."},
@@ -219,13 +219,13 @@ const std::unordered_map<std::string_view, const char*> kTexts = {
 {"ScriptClient.connect", "Raises RuntimeError if the controller cannot be reached within 2 s."},
 {"ScriptClient.isConnected", "True if there is a connection."},
 {"ScriptClient.disconnect", "Ends the connection."},
-{"ScriptClient.setScriptFile", "The file used by sendScript() instead of the built-in program; empty: the built-in program."},
+{"ScriptClient.setScriptFile", "Sets the file that sendScript() uses instead of the built-in program; empty: the built-in program."},
 {"ScriptClient.sendScript", "Sends this file unchanged; without an argument the file of setScriptFile(), or the built-in program.\nReturns False if there is no connection or the file cannot be read."},
 {"ScriptClient.sendScriptCommand", "Sends a text; a missing line end is added.\nReturns False if there is no connection."},
 {"ScriptClient.getScript", "The text that sendScript() would send.\nRaises RuntimeError if the file cannot be read."},
 // ---- robotiq_gripper
 {"RobotiqGripper", "A Robotiq gripper at the robot's wrist, controlled through the port of its URCap on the controller.\n\nPositions, speeds and forces are in the units of setUnit(), initially normalized (0 ... 1); position 1 is open, 0 closed. A negative speed or force selects the preset of setSpeed() and setForce(). Use it from one thread at a time. `with` connects at the start and disconnects at the end."},
-{"RobotiqGripper.__init__", "A client for the gripper on this host. Call connect() to connect it."},
+{"RobotiqGripper.__init__", "Creates a client for the gripper on this host. Call connect() to open the connection."},
 {"RobotiqGripper.connect", "Connects. timeout_ms: time limit [ms]."},
 {"RobotiqGripper.disconnect", "Ends the connection."},
 {"RobotiqGripper.isConnected", "True if there is a connection."},

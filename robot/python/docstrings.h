@@ -5,7 +5,7 @@
 
 namespace tiller::python {
 
-/// Text for help() of "Class" or "Class.method"; empty if there is no such entry.
+/// Returns the text for help() of "Class" or "Class.method"; empty if there is no entry.
 const char* docstring(std::string_view name);
 
 }  // namespace tiller::python

@@ -38,8 +38,8 @@ GilReleased::GilReleased() {
     }
 }
 
-// A thread that passes this check still acquires the lock: parkOtherThreads() waits for it without holding the
-// lock.
+// A thread that passes this check still acquires the lock. parkOtherThreads() waits for this thread without
+// holding the lock.
 GilReleased::~GilReleased() {
     if (isParked()) {
         sleepUntilTheEnd();

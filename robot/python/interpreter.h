@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Handling of the Python interpreter lock in blocking calls, and of two special situations: a process exit while
-// daemon threads are waiting, and a forked child, in which the threads of the parent do not exist.
+// Handles the Python interpreter lock in blocking calls and in two special situations: the process exits
+// while daemon threads are waiting, or a child process is forked, in which the threads of the parent do not
+// exist.
 
 #include <pybind11/pybind11.h>
 
@@ -12,9 +13,9 @@ namespace tiller::python {
 
 namespace py = pybind11;
 
-/// Releases the interpreter lock during a call that may wait. Replaces py::gil_scoped_release: a thread that
-/// returns after parkOtherThreads() never enters the interpreter again. The interpreter would otherwise end the
-/// thread by unwinding its stack through destructors, which terminates the process.
+/// Releases the interpreter lock during a call that may wait. Replaces py::gil_scoped_release: with this
+/// class, a thread that returns after parkOtherThreads() never enters the interpreter again. Otherwise the
+/// interpreter would end the thread by unwinding its stack through destructors, which terminates the process.
 class GilReleased {
 public:
     GilReleased();
@@ -37,20 +38,21 @@ public:
 };
 bool isInCallback();
 
-/// For the exit of the process: cancels all waits of other threads, whose threads then sleep until the end. Returns
-/// when all are asleep, after 5 s at most. Call this from the exiting thread when only daemon threads remain.
+/// For process exit: cancels all waits of other threads. These threads then sleep until the process ends.
+/// Returns when all of them sleep, after 5 s at most. Call this from the exiting thread when only daemon
+/// threads remain.
 void parkOtherThreads();
-/// Returns whether this thread must not enter the interpreter any more.
+/// Returns true if this thread must no longer enter the interpreter.
 /// Threads  any, with or without the interpreter lock
 bool isParked();
 /// For a forked child: discards the waits and objects of the parent.
 void forgetParent();
-/// Registers both functions with the interpreter, for modules without a Python part. Call this from the module's
-/// initialization.
+/// Registers both functions with the interpreter, for modules without a Python part. Call this when the
+/// module is initialized.
 void watchProcess();
 
-/// Base of objects with threads or connections, which belong to the process that created them. A forked child must
-/// neither use them (the parent does) nor destroy them (their threads do not exist).
+/// Base of objects with threads or connections. They belong to the process that created them. A forked child
+/// must neither use them (the parent does) nor destroy them (their threads do not exist in the child).
 class ProcessOwned {
 public:
     ProcessOwned();
@@ -60,7 +62,7 @@ private:
     std::uint64_t process_;
 };
 
-/// Deletes objects of this process and ignores objects of the parent.
+/// Deletes objects of this process and leaves objects of the parent unchanged.
 struct OwnDeleter {
     template <class T>
     void operator()(T* object) const {

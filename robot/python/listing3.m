@@ -1,6 +1,6 @@
 % SPDX-License-Identifier: MIT
-% Reading the robot from MATLAB through the Python module (listing 3 of the ur_rtde paper). NOT RUN HERE: this project's
-% CI has no MATLAB. Tell MATLAB once which Python the modules were built for and where they are:
+% Reads the robot from MATLAB through the Python module (listing 3 of the ur_rtde paper). Not tested, because the
+% project's CI has no MATLAB. Set once which Python the modules were built for, and where they are:
 %   pyenv(Version="/usr/bin/python3")
 %   insert(py.sys.path, int32(0), "/path/to/build/python")
 import py.rtde_receive.RTDEReceiveInterface

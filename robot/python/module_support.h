@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common functions of all Python modules in this folder: blocking calls release the interpreter and end on Ctrl-C,
-// keyword names of the publication's listings are accepted in addition to the released ones, and all objects have a
-// docstring, signature and repr, and support `with`.
+// Common functions of all Python modules in this folder. Blocking calls release the interpreter and end on
+// Ctrl-C. The keyword names in the listings of the ur_rtde paper are accepted in addition to the released
+// ones. All objects have a docstring, signature and repr, and support `with`.
 
 #include <pybind11/chrono.h>
 #include <pybind11/pybind11.h>
@@ -20,17 +20,17 @@ namespace tiller::python {
 /// For all calls that may wait.
 using Unlocked = py::call_guard<GilReleased>;
 
-/// Each module must call this first.
+/// Each module must call this before anything else.
 void prepareModule();
-/// Each module must call this last: adds the texts of docstrings.cpp and a signature for inspect.signature() to
-/// classes and methods, and __version__ to the module.
+/// Each module must call this last. Adds the texts of docstrings.cpp and a signature for inspect.signature()
+/// to classes and methods, and __version__ to the module.
 void finishModule(py::module_& module);
 
-/// Accepted names of the argument for the robot's address.
+/// Accepted names of the argument for the robot address.
 inline constexpr const char* kHostNames[] = {"hostname", "ip"};
 
-/// An interface that stores its address and process. Held by OwnHolder or with the same rule: a forked child does
-/// not destroy it.
+/// An interface that stores its address and process. It is held by OwnHolder or an equivalent holder, so that
+/// a forked child does not destroy it.
 template <class Interface>
 struct Shown : Interface, ProcessOwned {
     template <class... Arguments>
@@ -42,7 +42,8 @@ struct Shown : Interface, ProcessOwned {
 template <class Class>
 using OwnHolder = std::unique_ptr<Class, OwnDeleter>;
 
-/// Adds repr() and `with`: `begin` is called at the start, `end` at the end in all cases.
+/// Adds repr() and `with`. `begin` is called at the start of the block, and `end` is always called at its
+/// end.
 template <class Class, class Begin, class End>
 void defineShowing(Class& cls, Begin begin, End end) {
     using Interface = typename Class::type;
@@ -70,7 +71,7 @@ void defineShowing(Class& cls, Begin begin, End end) {
     });
 }
 
-/// A motion with speed and acceleration; each has two keyword names.
+/// Defines a motion with speed and acceleration; each of them has two keyword names.
 template <class Class, class Function>
 void defineMove(Class& cls, const char* name, Function function, const char* target, double speed,
                 double acceleration) {

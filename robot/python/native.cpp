@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Python module tiller._native: direct bindings of the C++ library. The public API with names, arrays and
-// docstrings is built on it in tiller/*.py.
+// Python module tiller._native: direct bindings of the C++ library. tiller/*.py adds the public API with
+// names, arrays and docstrings.
 #include <numeric>
 #include <sstream>
 
@@ -44,7 +44,7 @@ namespace {
 
 using receive::Sample;
 
-/// (sequence, host_time_ns, connection, lost_before, values)
+/// Converts a sample to (sequence, host_time_ns, connection, lost_before, values).
 py::tuple sampleTuple(const Sample& sample) {
     return py::make_tuple(
         sample.sequence, sample.hostTimeNs, sample.connection, sample.lostBefore,
@@ -52,7 +52,7 @@ py::tuple sampleTuple(const Sample& sample) {
 }
 
 struct NativeSubscription {
-    std::shared_ptr<NativeReceiver> receiver;  ///< kept alive for the subscription
+    std::shared_ptr<NativeReceiver> receiver;  ///< kept alive as long as the subscription
     receive::Subscription subscription;
     Sample sample;
 
@@ -69,7 +69,7 @@ struct NativeRecorder : ProcessOwned {
     recording::Recorder recorder;
 };
 
-/// {column: numbers} of a complete recording.
+/// Reads a complete recording as {column: numbers}.
 py::dict readRecording(const std::string& path) {
     std::unique_ptr<recording::Recording> file;
     std::vector<std::vector<double>> values;

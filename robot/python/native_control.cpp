@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Part of tiller._native: control of the arm, motions, streams, jogs and packet loops.
 //
-// As in C++, a motion continues when its handle is deleted; streams and jogs end, because they can no longer be
-// refreshed. All of them end with the controller, which every handle keeps alive, and without the heartbeat of this
-// process.
+// As in C++, a motion continues when its handle is deleted. Streams and jogs end, because they can no longer
+// be refreshed. All of them end when the controller is destroyed (every handle keeps it alive) or when the
+// heartbeat of this process is missing.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 using namespace control;
 using SharedController = std::shared_ptr<NativeController>;
 
-/// A motion, with the controller it needs.
+/// A motion and the controller it needs.
 class NativeMotion {
 public:
     NativeMotion(SharedController controller, Motion motion)
@@ -75,7 +75,7 @@ private:
     Motion motion_;
 };
 
-/// Converts seconds from Python; the range is checked together with the other options.
+/// Converts seconds from Python. The range is checked together with the other options.
 std::chrono::milliseconds milliseconds(double seconds) {
     constexpr double kFarOff = 1e6;
     const double result = std::isnan(seconds) ? -1 : std::clamp(seconds, -kFarOff, kFarOff);
@@ -193,7 +193,7 @@ py::dict cycleDict(const CycleState& cycle, double waited) {
     return result;
 }
 
-/// The position of each field in the values of the packets: name to (first, count).
+/// Position of each field in the values of the packets: maps the name to (first, count).
 py::dict layoutDict(const CycleState& cycle) {
     py::dict result;
     if (cycle.packet != nullptr && cycle.packet->layout) {
@@ -211,7 +211,8 @@ constexpr std::array<std::pair<const char*, LoopKind>, 5> kLoopKinds{{{"servo_j"
                                                                       {"speed_l", LoopKind::SpeedL},
                                                                       {"torque", LoopKind::Torque}}};
 
-/// Marks a controller as running a packet loop. There is one control thread, so only one loop is possible.
+/// Marks a controller as running a packet loop. Only one loop is possible, because there is only one control
+/// thread.
 class LoopClaim {
 public:
     explicit LoopClaim(const SharedController& controller) : controller_(controller) {
@@ -228,8 +229,8 @@ private:
     const SharedController& controller_;
 };
 
-/// Runs a loop with a Python callable for the targets. An exception ends the loop: the arm stops, and the caller
-/// receives the exception.
+/// Runs a loop whose targets come from a Python callable. An exception ends the loop: the arm stops, and the
+/// caller receives the exception.
 py::dict packetLoop(const SharedController& controller, const std::string& name, const py::function& callback,
                     bool atOnce, const Seconds& seconds) {
     refuseInCallback();
@@ -335,9 +336,9 @@ py::dict statusDict(const NativeController& self) {
     return result;
 }
 
-/// (whether it is a pose, numbers)
+/// Python type: (True for a pose, numbers).
 using PathPlace = std::tuple<bool, Six>;
-/// (kind, target, via or None, speed or None, acceleration or None, blend)
+/// Python type: (kind, target, via or None, speed or None, acceleration or None, blend).
 using PathRow = std::tuple<std::string, PathPlace, std::optional<PathPlace>, std::optional<double>,
                            std::optional<double>, double>;
 constexpr std::array<std::pair<const char*, PathEntry::Kind>, 4> kPathKinds{{{"j", PathEntry::Kind::MoveJ},
@@ -360,7 +361,7 @@ MotionPath pathOf(const std::vector<PathRow>& rows, double speedCap) {
         if (via) {
             entry.via = place(*via);
         }
-        // Same defaults as MoveParameters.
+        // The defaults are the same as in MoveParameters.
         const bool turnsJoints = entry.kind == PathEntry::Kind::MoveJ;
         entry.speed = speed.value_or(turnsJoints ? 1.05 : std::min(0.25, speedCap));
         entry.acceleration = acceleration.value_or(turnsJoints ? 1.4 : 1.2);

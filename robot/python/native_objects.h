@@ -14,7 +14,7 @@
 
 namespace tiller::python {
 
-/// A receiver with its clock.
+/// A receiver and its clock.
 struct NativeReceiver : ProcessOwned {
     NativeReceiver(receive::ReceiverOptions options, SharedClock c)
         : clock(std::move(c)), receiver(with(std::move(options), clock)) {}
@@ -31,7 +31,8 @@ private:
     }
 };
 
-/// A controller with its clock; motions keep it alive. Destroying it stops the arm, except in a forked child.
+/// A controller and its clock. Motions keep the controller alive. Destroying the controller stops the arm,
+/// except in a forked child.
 struct NativeController : ProcessOwned {
     NativeController(control::ControllerOptions options, SharedClock c)
         : clock(std::move(c)), controller(with(std::move(options), clock)) {}
@@ -51,13 +52,13 @@ private:
 };
 
 using ControllerClass = py::class_<NativeController, std::shared_ptr<NativeController>>;
-/// Adds the settings, queries and output pulses.
+/// Defines the settings, queries and output pulses.
 void defineSetup(ControllerClass& cls);
 
-/// Raises InvalidArgument with a list of the models for an unknown name.
+/// Raises InvalidArgument with a list of the models if the name is unknown.
 RobotModelId modelNamed(const std::string& name);
 
-/// Creates a shared object that a forked child does not destroy.
+/// Creates a shared object that is not destroyed in a forked child.
 template <class T, class... Arguments>
 std::shared_ptr<T> sharedOwn(Arguments&&... arguments) {
     return std::shared_ptr<T>(new T(std::forward<Arguments>(arguments)...), OwnDeleter());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Controller: settings, queries and output pulses. None of these functions starts a motion.
+// Part of tiller._native: settings, queries and output pulses of the controller. None of these functions
+// starts a motion.
 #include <algorithm>
 #include <cstdint>
 
@@ -21,7 +22,7 @@ Eigen::Vector3d vectorOf(const Three& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// Defines a function without arguments except for the timeout, e.g. a query.
+/// Defines a function whose only argument is the timeout, e.g. a query.
 template <class Access, class Method>
 void defineCall(ControllerClass& cls, const char* name, Method method) {
     cls.def(name, [method](const SharedController& self, const Seconds& seconds) {
@@ -30,7 +31,7 @@ void defineCall(ControllerClass& cls, const char* name, Method method) {
     });
 }
 
-/// As defineCall(), for poses and joint values as arrays.
+/// As defineCall(), with poses and joint values as arrays.
 template <class Access, class Method>
 void defineNumbers(ControllerClass& cls, const char* name, Method method) {
     cls.def(name, [method](const SharedController& self, const Seconds& seconds) -> Six {

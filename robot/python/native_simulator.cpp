@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of tiller._native: the simulated controller in this very process.
+// Part of tiller._native: the simulated controller in the same process.
 #include <memory>
 
 #include "robot/python/native_objects.h"
@@ -11,7 +11,7 @@ namespace tiller::python {
 
 namespace {
 
-/// The robot; in virtual time with the simulator's clock and in lock-step with its clients.
+/// A simulator. In virtual time, its clients use its clock and run in lock-step with it.
 class NativeSimulator : public ProcessOwned {
 public:
     explicit NativeSimulator(const simulator::SimulatorOptions& options) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common functions of the native module: errors are raised as exceptions, waits release the interpreter and end on
-// Ctrl-C, numbers are passed as arrays.
+// Common functions of the native module. Errors are raised as exceptions, waits release the interpreter and
+// end on Ctrl-C, and numbers are passed as arrays.
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -32,8 +32,8 @@ using Seconds = std::optional<double>;  ///< None: no limit
 /// Raises the exception of tiller.errors for this error.
 [[noreturn]] void raise(const Error& error);
 
-/// Returns whether a wait in this thread has to end: on Ctrl-C (with the exception set), and at the end of
-/// the process.
+/// Returns true if a wait in this thread must end: on Ctrl-C (with the exception set), and when the process
+/// exits.
 bool isInterrupted();
 
 /// Raises InvalidArgument in the callback of a packet loop. Used by calls that may wait.
@@ -68,7 +68,7 @@ Value named(const char* argument, const std::string& name,
                .arg(QString::fromStdString(name), QString::fromStdString(names))});
 }
 
-/// Runs a call with a deadline and without the interpreter lock, and returns its value; raises its error or
+/// Runs a call with a deadline and without the interpreter lock. Returns its value, or raises its error or
 /// KeyboardInterrupt.
 template <class Call>
 auto waited(const Seconds& seconds, Call call) {
@@ -91,7 +91,7 @@ auto waited(const Seconds& seconds, Call call) {
     }
 }
 
-/// The value of a result; raises its error.
+/// Returns the value of a result, or raises its error.
 template <class T>
 T taken(Result<T> result) {
     if (!result) {
@@ -116,7 +116,7 @@ inline py::str string(const QString& text) {
     return py::str(text.toStdString());
 }
 
-/// The clock of a robot: the system clock, or that of a simulator.
+/// The clock of a robot: the system clock, or the clock of a simulator.
 using SharedClock = std::shared_ptr<Clock>;
 
 void defineReceive(py::module_& module);

@@ -58,7 +58,8 @@ void definePaths(py::module_& module) {
         .def("__eq__", &AsyncOperationStatus::equals);
 }
 
-/// Objects in control, named in the error of an object that cannot take control. Protected by the interpreter lock.
+/// Objects in control. If another object cannot take control, its error names them. Protected by the
+/// interpreter lock.
 std::vector<const ShownControl*>& living() {
     static std::vector<const ShownControl*> all;
     return all;

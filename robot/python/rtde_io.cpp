@@ -9,7 +9,7 @@ using ur_rtde::RTDEIOInterface;
 
 namespace {
 
-/// Stores whether it was disconnected, for repr().
+/// Stores whether the interface was disconnected, for repr().
 struct Io : Shown<RTDEIOInterface> {
     using Shown::Shown;
     void disconnect() {

@@ -8,23 +8,25 @@ namespace tiller::realtime {
 
 namespace {
 
-// Both estimates are quantiles tracked step by step: increased by `part` of a step if a value is above, decreased
-// by the rest if it is below. Step sizes are fractions of a period. For the median, the first steps are large; the
-// later ones are limited to the drift of the clocks: half of 500 ppm in each direction.
+// Both estimates are quantiles that are tracked incrementally: a value above the estimate raises it by `part`
+// of a step, a value below lowers it by (1 - `part`) of a step. Step sizes are fractions of a period. The
+// first steps of the median are large. Later steps are limited to the clock drift, half of 500 ppm in each
+// direction.
 constexpr double kFirstStep = 0.1;
 constexpr double kUsualStep = 0.0005;
 constexpr double kMarginStep = 0.01;
 constexpr double kLessStep = 0.0025;
-constexpr double kHighestNs = 500'000;  // limit of the margin, together with a quarter of a period
-constexpr double kGrace = 0.1;  // fraction of the maximum, added to the margin for slightly late packages
-constexpr double kFirstPackages = 50;  // packages before the median is accurate enough
+constexpr double kHighestNs = 500'000;  // upper limit of the margin, unless a quarter of a period is less
+constexpr double kGrace = 0.1;          // fraction of the maximum margin, added for slightly late packages
+constexpr double kFirstPackages = 50;   // packages needed for an accurate median
 constexpr double kMedian = 0.5;
 constexpr double kNearlyAll = 0.999;
-constexpr double kFurthest = 1;    // maximum difference of two time stamps [s]
+constexpr double kFurthest = 1;    // maximum difference between consecutive time stamps [s]
 constexpr int kLongerForGood = 5;  // consecutive late packages that indicate a permanently longer delay
 
-// The schedule follows the estimates by this fraction of a period per package, so that a late package does not
-// extend a cycle; for large deviations by this fraction of the deviation.
+// With each package, the processing time approaches the estimates by at most kSmallestStep of a period, so
+// that a late package does not extend a cycle. For large deviations, the limit is kCorrectionShare of the
+// deviation.
 constexpr double kSmallestStep = 0.001;
 constexpr double kCorrectionShare = 0.125;
 
@@ -72,15 +74,17 @@ void ArrivalPace::begin(double delay) {
 }
 
 void ArrivalPace::learn(double late) {
-    // Packages cannot arrive before they are sent: a package this early shows that the earlier ones were late.
+    // Packages cannot arrive before they are sent. A package this early shows that the previous ones were
+    // late.
     if (late < usualNs_ - mostNs_) {
         usualNs_ = late;
     }
     track(usualNs_, late, kMedian, periodNs_ * std::max(kFirstStep / packages_, kUsualStep));
     const double more = late - usualNs_;
     if (more > mostNs_) {
-        // No margin can cover this delay, so it does not affect the margin. After a stall, each package is one
-        // period less late than the previous one; with a longer path all are equally late.
+        // No margin can cover this delay, so it does not affect the margin. After a stall, each package is
+        // one period less late than the previous one. If the network delay has increased, all packages are
+        // equally late.
         const bool first = lateInARow_ == 0 || more < leastLateNs_ - mostNs_;
         lateInARow_ = first ? 1 : lateInARow_ + 1;
         leastLateNs_ = first ? more : std::min(leastLateNs_, more);
@@ -98,22 +102,22 @@ void ArrivalPace::learnMargin(double more) {
     if (isSettled()) {
         track(marginNs_, more, kNearlyAll, periodNs_ * kMarginStep);
     } else if (packages_ > kFirstPackages) {
-        // Use the second largest: a single outlier would delay all others for a minute.
+        // Use the second largest value, because a single outlier would delay all other packages for a minute.
         marginNs_ = std::max(marginNs_, std::min(more, latestNs_));
         latestNs_ = std::max(latestNs_, more);
     }
     marginNs_ = std::clamp(marginNs_, 0.0, mostNs_);
 }
 
-// The processing takes so long that the next package arrives meanwhile. The delay is caused by the consumer,
-// so packages are held back for a shorter time.
+// Called for a package that may have arrived before the thread waited for it, because processing the previous
+// one took too long. The consumer causes this delay, so packages are held back for a shorter time.
 void ArrivalPace::holdLess(double late) {
     const double less = periodNs_ * kLessStep;
     if (late - usualNs_ < 2 * mostNs_) {
         marginNs_ = std::max(marginNs_ - less, 0.0);
     }
     if (late < usualNs_) {
-        usualNs_ -= less;  // the package arrived even earlier
+        usualNs_ -= less;  // the actual arrival was even earlier
     }
 }
 

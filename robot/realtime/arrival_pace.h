@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Schedules the processing of packages that are sent at regular intervals and arrive with jitter: processing is
-// regular again with as little delay as possible. The sender's time stamps define the period, the arrivals the
-// phase.
+// Schedules the processing of packages that are sent at regular intervals and arrive with jitter. The
+// processing times are regular, with as little delay as possible. The sender's time stamps define the period,
+// and the arrival times define the phase.
 
 #include <cstdint>
 
@@ -12,7 +12,7 @@ namespace tiller::realtime {
 /// Threads  one. Real-time: yes
 class ArrivalPace {
 public:
-    /// period  between two packages [s]; no package is delayed by more than half a period or 1 ms
+    /// period  time between two packages [s]; packages are delayed by at most half a period, and at most 1 ms
     explicit ArrivalPace(double period);
 
     /// Adds a package with the time stamp `senderTime` [s]. Time stamps that go backwards or jump reset the
@@ -21,7 +21,8 @@ public:
     /// Returns  when to process it [ns]: at the regular interval, or immediately if it arrived too late
     std::int64_t follow(std::int64_t arrivedNs, double senderTime, bool awaited = true);
 
-    /// Expected processing time of the package with this time stamp [ns]. Requires a previous follow().
+    /// Expected processing time of the package with this time stamp [ns]. Requires a previous call to
+    /// follow().
     std::int64_t expectedNs(double senderTime) const;
     /// True after enough packages for a reliable prediction.
     bool isSettled() const { return packages_ >= 300; }
@@ -38,10 +39,10 @@ private:
     double senderTime_ = 0;  ///< time stamp of the newest package [s]
     double packages_ = 0;
     double origin_ = 0;       ///< arrival time minus time stamp of the first package [ns]
-    double usualNs_ = 0;      ///< median of the same difference over all packages, relative to `origin_`
+    double usualNs_ = 0;      ///< median of this difference over all packages, relative to `origin_`
     double marginNs_ = 0;     ///< delay beyond the median that only one package in a thousand exceeds
     double latestNs_ = 0;     ///< largest delay beyond the median among the first packages
-    double heldNs_ = 0;       ///< processing time relative to `origin_`: follows median and margin
+    double heldNs_ = 0;       ///< processing time relative to `origin_`; follows median plus margin
     int lateInARow_ = 0;      ///< consecutive packages later than the maximum margin
     double leastLateNs_ = 0;  ///< smallest delay among these packages
 };

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kDevice = "/dev/cpu_dma_latency";
 
-/// The request shared by the whole process.
+/// The request shared by all objects of the process.
 struct LatencyRequest {
     std::mutex mutex;
     int holders = 0;
@@ -63,19 +63,19 @@ QString CpuLatency::advice() {
     }
     if (errno == ENOENT) {
         return QStringLiteral(
-                   "This system has no %1 (a container, or a kernel without it): wake-ups take as long as "
-                   "its processors need.")
+                   "This system has no %1 (a container, or a kernel without it): wake-up times depend on the "
+                   "sleep states of its CPUs.")
             .arg(QLatin1String(kDevice));
     }
     return QStringLiteral(
-        "Permit it with a file /etc/udev/rules.d/99-tiller.rules with the line "
-        "KERNEL==\"cpu_dma_latency\", GROUP=\"realtime\", MODE=\"0660\", a group \"realtime\" with "
-        "this user in it, and a restart.");
+        "To permit it, create the file /etc/udev/rules.d/99-tiller.rules with the line "
+        "KERNEL==\"cpu_dma_latency\", GROUP=\"realtime\", MODE=\"0660\", add this user to the group "
+        "\"realtime\", and restart.");
 }
 
 #else
 
-// Other systems control this by their power plan.
+// On other systems, the power plan controls this.
 CpuLatency::CpuLatency() : granted_(false) {}
 CpuLatency::~CpuLatency() = default;
 

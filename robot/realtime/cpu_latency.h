@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Keeps the CPUs out of deep sleep states with long wake-up times.
+// Keeps the CPUs out of deep sleep states, which have long wake-up times.
 
 #include <QString>
 
 namespace tiller::realtime {
 
-/// While an object of this class exists, the system is asked for wake-ups without delay (Linux: the process keeps
-/// /dev/cpu_dma_latency open with the value 0 us). This increases the power consumption of an idle machine.
-/// Threads  any: one request serves the whole process
+/// While an object of this class exists, it requests wake-ups without delay from the system (Linux: the
+/// process keeps /dev/cpu_dma_latency open with the value 0 us). This increases the power consumption of an
+/// idle machine.
+/// Threads  any; one request serves the whole process
 class CpuLatency {
 public:
     CpuLatency();

@@ -7,7 +7,7 @@
 
 namespace tiller::realtime {
 
-// Values below 16 have one bucket each; above, the five most significant bits select the bucket.
+// Values below 16 have one bucket each. For larger values, the five most significant bits select the bucket.
 std::size_t Histogram::bucketOf(std::int64_t ns) {
     const auto value = static_cast<std::uint64_t>(std::max<std::int64_t>(ns, 0));
     if (value < kSub) {

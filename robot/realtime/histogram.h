@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Counts durations in fixed buckets, to report jitter percentiles without storing every value.
+// Counts durations in fixed buckets to report jitter percentiles without storing every value.
 
 #include <array>
 #include <cstdint>

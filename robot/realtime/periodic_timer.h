@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Periodic sleep with absolute times, so that errors do not accumulate.
+// Periodic sleep until absolute times, so that errors do not accumulate.
 
 #include <chrono>
 #include <cstdint>
@@ -13,16 +13,16 @@ namespace tiller::realtime {
 /// Threads  one. Real-time: yes (one system call)
 class PeriodicTimer {
 public:
-    /// punctual  waits actively at the end of each period, as PunctualWait does
+    /// punctual  true: busy-waits at the end of each period, like PunctualWait
     explicit PeriodicTimer(std::chrono::nanoseconds period, bool punctual = false);
 
     /// Sleeps until the next multiple of the period since construction or restart().
     /// Returns  the number of multiples that had already passed at the call; normally 0. They are skipped.
     std::uint64_t wait();
-    void restart();  ///< Starts a new period now.
+    void restart();  ///< Starts a new period at the time of the call.
     /// Delay of the last return from wait() [ns].
     std::int64_t latenessNs() const { return latenessNs_; }
-    /// Processor time spent in active waiting [ns].
+    /// Processor time spent in busy-waiting [ns].
     std::int64_t spentNs() const { return wait_.spentNs(); }
     std::chrono::nanoseconds period() const { return std::chrono::nanoseconds(periodNs_); }
 

@@ -12,7 +12,7 @@ constexpr std::int64_t kMinAwakeNs = 5'000;
 constexpr std::int64_t kDownNs = 200;
 constexpr std::int64_t kUpNs = 99 * kDownNs;
 constexpr int kWhole = 65'536;
-constexpr int kMemory = 64;  // number of wake-ups
+constexpr int kMemory = 64;  // averaging length in wake-ups
 
 }  // namespace
 

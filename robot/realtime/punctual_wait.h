@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A wait that ends on time. A sleeping thread wakes up late by an amount that depends on the machine; a busy thread
-// occupies a whole CPU. This class sleeps until shortly before the deadline, based on the measured wake-up delays,
-// and waits actively for the rest.
+// A wait that ends on time. A sleeping thread wakes up late by an amount that depends on the machine; a
+// busy-waiting thread occupies a whole CPU. This class sleeps until shortly before the deadline, based on the
+// measured wake-up delays, and busy-waits for the remaining time.
 
 #include <cstdint>
 #include <thread>
@@ -12,24 +12,26 @@
 
 namespace tiller::realtime {
 
-/// Threads  one. Real-time: yes (one system call a wait, no allocation, no lock)
+/// Threads  one. Real-time: yes (one system call per wait, no allocation, no lock)
 class PunctualWait {
 public:
-    /// Maximum duration of the active wait [ns].
+    /// Maximum duration of the busy-wait [ns].
     static constexpr std::int64_t kMaxAwakeNs = 300'000;
 
-    /// maySpin  false: only sleep. On a single CPU, an active wait would block the awaited thread.
+    /// maySpin  false: only sleep. On a single CPU, a busy-wait would block the thread that is waited for.
     explicit PunctualWait(bool maySpin = std::thread::hardware_concurrency() > 1) : maySpin_(maySpin) {}
 
-    /// Returns at the time `ns` of the clock, or immediately if it has passed or the clock does not run by itself.
+    /// Returns when the clock reaches `ns`, or immediately if this time has passed or the clock does not run
+    /// by itself.
     void until(const Clock& clock, std::int64_t ns);
 
-    /// Duration of the next active wait [ns]: the 99th percentile of the wake-up delays of the last seconds; 0 if
-    /// even the maximum would usually be too short.
+    /// Duration of the next busy-wait [ns]: the 99th percentile of the wake-up delays of the last few
+    /// seconds, or 0 if even kMaxAwakeNs would usually be too short.
     std::int64_t awakeNs() const;
-    /// Adds a measured wake-up delay [ns]. Called by until(); also for callers that sleep by other means.
+    /// Adds a measured wake-up delay [ns]. Called by until(); callers that sleep by other means can call it
+    /// too.
     void learn(std::int64_t lateNs);
-    /// Processor time spent in active waiting [ns].
+    /// Processor time spent in busy-waiting [ns].
     std::int64_t spentNs() const { return spentNs_; }
 
 private:

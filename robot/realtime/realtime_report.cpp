@@ -18,7 +18,7 @@ namespace tiller::realtime {
 
 #if defined(_WIN32)
 
-// Written according to the Windows documentation; not run in this project's CI.
+// Implemented from the Windows documentation; not run in this project's CI.
 QString bindToCpus(const std::vector<int>& cpus) {
     DWORD_PTR mask = 0;
     for (const int cpu : cpus) {
@@ -35,7 +35,7 @@ QString bindToCpus(const std::vector<int>& cpus) {
 }
 
 QString lockMemory() {
-    return QStringLiteral("Windows has no call that keeps a whole process in memory.");
+    return QStringLiteral("Windows cannot lock the memory of a whole process.");
 }
 
 bool isRealtimeKernel() {
@@ -50,7 +50,7 @@ QString bindToCpus(const std::vector<int>&) {
 }
 
 QString lockMemory() {
-    return QStringLiteral("macOS has no call that keeps a whole process in memory.");
+    return QStringLiteral("macOS cannot lock the memory of a whole process.");
 }
 
 bool isRealtimeKernel() {

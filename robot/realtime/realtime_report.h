@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Real-time features granted by the system: CPU affinity, locked memory, type of kernel, with advice on how to
-// enable them. For priorities see thread_priority.h.
+// Real-time features granted by the system (CPU affinity, locked memory, type of kernel), with advice on how
+// to enable them. For priorities, see thread_priority.h.
 
 #include <QString>
 #include <QStringList>
@@ -14,11 +14,11 @@ namespace tiller::realtime {
 
 /// Binds the calling thread to these CPUs, counted from 0.
 /// Returns  the reason for a failure; empty on success
-/// Threads  changes the calling thread. Windows: written according to the documentation, not run. macOS: not
-///          supported
+/// Threads  changes the calling thread. Windows: implemented from the documentation, not run. macOS: not
+/// supported
 QString bindToCpus(const std::vector<int>& cpus);
 
-/// Locks all current and future memory of the process, so that no page fault waits for a disk.
+/// Locks all current and future memory of the process, so that no page fault causes a disk access.
 /// Returns  the reason for a failure and how to correct it; empty on success
 QString lockMemory();
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A stream of fixed-size records from one producer to any number of consumers. The producer never waits and does
-// not know the consumers: if a consumer is too slow, the oldest records are overwritten, and the consumer can read
-// how many it missed.
+// A stream of fixed-size records from one producer to any number of consumers. The producer never waits for
+// consumers. If a consumer is too slow, the oldest records are overwritten, and the consumer can query how
+// many it missed.
 
 #include <atomic>
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace tiller::realtime {
 
-/// Threads  push(): one; every consumer uses its own Cursor, from one thread at a time.
-/// Real-time: yes (allocates at construction only)
+/// Threads  push(): one; each consumer uses its own Cursor, from one thread at a time. Real-time: yes
+/// (allocates at construction only)
 class BroadcastRing {
 public:
     /// The reading position of one consumer.
@@ -22,27 +22,27 @@ public:
         std::uint64_t lost = 0;  ///< records overwritten before they were read
     };
 
-    /// words     64-bit words in a record
-    /// capacity  records kept, rounded up to a power of two
+    /// words     number of 64-bit words in a record
+    /// capacity  number of records kept, rounded up to a power of two
     BroadcastRing(std::size_t words, std::size_t capacity)
         : words_(words)
         , mask_(roundUp(capacity) - 1)
         , stamps_(std::make_unique<std::atomic<std::uint64_t>[]>(mask_ + 1))
         , data_(std::make_unique<std::uint64_t[]>((mask_ + 1) * words)) {}
 
-    std::size_t words() const { return words_; }        ///< 64-bit words per record.
-    std::size_t capacity() const { return mask_ + 1; }  ///< In records, a power of two.
-    /// Records pushed so far.
+    std::size_t words() const { return words_; }        ///< Number of 64-bit words per record.
+    std::size_t capacity() const { return mask_ + 1; }  ///< Number of records, a power of two.
+    /// Number of records pushed so far.
     std::uint64_t count() const { return head_.load(std::memory_order_acquire); }
 
-    /// A cursor for all records pushed from now on.
+    /// Returns a cursor for the records pushed after this call.
     Cursor atEnd() const { return {count(), 0}; }
-    /// A cursor at the oldest available record.
+    /// Returns a cursor at the oldest available record.
     Cursor atBegin() const {
         const std::uint64_t head = count();
         return {head > capacity() ? head - capacity() : 0, 0};
     }
-    /// Records not yet read.
+    /// Number of records not yet read.
     std::uint64_t pending(const Cursor& cursor) const { return count() - cursor.next; }
 
     /// The record being written. All words must be set, in any order.
@@ -52,7 +52,7 @@ public:
         void set(std::size_t index, std::uint64_t word) const {
             std::atomic_ref(words_[index]).store(word, std::memory_order_release);
         }
-        /// Returns a word that was set before.
+        /// Returns a word that was set earlier.
         std::uint64_t get(std::size_t index) const { return words_[index]; }
 
     private:
@@ -84,8 +84,9 @@ public:
     bool pop(Cursor& cursor, std::span<std::uint64_t> record) const {
         return popEach(cursor, [&](std::size_t i, std::uint64_t word) { record[i] = word; });
     }
-    /// Reads without an intermediate copy: sink(index, word) is called for every word, repeatedly if the producer
-    /// interferes. If the function returns true, the last words passed are valid.
+    /// Reads without an intermediate copy. sink(index, word) is called for every word, and again from index 0
+    /// if the producer overwrites the record meanwhile. If the function returns true, the words passed last
+    /// are valid.
     template <class Sink>
     bool popEach(Cursor& cursor, Sink sink) const {
         for (;;) {
@@ -103,8 +104,8 @@ public:
             ++cursor.lost;  // The producer is overwriting this record.
         }
     }
-    /// Reads the record pushed last. Does not affect the cursors.
-    /// Returns  false if no record was pushed yet
+    /// Reads the newest record. Does not affect the cursors.
+    /// Returns  false if no record has been pushed yet
     template <class Sink>
     bool newest(Sink sink) const {
         for (;;) {
@@ -145,7 +146,7 @@ private:
     std::size_t words_;
     std::size_t mask_;
     std::unique_ptr<std::atomic<std::uint64_t>[]> stamps_;
-    /// Initialized, so that all pages are mapped before the producer uses them.
+    /// Zero-initialized, so that all pages are mapped before the producer uses them.
     std::unique_ptr<std::uint64_t[]> data_;
     std::atomic<std::uint64_t> head_{0};
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The latest value, written by one thread and read by any number of threads, without blocking. A reader that is
-// interrupted by the writer retries.
+// The latest value, written by one thread and read by any number of threads without blocking. A reader that
+// is interrupted by the writer retries.
 
 #include <atomic>
 #include <cstdint>
@@ -21,14 +21,14 @@ public:
         : size_(words), words_(std::make_unique<std::atomic<std::uint64_t>[]>(words)) {}
 
     std::size_t size() const { return size_; }  ///< In 64-bit words.
-    /// Number of writes; 0: not written yet, read() returns zeros.
+    /// Number of writes. 0: not written yet, read() returns zeros.
     std::uint64_t version() const { return sequence_.load(std::memory_order_acquire) / 2; }
 
     void write(std::span<const std::uint64_t> values) {  ///< Threads: one writer. Real-time: yes
         const std::uint64_t sequence = sequence_.load(std::memory_order_relaxed);
         sequence_.store(sequence + 1, std::memory_order_relaxed);
-        // Release on each word keeps the odd sequence number before it. A fence would do the same, but
-        // ThreadSanitizer does not support fences.
+        // The release store of each word keeps the odd sequence number ordered before it. A fence would have
+        // the same effect, but ThreadSanitizer does not support fences.
         for (std::size_t i = 0; i < size_; ++i) {
             words_[i].store(values[i], std::memory_order_release);
         }
@@ -57,7 +57,7 @@ private:
     std::atomic<std::uint64_t> sequence_{0};
 };
 
-/// The same for one trivially copyable type.
+/// A value of one trivially copyable type that is read consistently.
 /// Threads  store(): one; load(): any. Real-time: yes
 template <class T>
 class Seqlock {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Evaluates a stream of packages with two clocks: the controller's time stamps reveal missing packages, the host's
-// clock reveals late ones.
+// Monitors a stream of packages with two clocks. The controller's time stamps reveal missing packages; the
+// host's clock reveals late ones.
 
 #include <cstdint>
 
@@ -12,18 +12,18 @@ namespace tiller::realtime {
 class StreamWatch {
 public:
     struct Verdict {
-        std::uint64_t lost = 0;  ///< packages missing before this one
+        std::uint64_t lost = 0;  ///< number of packages missing before this one
         bool late = false;       ///< more than half a period late
-        /// Delay relative to the expected arrival [ns]; 0 for the earliest packet. For packets of a backlog this is
-        /// their age.
+        /// Delay relative to the expected arrival [ns]; 0 for the earliest package. For packages of a
+        /// backlog, this is their age.
         std::int64_t jitterNs = 0;
     };
 
-    /// Starts a new connection. Its first package is compared only with the last time stamp, which gives the number
-    /// of packages lost during the interruption.
-    /// period  between packages [s]
+    /// Starts a new connection. Its first package is compared only with the last time stamp of the previous
+    /// connection, which gives the number of packages lost during the interruption.
+    /// period  time between packages [s]
     void begin(double period);
-    /// timestamp  of the controller [s]; NaN if it does not send one
+    /// timestamp  time stamp of the controller [s]; NaN if the controller does not send one
     Verdict add(double timestamp, std::int64_t hostNs);
 
 private:
@@ -32,7 +32,7 @@ private:
     bool hasTimestamp_ = false;
     bool hasBase_ = false;
     double baseNs_ = 0;  ///< host time minus robot time of the earliest packages
-    // As baseNs_, since `settlingSinceNs_`, the start of the current stream without pauses.
+    // Like baseNs_, but since `settlingSinceNs_`, the start of the current stream without pauses.
     std::int64_t settlingSinceNs_ = 0;
     std::int64_t lastHostNs_ = 0;
     double settledNs_ = 0;

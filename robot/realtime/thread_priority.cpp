@@ -18,7 +18,7 @@ namespace tiller::realtime {
 
 #ifdef _WIN32
 
-// Written according to the Windows documentation; not run in this project's CI.
+// Implemented from the Windows documentation; not run in this project's CI.
 PriorityReport requestThreadPriority(int priority) {
     PriorityReport report;
     report.requested = std::clamp(priority, 0, 99);
@@ -60,7 +60,8 @@ PriorityReport requestThreadPriority(int priority) {
     int policy = SCHED_OTHER;
     sched_param actual{};
     if (pthread_getschedparam(pthread_self(), &policy, &actual) == 0 && policy == SCHED_FIFO) {
-        // The maximum on macOS is 47 (not run in this project's CI); it counts as the requested priority.
+        // The maximum priority on macOS is 47, which counts as the requested priority. Not run in this
+        // project's CI.
         report.granted =
             wanted.sched_priority < report.requested && actual.sched_priority == wanted.sched_priority
                 ? report.requested

@@ -9,7 +9,7 @@ namespace tiller::realtime {
 
 struct PriorityReport {
     int requested = 0;
-    /// Actual priority: on Linux the SCHED_FIFO priority, 0 for the normal scheduler.
+    /// Granted priority: on Linux the SCHED_FIFO priority, 0 for the normal scheduler.
     int granted = 0;
     bool ok() const {
         return granted >= requested;
@@ -23,7 +23,7 @@ struct PriorityReport {
 /// Threads   changes the calling thread. Real-time: no
 PriorityReport requestThreadPriority(int priority);
 
-/// Sets the name shown by debuggers and `top -H`; truncated to 15 characters on Linux.
+/// Sets the thread name shown by debuggers and `top -H`; truncated to 15 characters on Linux.
 void nameThread(const char* name);
 
 /// Processor time used by the calling thread [s]; 0 if the system does not report it.

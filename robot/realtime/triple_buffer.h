@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The latest value for a reader that must never wait, even for a writer that was preempted during a write.
+// The latest value for a reader that must never wait, not even for a writer that was preempted during a
+// write.
 
 #include <array>
 #include <atomic>
@@ -17,12 +18,13 @@ public:
         back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & ~kFresh;
     }
 
-    /// Reader: the value published last, or a default value before the first. Valid until the next call.
+    /// For the reader: the newest published value, or a default value before the first publish(). Valid until
+    /// the next call.
     const T& newest() {
         fetch();
         return slots_[front_];
     }
-    /// Reader: each value once; null if there is no new one.
+    /// For the reader: returns each value once; null if there is no new value.
     const T* take() { return fetch() ? &slots_[front_] : nullptr; }
 
 private:
@@ -34,8 +36,8 @@ private:
         return true;
     }
 
-    // The writer fills `back_`, the reader uses `front_`; the third slot is exchanged through `middle_`, which
-    // holds its index and a flag for a new value.
+    // The writer fills `back_` and the reader uses `front_`. The third slot is exchanged through `middle_`,
+    // which contains its index and a flag for a new value.
     static constexpr unsigned kFresh = 4;
     std::array<T, 3> slots_{};
     std::atomic<unsigned> middle_{1};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Lets threads wait for events of a thread that must not block: waking takes no lock, and needs a system call only
-// if a thread is actually waiting.
+// Lets threads wait for events of a thread that must not block. wake() takes no lock and makes a system call
+// only if a thread is waiting.
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ public:
         }
     }
 
-    /// Waits for the next wake() or the end of the time, unless `happened` returns true.
+    /// Waits for the next wake() or until the time has elapsed, unless `happened` returns true.
     template <class Happened>
     void wait(std::chrono::milliseconds atMost, Happened happened) {
         Waiter* waiter = freeWaiter();
@@ -42,7 +42,7 @@ public:
         sleepers_.fetch_add(1, std::memory_order_acq_rel);
         const bool woken = !happened() && waiter->semaphore.try_acquire_for(atMost);
         if (!woken && !waiter->asleep.exchange(false, std::memory_order_acq_rel)) {
-            waiter->semaphore.acquire();  // wake() was called meanwhile
+            waiter->semaphore.acquire();  // wake() was called in the meantime
         }
         sleepers_.fetch_sub(1, std::memory_order_relaxed);
         waiter->taken.store(false, std::memory_order_release);

@@ -62,7 +62,7 @@ void addOutputRegisters(std::vector<std::string>& fields, bool upper) {
 }
 
 std::vector<std::string> defaultFields() {
-    // The list of names must not exceed the 2048 bytes of one setup request.
+    // The list of names must not exceed 2048 bytes, the limit of one setup request.
     std::vector<std::string> fields = commonFields();
     for (const char* shown : {
              "tcp_offset",

@@ -11,7 +11,7 @@ namespace tiller::receive {
 /// The fields that ur_rtde subscribes to on every software version, in its order.
 std::vector<std::string> commonFields();
 /// Adds the registers that ur_rtde subscribes to: integer register 2 and registers 12 to 19 of both types.
-/// upper  use the range from 24 on
+/// upper  use the upper range of registers, which starts at 24
 void addOutputRegisters(std::vector<std::string>& fields, bool upper);
 
 }  // namespace tiller::receive

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Descriptions of all output fields for the user interface: unit, meaning and interpretation of the values. Whether
-// a given robot has a field is only known from its answer: Receiver::absentFields().
+// Descriptions of all output fields for the user interface: unit, meaning and interpretation of the values.
+// Whether a given robot has a field is only known from its reply, see Receiver::absentFields().
 
 #include <QString>
 #include <cstdint>
@@ -40,10 +40,10 @@ struct FieldInfo {
     bool isAvailableOn(const SoftwareVersion& version) const;
 };
 
-/// All fields, registers last. The span stays valid for the whole program.
+/// All fields, registers last. The span remains valid until the program ends.
 /// Threads  any
 std::span<const FieldInfo> fieldInfos();
-/// Returns  null if there is no such output field
+/// Returns null if there is no such output field.
 const FieldInfo* findField(std::string_view name);
 
 /// Maximum length of a comma-separated field list that every controller accepts [bytes].

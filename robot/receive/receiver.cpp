@@ -26,7 +26,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// A record consists of sequence, host time, connection, lost before, and the bit patterns of the values.
+// A record consists of sequence number, host time, connection number, number of samples lost before, and the
+// bit patterns of the values.
 constexpr std::size_t kSequence = 0;
 constexpr std::size_t kHostTime = 1;
 constexpr std::size_t kConnection = 2;
@@ -91,12 +92,12 @@ struct Subscription::Stream {
 
     std::shared_ptr<const SampleLayout> layout;
     realtime::BroadcastRing ring;
-    std::atomic<bool> ended{true};  ///< no more data: the receiver is not running
+    std::atomic<bool> ended{true};  ///< the receiver is not running, so no more data arrive
     mutable realtime::WakeUp wakeUp;
-    mutable std::mutex factsMutex;  ///< never locked while data flow
+    mutable std::mutex factsMutex;  ///< never locked while data are received
     Error lastError;
 
-    /// The error of a wait that failed.
+    /// The error returned by a failed wait.
     Error failure(const Deadline& deadline, const QString& what) const {
         if (deadline.isCancelled()) {
             return {ErrorCode::Cancelled, what, {}};
@@ -174,7 +175,7 @@ struct Receiver::Worker {
     std::atomic<bool> receiving{false};  ///< the newest sample belongs to the current connection
     std::atomic<bool> resetWanted{false};
     realtime::Seqlock<realtime::Histogram> intervalsShown;
-    mutable std::mutex factsMutex;  // never locked while data flow
+    mutable std::mutex factsMutex;  // never locked while data are received
     SoftwareVersion version;
     double period = 0;
     std::vector<std::string> absent;
@@ -189,7 +190,7 @@ struct Receiver::Worker {
     realtime::StreamWatch watch;
     realtime::Histogram intervals;
     std::int64_t previousHostNs = 0;
-    bool hasPrevious = false;  ///< in the current connection
+    bool hasPrevious = false;  ///< a previous package exists in the current connection
     std::int64_t windowStartNs = 0;
     std::uint64_t windowPackets = 0;
 
@@ -226,7 +227,8 @@ struct Receiver::Worker {
             if (stopping) {
                 break;
             }
-            // Only data count as success: retry slowly with a peer that accepts a connection and closes it.
+            // Only received data count as success, so that a peer that accepts and closes connections is
+            // retried slowly.
             failures = sequence != before ? 0 : failures;
             receiving = false;
             {
@@ -244,7 +246,7 @@ struct Receiver::Worker {
         return delays.empty() ? milliseconds(0) : delays[std::min(failures, delays.size() - 1)];
     }
 
-    /// Waits on the receiver's clock, which may run faster or slower than the system clock, by polling.
+    /// Waits by polling on the receiver's clock, which may run faster or slower than the system clock.
     void waitFor(milliseconds time) {
         constexpr milliseconds kAskEvery(5);
         const std::int64_t end = options.clock->nowNs() + time.count() * kNsPerMs;
@@ -254,8 +256,8 @@ struct Receiver::Worker {
         }
     }
 
-    /// Computes the record index of each number in the package. The robot's types are authoritative: if one differs
-    /// from the catalogue, as many numbers are used as fit.
+    /// Computes the record index of each number in the package. The types reported by the robot are
+    /// authoritative. If a type differs from the catalogue, only the numbers that fit are used.
     void plan(const rtde::Recipe& recipe) {
         places.assign(recipe.size(), kNowhere);
         std::vector<bool> isSent(layout->size());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Receives the data of a robot: one RTDE connection and one thread that publish every package as the latest sample
-// and into a ring for any number of subscribers. Reconnects automatically.
+// Receives the data of a robot with one RTDE connection and one thread. Publishes every package as the latest
+// sample and in a ring buffer for any number of subscribers. Reconnects automatically.
 
 #include <QString>
 #include <chrono>
@@ -45,10 +45,10 @@ struct ReceiverOptions {
     std::vector<int> cpus = {};
     /// Used for time stamps and ages. Must outlive the receiver.
     const Clock* clock = &SteadyClock::shared();
-    /// Limit for one attempt to connect and complete the handshake. Together with the longest delay it is below 2
-    /// s: data resume within this time after the network has recovered.
+    /// Limit for one attempt to connect and complete the handshake. The sum of this limit and the longest
+    /// delay is below 2 s, so data resume within 2 s after the network has recovered.
     std::chrono::milliseconds connectTimeout{1300};
-    /// Delays between attempts on this clock; the last one repeats.
+    /// Delays between attempts, measured on the receiver's clock. The last delay repeats.
     std::vector<std::chrono::milliseconds> reconnectDelays{
         std::chrono::milliseconds(100), std::chrono::milliseconds(250), std::chrono::milliseconds(500)};
     /// Time without data after which the connection is closed and reopened.
@@ -69,12 +69,12 @@ struct ReceiverCounters {
     std::uint64_t late = 0;         ///< arrived more than half a period late
     std::uint64_t lost = 0;         ///< skipped by the controller, according to its time stamps
     std::uint64_t reconnects = 0;   ///< connections after the first one
-    double rateHz = 0;              ///< over the last half second
-    std::int64_t lastJitterNs = 0;  ///< deviation of the newest package from its expected arrival
+    double rateHz = 0;              ///< average over the last half second
+    std::int64_t lastJitterNs = 0;  ///< deviation of the newest package from its expected arrival time
 };
 
-/// The reading position of one consumer in the stream.
-/// Threads  one at a time. Remains valid after the receiver is destroyed. Real-time: yes
+/// The read position of one consumer in the stream. Remains valid after the receiver is destroyed.
+/// Threads  one at a time. Real-time: yes
 class Subscription {
 public:
     Subscription() = default;
@@ -82,10 +82,10 @@ public:
     /// Reads the next sample. Reusing the same Sample avoids allocation.
     /// Returns  false if there is no new sample
     bool next(Sample& sample);
-    /// Waits for the next sample. While a subscriber waits, each package costs the receive thread one system call
-    /// to wake it.
-    /// Errors   Timeout, Cancelled; NotConnected if the receiver is stopped or destroyed. Without a connection the
-    ///          message is the reason: "ConnectionRefused: connect to ..."
+    /// Waits for the next sample. While a subscriber waits, each package costs the receive thread one system
+    /// call to wake it.
+    /// Errors   Timeout, Cancelled; NotConnected if the receiver is stopped or destroyed. Without a
+    ///          connection the message contains the reason: "ConnectionRefused: connect to ..."
     /// Blocks   until the deadline. Real-time: no
     Result<void> next(Sample& sample, const Deadline& deadline);
     /// Waits for the next sample and returns it in a new object.
@@ -103,7 +103,7 @@ private:
 };
 
 /// Owns the thread "tiller-receive" (SCHED_FIFO 90 if permitted), which opens, reads and closes the RTDE
-/// connection. Samples leave the thread through a seqlock and a ring; stop() sets a flag.
+/// connection. The thread publishes samples through a seqlock and a ring buffer. stop() sets a flag.
 /// Threads  any for all functions; start() and stop() from one thread
 class Receiver {
 public:
@@ -113,17 +113,18 @@ public:
     Receiver& operator=(const Receiver&) = delete;
 
     /// Starts the thread without waiting for a connection; see waitForData().
-    /// Errors   FieldUnknown, with each name in `fields` that is not an RTDE output and the most similar output;
-    ///          InvalidArgument (no host)
+    /// Errors   FieldUnknown, with each name in `fields` that is not an RTDE output and the most similar
+    ///          output name; InvalidArgument (no host)
     /// Blocks   never
     Result<void> start();
-    /// Ends the thread within 250 ms, independent of the peer.
+    /// Ends the thread within 250 ms, even if the peer does not respond.
     void stop();
 
-    ReceiverState state() const;  ///< State of the connection. Threads: any
+    ReceiverState state() const;  ///< Threads: any
     /// Local port of the connection; 0 if not connected. Threads: any
     std::uint16_t localPort() const;
-    /// Why start() failed, the last attempt failed or the last connection broke; code None while connected.
+    /// Reason why start() or the last attempt failed, or why the last connection was lost. Code None while
+    /// connected.
     Error lastError() const;
     ReceiverCounters counters() const;  ///< Counters since start(). Threads: any
     /// Resets all counters, including reconnects. Takes effect with the next package.
@@ -137,21 +138,21 @@ public:
     double period() const;
     /// Requested fields that the robot does not have.
     std::vector<std::string> absentFields() const;
-    /// Result of the priority request. The advice also covers refused CPUs.
+    /// Result of the priority request. Its advice also covers rejected CPU settings.
     realtime::PriorityReport priority() const;
 
     const std::shared_ptr<const SampleLayout>& layout() const;  ///< Layout of all samples.
     /// The newest sample; sequence 0 if there is none. Real-time: latest(Sample&) yes, latest() no
     Sample latest() const;
-    void latest(Sample& into) const;  ///< As latest(), without an allocation.
+    void latest(Sample& into) const;  ///< Like latest(), without an allocation.
     /// Waits for a sample of the current connection that is not older than 100 ms, and returns it. For
     /// programs that compute their first target from the position of the arm.
     /// onRefusal  reaction if the connection is refused or the host name cannot be resolved before any data
-    ///            have arrived: fail at once, or wait as for a robot that is booting
+    ///            have arrived: fail immediately, or wait as for a robot that is booting
     /// Errors     the reason why the connection failed, if known (ConnectionRefused, HostUnreachable,
     ///            FieldUnknown, ...); Timeout, Cancelled; NotConnected if start() was not called
-    /// Blocks     until the deadline. The receiver continues its attempts to connect meanwhile. If the robot
-    ///            has sent data before, the call always waits
+    /// Blocks     until the deadline. The receiver continues to connect during the wait. If the robot has
+    ///            sent data before, the call always waits
     Result<Sample> waitForData(const Deadline& deadline, OnRefusal onRefusal = OnRefusal::Fail) const;
     /// Age of the newest sample on the receiver's clock; the maximum value if there is none. The age includes
     /// the time a sample waited in a backlog, according to the robot's time stamps.
@@ -159,7 +160,7 @@ public:
     /// True if the newest sample is not older than `limit`.
     bool isFresh(std::chrono::nanoseconds limit) const { return ageNs() <= limit.count(); }
 
-    /// A subscription to all samples received from now on.
+    /// Creates a subscription to all samples received from now on.
     Subscription subscribe() const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Typed access to a sample: joint positions, modes, and so on. A view that contains no values.
+// Typed access to a sample: joint positions, modes, and so on. A view that does not own the values.
 
 #include <cstdint>
 #include <optional>
@@ -38,11 +38,11 @@ enum class SafetyStatusBit : std::uint32_t {
     ThreePositionEnabling = 1U << 11,
 };
 
-/// Missing values (no packet yet, a field that was not requested, a field that the robot does not send) read as
-/// NaN; bit fields and integers are empty optionals, modes have the most restrictive value (Disconnected,
-/// Undefined, Stopped, PowerOff), and single bits are false. All motion commands refuse NaN, so that a target
-/// computed from missing data is not executed. To wait for data, use Receiver::waitForData(). The sample must
-/// outlive this object.
+/// Missing values (no packet yet, a field that was not requested, a field that the robot does not send) are
+/// returned as NaN, bit fields and integers as empty optionals, and single bits as false. Missing modes have
+/// the most restrictive value (Disconnected, Undefined, Stopped, PowerOff). All motion commands reject NaN,
+/// so a target computed from missing data is not executed. To wait for data, use Receiver::waitForData(). The
+/// sample must outlive this object.
 /// Threads  one at a time. Real-time: yes (a hash look-up per call)
 class RobotState {
 public:

@@ -23,7 +23,7 @@ SampleLayout::SampleLayout(const std::vector<std::string>& names) {
             componentNames_.push_back(rtde::componentName(entry.name, entry.type, i));
         }
     }
-    // The vectors no longer reallocate from here on.
+    // From here on, the vectors are not reallocated.
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         entryByName_.emplace(entries_[i].name, i);
     }

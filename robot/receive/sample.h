@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One data package of the robot as a sample: sequence number, time of arrival and all values as doubles. The layout
-// is fixed for the lifetime of a receiver and independent of the robot; values that a robot does not send are NaN.
+// One data package of the robot as a sample: sequence number, time of arrival and all values as doubles. The
+// layout is fixed for the lifetime of a receiver and independent of the robot. Values that a robot does not
+// send are NaN.
 
 #include <QStringList>
 #include <cmath>
@@ -43,7 +44,7 @@ public:
     /// Number of values in a sample.
     std::size_t size() const { return size_; }
     const Entry* find(
-        std::string_view name) const;  ///< Returns  null if the layout does not contain the field
+        std::string_view name) const;  ///< Returns null if the layout does not contain the field.
     /// Index of a component by its name in recordings, e.g. "actual_q_0", "robot_mode".
     std::optional<std::size_t> indexOfComponent(std::string_view component) const;
     /// Names in the order of the values, e.g. "actual_q_0".
@@ -62,8 +63,8 @@ public:
     SampleLayout& operator=(const SampleLayout&) = delete;
 };
 
-/// A sentence for each name that is not an RTDE output, e.g. "there is no RTDE output \"actual_qq\": did you mean
-/// \"actual_q\"?"
+/// One sentence for each name that is not an RTDE output, e.g. "there is no RTDE output \"actual_qq\": did
+/// you mean \"actual_q\"?"
 QStringList unknownOutputs(const std::vector<std::string>& names);
 
 struct Sample {

@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view cell) {
     return cell;
 }
 
-/// Calls sink(cell) for every cell of a line, including an empty last one.
+/// Calls sink(cell) for every cell of a line, including an empty last cell.
 template <class Sink>
 void forEachCell(std::string_view line, Sink sink) {
     for (;;) {
@@ -88,7 +88,7 @@ Result<CsvTable> readCsv(const Text& path) {
     for (std::size_t number = 1; !rest.empty(); ++number) {
         const std::size_t end = rest.find('\n');
         if (end == std::string_view::npos) {
-            // Even if it looks complete, its last number may be truncated.
+            // Even if the line looks complete, its last number may be truncated.
             table.truncated = true;
             break;
         }
@@ -118,9 +118,9 @@ Result<CsvTable> readCsv(const Text& path) {
             ++cells;
         });
         if (!failure && cells != table.columns.size()) {
-            failure = corrupt(
-                number,
-                QStringLiteral("%1 cells where the header has %2").arg(cells).arg(table.columns.size()));
+            failure = corrupt(number, QStringLiteral("the row has %1 cells, the header has %2")
+                                          .arg(cells)
+                                          .arg(table.columns.size()));
         }
         if (failure) {
             return *failure;

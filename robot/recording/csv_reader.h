@@ -22,7 +22,7 @@ struct CsvTable {
 
     std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }  ///< Without the header.
     std::optional<std::size_t> indexOf(std::string_view column) const;  ///< Index of a column by its name.
-    /// Null if there is no such column.
+    /// Values of a column; null if there is no such column.
     const std::vector<double>* column(std::string_view name) const;
 };
 

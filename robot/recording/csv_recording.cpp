@@ -15,7 +15,7 @@ namespace tiller::recording {
 namespace {
 
 constexpr qint64 kReadAtOnce = 1 << 20;
-// Files with more columns are not recordings of a robot.
+// A file with more columns is not a robot recording.
 constexpr std::size_t kMaxColumns = 20'000;
 constexpr std::size_t kMaxLineLength = 16u << 20;
 constexpr int kMaxProblems = 20;
@@ -41,7 +41,7 @@ void splitLine(std::string_view line, char separator, Sink sink) {
     for (;;) {
         std::size_t from = 0;
         if (!line.empty() && line.front() == '"') {
-            // A doubled quote belongs to the text.
+            // A doubled quote is part of the text.
             std::size_t closed = line.find('"', 1);
             while (closed != std::string_view::npos && line.substr(closed).starts_with("\"\"")) {
                 closed = line.find('"', closed + 2);
@@ -57,7 +57,7 @@ void splitLine(std::string_view line, char separator, Sink sink) {
     }
 }
 
-/// Cells separated by any number of blanks. A unit in brackets belongs to the preceding name.
+/// Splits cells at any number of blanks. A unit in brackets belongs to the preceding name.
 std::vector<std::string_view> blankSeparated(std::string_view line) {
     std::vector<std::string_view> cells;
     for (std::size_t begin = line.find_first_not_of(" \t"); begin != std::string_view::npos;) {
@@ -95,8 +95,8 @@ bool hasControlCharacters(std::string_view line) {
     return std::any_of(line.begin(), line.end(), [](char c) { return c >= 0 && c < ' ' && c != '\t'; });
 }
 
-/// Accepts "0.5", "+3", "1e-3", and "0,5" if the comma does not separate cells. Empty, "nan" and the like become
-/// NaN.
+/// Accepts "0.5", "+3", "1e-3", and "0,5" if the comma does not separate cells. An empty cell, "nan" and
+/// similar become NaN.
 bool numberOf(std::string_view cell, bool commaMayBePoint, double& value) {
     if (cell.empty()) {
         value = kNone;
@@ -123,7 +123,7 @@ bool numberOf(std::string_view cell, bool commaMayBePoint, double& value) {
     return false;
 }
 
-/// "actual_q_0 [rad]" is a column "actual_q_0" with the unit "rad".
+/// Splits a header cell: "actual_q_0 [rad]" is the column "actual_q_0" with the unit "rad".
 RecordedColumn columnFrom(std::string_view heading) {
     RecordedColumn column;
     column.name = std::string(heading);
@@ -168,7 +168,7 @@ public:
         }
         if (!rest.empty()) {
             takeLine(rest);
-            problem(QStringLiteral("The last line has no end: its last number may have lost digits."));
+            problem(QStringLiteral("The last line is incomplete: its last number may be truncated."));
         }
         if (isBinary_) {
             return failure(QStringLiteral("this is not a table of numbers"));
@@ -201,7 +201,7 @@ private:
         if (!line.empty() && line.back() == '\r') {
             line.remove_suffix(1);
         }
-        // Text files have none; checked in the first line only.
+        // Text files contain no control characters. Only the first line is checked.
         if (rows_ == 0 && hasControlCharacters(line)) {
             isBinary_ = true;
             return;
@@ -277,7 +277,8 @@ private:
         notNumbers_.resize(table_.columns.size());
     }
 
-    /// If header and first row have the same number of words, and more than one, cells are separated by blanks.
+    /// Cells are separated by blanks if the header and the first row have the same number of words, and more
+    /// than one.
     void separateByBlanks(std::string_view line) {
         const auto headings = blankSeparated(heading_);
         if (headings.size() < 2 || blankSeparated(line).size() != headings.size()) {
@@ -321,7 +322,7 @@ private:
     std::string heading_{};
     std::size_t number_ = 0;  ///< line number
     std::size_t rows_ = 0;
-    bool isHeaded_ = false;  ///< the line of units was read
+    bool isHeaded_ = false;  ///< true once the line of units was read
     bool isBinary_ = false;
     std::vector<double> row_;
     std::vector<std::size_t> wrong_;

@@ -14,7 +14,7 @@ namespace tiller::recording {
 
 namespace {
 
-constexpr std::uint64_t kRowsAtOnce = 512;  // this many rows of all columns fit in the cache
+constexpr std::uint64_t kRowsAtOnce = 512;  // with this number of rows, all columns fit in the cache
 constexpr std::size_t kMaxNumber = 32;
 
 bool belongsTo(std::string_view column, std::string_view field) {
@@ -25,7 +25,8 @@ bool belongsTo(std::string_view column, std::string_view field) {
            column.back() >= '0' && column.back() <= '9';
 }
 
-/// Writes at `at`, which must have enough space. Returns  the end
+/// Writes at `at`, which must have enough space.
+/// Returns  the end of the written text
 char* putNumber(char* at, double value, bool whole, char decimal) {
     if (std::isnan(value)) {
         return at;
@@ -166,7 +167,7 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
         const RecordedColumn& described = recording.columns()[column];
         heading += (heading.empty() ? "" : std::string(1, style.separator)) +
                    csvCell(described.name, style.separator);
-        // An empty cell could not be distinguished from a missing number.
+        // An empty cell would look like a missing number.
         const std::string unit = described.unit.empty() ? "-" : described.unit;
         units += (units.empty() ? "" : std::string(1, style.separator)) + csvCell(unit, style.separator);
     }

@@ -15,22 +15,23 @@
 
 namespace tiller::recording {
 
-/// The selected content, independent of the format.
+/// What to export, independent of the format.
 struct ExportChoice {
     Text path = {};  ///< an existing file is replaced atomically
-    /// Names of columns, or of fields for all their components; empty: all. Text and MCAP files always contain the
-    /// time column of the recording, as the first column if it is not named; HDF5 files contain `time`.
+    /// Names of columns, or of fields for all their components; empty: all. Text and MCAP files always
+    /// contain the time column of the recording, as the first column if it is not listed. HDF5 files contain
+    /// `time`.
     std::vector<std::string> columns = {};
     double from = 0;                                         ///< [s] on the time axis
     double until = std::numeric_limits<double>::infinity();  ///< [s]
-    /// Called with the completed fraction, 0 to 1. Returning false cancels with Cancelled
+    /// Called with the completed fraction, 0 to 1. Returning false cancels the export with Cancelled.
     std::function<bool(double)> progress = {};
 };
 
 struct CsvStyle {
     char separator = ',';    ///< comma, semicolon or tab
-    char decimal = '.';      ///< point or comma (no comma if it separates the cells)
-    bool unitsLine = false;  ///< add a line of units below the header
+    char decimal = '.';      ///< point or comma; comma only if it does not separate the cells
+    bool unitsLine = false;  ///< add a line of units after the header
 };
 
 struct ExportReport {
@@ -38,25 +39,26 @@ struct ExportReport {
     std::int64_t bytes = 0;  ///< size of the file
 };
 
-/// Selects columns by name; the name of a field selects all its components.
-/// Errors   FieldUnknown, with all missing names
+/// Selects columns by name. The name of a field selects all its components.
+/// Errors   FieldUnknown with all missing names
 Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
                                                const std::vector<std::string>& names);
-/// The column with the time axis of the recording: `timestamp`, or the first one named time, seconds or t.
+/// The time column of the recording: `timestamp`, or the first column named time, seconds or t.
 std::optional<std::size_t> timeColumn(const Recording& recording);
-/// As chooseColumns(), with the time column of the recording first if it is not among them.
+/// As chooseColumns(), but adds the time column of the recording as the first column if it is missing.
 Result<std::vector<std::size_t>> columnsWithTime(const Recording& recording,
                                                  const std::vector<std::string>& names);
-/// A cell of a text file, quoted as in RFC 4180 where necessary.
+/// Text of a cell, quoted as in RFC 4180 where necessary.
 std::string csvCell(std::string_view text, char separator = ',');
-/// The shortest text that reads back as the same number, independent of the locale; empty for NaN.
+/// The shortest text that converts back to the same number, independent of the locale; empty for NaN.
 std::string csvNumber(double value);
 /// As csvNumber(double).
 std::string csvNumber(float value);
 /// The selected rows.
 Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choice);
 
-/// Writes a text file. Numbers are the shortest that read back exactly; missing values are empty cells.
+/// Writes a text file. Numbers are written as the shortest text that converts back exactly; missing values
+/// are empty cells.
 /// Errors   FileNotWritable, DiskFull, FieldUnknown, InvalidArgument, Cancelled, and read errors
 /// Blocks   until the file is written
 Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& choice,

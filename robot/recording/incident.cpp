@@ -42,7 +42,7 @@ Result<std::optional<double>> incidentMoment(const Recording& recording) {
         if (!stamps) {
             return stamps.error();
         }
-        // The last match: after a restart of the controller its time starts again.
+        // Uses the last match, because the controller time starts from zero after a restart.
         const std::vector<double>& all = stamps->front();
         if (const auto found = std::find(all.rbegin(), all.rend(), *timestamp); found != all.rend()) {
             const auto row = static_cast<std::uint64_t>(std::distance(found, all.rend()) - 1);

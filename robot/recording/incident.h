@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The time of the incident in an incident recording.
+// Finds the time of the incident in an incident recording.
 
 #include <optional>
 
@@ -14,9 +14,9 @@ inline constexpr const char* kIncidentFact = "incident";                ///< rea
 inline constexpr const char* kIncidentUtcFact = "incident_utc_ns";      ///< time of arrival [ns since 1970]
 inline constexpr const char* kIncidentTimeFact = "incident_timestamp";  ///< controller time [s]
 
-/// The stop or alarm that caused an incident file, on the time axis of the recording [s]: the row with this
-/// controller time or, if it is not in the file, the time of arrival. Empty: not an incident file, or no time
-/// stored.
+/// Time of the stop or alarm that caused an incident file, on the time axis of the recording [s]. Uses the
+/// row with the stored controller time or, if there is no such row, the arrival time. Empty: not an incident
+/// file, or no time stored.
 /// Errors  those of Recording
 Result<std::optional<double>> incidentMoment(const Recording& recording);
 

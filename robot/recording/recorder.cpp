@@ -8,13 +8,16 @@
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <utility>
 
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/default_fields.h"
+#include "robot/receive/robot_state.h"
 #include "robot/recording/detail/recording_file.h"
+#include "robot/recording/detail/restart_note.h"
 
 namespace tiller::recording {
 
@@ -23,16 +26,17 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// Interval of writing rows to the system, which limits the loss if the process is killed.
+// Interval at which rows are written to the system. Limits the data loss if the process is killed.
 constexpr milliseconds kWriteEvery{100};
-// Interval of syncing to the disk, which limits the loss in a power failure.
+// Interval at which data are synced to the disk. Limits the data loss in a power failure.
 constexpr milliseconds kSyncEvery{500};
 constexpr milliseconds kLookAtDiskEvery{1000};
 // About a quarter of a megabyte of text.
 constexpr std::size_t kWriteAtSamples = 256;
 
 std::int64_t freeBytesFor(const QString& path) {
-    // QStorageInfo does not know file systems whose mount point is not listed, as in a chroot or a container.
+    // QStorageInfo does not find file systems whose mount point is not listed, e.g. in a chroot or a
+    // container.
     std::error_code failed;
     const auto space = std::filesystem::space(QFileInfo(path).absolutePath().toStdString(), failed);
     return failed ? 0 : static_cast<std::int64_t>(space.available);
@@ -78,7 +82,7 @@ std::vector<std::string> defaultRecordedFields() {
 
 struct Recorder::Worker {
     std::thread thread;
-    std::mutex mutex;  // protects the following members, and for waiting
+    std::mutex mutex;  // protects the following members; also used for waiting
     std::condition_variable wake;
     bool stopping = false;
     Error error;
@@ -92,8 +96,9 @@ struct Recorder::Worker {
     std::atomic<std::int64_t> bytes{0};
     std::atomic<std::int64_t> freeBytes{0};
     std::atomic<int> files{0};
+    std::atomic<int> restarts{0};
 
-    // Used by the thread while it is running.
+    // Used by the thread while it runs.
     RecorderOptions options;
     RecordingSetup setup;
     RecordingFileFactory makeFile;
@@ -103,11 +108,12 @@ struct Recorder::Worker {
     receive::Sample sample;
     std::optional<TriggerWatch> trigger;
     std::deque<std::pair<receive::Sample, std::uint64_t>>
-        kept;                   ///< samples before a trigger, each with its number of lost packages
+        kept;                   ///< samples before a trigger, each with the number of lost packages
     std::size_t unwritten = 0;  ///< samples since the last part
     std::uint64_t every = 1;
     std::uint64_t lastSequence = 0;
-    std::uint64_t dueSequence = 0;  ///< of the next row
+    double lastTime = -std::numeric_limits<double>::infinity();  ///< time stamp of the controller [s]
+    std::uint64_t dueSequence = 0;                               ///< sequence number of the next row
     std::uint64_t missingBefore = 0;
     std::int64_t firstNs = 0;
     std::int64_t lastNs = 0;
@@ -134,7 +140,7 @@ struct Recorder::Worker {
         return write(RecordingEncoder::Close::WhenDue);
     }
 
-    /// Writes the data available so far. On failure, truncates the file to its last complete row.
+    /// Writes the data available so far. On failure, the file is truncated to its last complete row.
     Result<void> write(RecordingEncoder::Close how) {
         unwritten = 0;
         const RecordedPart part = encoder->take(how);
@@ -182,6 +188,7 @@ struct Recorder::Worker {
         const std::uint64_t missing = lastSequence == 0 ? 0 : overrun + sample.lostBefore;
         lastSequence = sample.sequence;
         missingBefore += missing;
+        noteRestart();
         if (trigger) {
             return takeTriggered();
         }
@@ -190,6 +197,19 @@ struct Recorder::Worker {
             encode(sample, std::exchange(missingBefore, 0));
         }
         return {};
+    }
+
+    /// The number of packages that were missed during a restart is unknown, so it is an event, not a gap.
+    void noteRestart() {
+        const double time = receive::RobotState(sample).timestamp();
+        if (time < lastTime) {
+            ++restarts;
+            if (file) {
+                encoder->add(RecordedNote{sample.hostTimeNs + steadyToUtc, kRestartLevel, kRestartSource,
+                                          restartText(lastTime, time)});
+            }
+        }
+        lastTime = time;
     }
 
     Result<void> takeTriggered() {
@@ -291,7 +311,7 @@ struct Recorder::Worker {
                 }
             }
             if (result && file && now >= syncDue && !last) {
-                // Errors of written data may only be reported here or when closing.
+                // Write errors may be reported only here or when closing.
                 result = file->sync();
                 syncDue = now + kSyncEvery;
             }
@@ -299,7 +319,7 @@ struct Recorder::Worker {
                 if (result && file) {
                     result = finishFile();
                 } else if (file) {
-                    static_cast<void>(file->close());  // the first error is reported
+                    static_cast<void>(file->close());  // only the first error is reported
                 }
                 freeBytes = freeBytesFor(options.path);
                 end(result);
@@ -423,6 +443,7 @@ RecorderProgress Recorder::progress() const {
     progress.bytes = current->bytes;
     progress.freeBytes = current->freeBytes;
     progress.files = current->files;
+    progress.restarts = current->restarts;
     return progress;
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Records robot data to a file, one row per package (or per n packages), in a selectable format. The default is
-// CSV:
-// `timestamp` first, then one column per number with the names of ur_rtde recordings (actual_q_0 ... actual_q_5),
-// and
-// `packages_lost` last: the number of packages missing before this row (0 in a recording without gaps). Numbers are
-// the shortest that read back exactly, with a decimal point in all locales; fields that the robot does not have are
-// empty, which pandas reads as NaN.
+// Records robot data to a file in a selectable format, with one row per package (or per n packages).
 //
-// Complete rows are written at least every half second, so that a killed process loses less than a second and the
-// file ends with a complete row.
+// The default format is CSV. Its first column is `timestamp`, followed by one column per number with the
+// names of ur_rtde recordings (actual_q_0 ... actual_q_5). The last column, `packages_lost`, is the number of
+// packages missing before this row (0 in a recording without gaps). Numbers are written as the shortest text
+// that converts back exactly, with a decimal point in all locales. Fields that the robot does not have are
+// empty; pandas reads them as NaN.
+//
+// Complete rows are written at least every half second. If the process is killed, less than a second of data
+// is lost, and the file ends with a complete row.
 
 #include <QString>
 #include <cstdint>
@@ -33,7 +33,7 @@ using tiller::operator<<;  // makes the enumerations below printable
 
 class RecordingFile;
 
-/// The fields that ur_rtde records. Default of the command line for CSV files.
+/// Fields recorded by ur_rtde. Default of the command-line tool for CSV files.
 std::vector<std::string> defaultRecordedFields();
 
 /// Name of the last column.
@@ -44,16 +44,17 @@ struct RecorderOptions {
     /// Field names; the receiver must have subscribed to all of them. Empty: all fields of the receiver.
     /// `timestamp` is always the first column.
     std::vector<std::string> fields{};
-    bool asGiven = false;  ///< exactly these fields in this order, without timestamp and packages_lost
+    bool asGiven = false;  ///< record exactly these fields in this order, without timestamp and packages_lost
     /// Record every n-th package, 1 or more. Skipped packages do not count as lost.
     int every = 1;
-    /// Null: CSV, which is not accepted for a path that ends in .mcap, .h5 or .hdf5. formatForPath() in
-    /// recording/formats/open_recording.h selects the format by the end of the path.
+    /// Null: CSV. A path that ends in .mcap, .h5 or .hdf5 is refused in this case. formatForPath() in
+    /// recording/formats/open_recording.h selects the format by the file name extension.
     std::shared_ptr<const RecordingFormat> format{};
-    /// Waits for the trigger and writes numbered files, see numberedPath(). Empty: writes one file, starting
-    /// immediately.
+    /// If set, the recorder waits for the trigger and writes numbered files: see numberedPath(). Empty: the
+    /// recorder writes one file and starts immediately.
     std::optional<RecordingTrigger> trigger{};
-    /// Ends with DiskFull if less free space would remain on the disk [bytes]; 0: when the disk is full.
+    /// Minimum free space on the disk [bytes]; the recording ends with DiskFull below it. 0: the recording
+    /// ends when the disk is full.
     std::int64_t keepFree = 0;
 };
 
@@ -62,21 +63,22 @@ enum class RecorderState {
     Recording,
     Waiting,   ///< waiting for the trigger
     Finished,  ///< stopped; the file is complete and synced
-    Failed,    ///< see error(); data written before are kept
+    Failed,    ///< see error(); data written earlier are kept
 };
 
 struct RecorderProgress {
     RecorderState state = RecorderState::Idle;
-    std::uint64_t rows = 0;      ///< written to the file
-    double seconds = 0;          ///< from the first row to the last, on the receiver's clock
-    std::uint64_t lost = 0;      ///< packages missing in the file for any reason
+    std::uint64_t rows = 0;      ///< rows written to the file
+    double seconds = 0;          ///< time from the first row to the last, on the receiver's clock
+    std::uint64_t lost = 0;      ///< packages missing in the file, for any reason
     std::int64_t bytes = 0;      ///< size of the file
     int files = 0;               ///< number of files started
-    std::int64_t freeBytes = 0;  ///< on the disk of the file, updated about once per second
+    int restarts = 0;            ///< of the controller during the recording: its time jumped back
+    std::int64_t freeBytes = 0;  ///< free space on the disk of the file, updated about once per second
 };
 
 /// Owns the thread "tiller-record" (normal priority), which writes a subscription to the file.
-/// Threads  start() and stop() from one thread, the rest from any
+/// Threads  start() and stop(): one thread. All others: any
 class Recorder {
 public:
     Recorder();
@@ -89,22 +91,22 @@ public:
     /// Creates the file (an existing file is replaced), writes the header and starts with the next package.
     /// Errors   FileNotWritable (also while another recording writes to the file), DiskFull; FieldUnknown
     ///          with each field that the receiver does not receive (no file is created, and an existing file
-    ///          is unchanged); InvalidArgument (a recording is in progress, or the path ends as for another
-    ///          format)
+    ///          is unchanged); InvalidArgument (a recording is in progress, or the path has the extension of
+    ///          another format)
     /// Blocks   until the file system has created the file
     Result<void> start(const RecorderOptions& options, receive::Subscription subscription,
                        std::shared_ptr<const receive::SampleLayout> layout);
     /// As above, with a new subscription.
     Result<void> start(const RecorderOptions& options, const receive::Receiver& receiver);
-    /// Writes the remaining rows, syncs and closes the file. The state is Finished only if all steps succeeded; it
-    /// is Failed if a disk or share lost data that it had accepted.
+    /// Writes the remaining rows, then syncs and closes the file. The state is Finished only if all steps
+    /// have succeeded. It is Failed if a disk or share lost data that it had accepted.
     void stop();
 
     /// Adds a note if the format supports it. Threads: any
     void note(const RecordedNote& note);
 
-    RecorderProgress progress() const;  ///< rows, seconds and lost are totals of all files. Threads: any
-    /// The reason for a failure: DiskFull, FileNotWritable; otherwise code None.
+    RecorderProgress progress() const;  ///< Rows, seconds and lost are totals of all files. Threads: any
+    /// Reason for a failure: DiskFull or FileNotWritable; otherwise code None.
     Error error() const;
     QString path() const;  ///< Path of the current or last file.
 
@@ -113,7 +115,7 @@ private:
     std::shared_ptr<Worker> worker() const;
 
     std::function<std::unique_ptr<RecordingFile>()> files_;
-    mutable std::mutex mutex_;  ///< protects the pointer: each recording has a new worker
+    mutable std::mutex mutex_;  ///< protects the pointer, because each recording has a new worker
     std::shared_ptr<Worker> d_;
 };
 

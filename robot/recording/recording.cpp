@@ -40,7 +40,7 @@ Result<QByteArray> Recording::attachment(const QString& name) const {
 
 Result<std::vector<ColumnSummary>> Recording::summaries(std::span<const std::size_t> wanted, RowRange range,
                                                         std::uint64_t blocks) const {
-    constexpr std::uint64_t kAtOnce = 65536;  // rows in memory
+    constexpr std::uint64_t kAtOnce = 65536;  // number of rows kept in memory
     const std::uint64_t each = std::max<std::uint64_t>(1, range.count / std::max<std::uint64_t>(blocks, 1));
     std::vector<Summarizer> summarizers;
     for (std::size_t i = 0; i < wanted.size(); ++i) {

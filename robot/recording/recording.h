@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A recording in a file of any format: columns of numbers over a common time axis. Data are loaded on demand, so
-// that long recordings open immediately; summaries of many rows are read from the file if it contains them.
+// A recording in a file of any format, with columns of numbers over a common time axis. Data are loaded on
+// demand, so that long recordings open immediately. Summaries of many rows are read from the file if it
+// contains them.
 
 #include <QByteArray>
 #include <QString>
@@ -22,7 +23,7 @@ namespace tiller::recording {
 struct RecordedColumn {
     std::string name;  ///< as in the header of a CSV recording, e.g. "actual_q_0", "robot_mode"
     std::string unit;  ///< e.g. "rad"; empty: none or unknown
-    /// Counts, bit fields and enumerations: exact integers, without a meaningful mean.
+    /// True for counts, bit fields and enumerations: exact integers without a meaningful mean.
     bool whole = false;
 };
 
@@ -43,7 +44,7 @@ struct RecordedGap {
 struct RecordedEvent {
     double seconds = 0;  ///< on the time axis of the recording; negative: before the first row
     int level = 20;      ///< as in rcl_interfaces/Log: 10 debug, 20 info, 30 warning, 40 error, 50 fatal
-    QString source{};    ///< origin, e.g. "operator", "controller"; "note" for a note of the operator
+    QString source{};    ///< origin, e.g. "operator", "controller"; "note" for an operator's note
     QString text{};
 };
 
@@ -62,7 +63,8 @@ struct TimeMark {
     double seconds = 0;  ///< since the first row
 };
 
-/// Threads  one at a time. Errors of all calls that read: FileNotReadable, FileCorrupt
+/// Threads  one at a time
+/// Errors   of all calls that read data: FileNotReadable, FileCorrupt
 class Recording {
 public:
     virtual ~Recording() = default;
@@ -74,7 +76,7 @@ public:
     virtual std::uint64_t rows() const = 0;                             ///< Number of rows, without headers.
     virtual const std::vector<RecordedGap>& gaps() const = 0;           ///< In row order.
     virtual const std::vector<RecordedEvent>& events() const;           ///< In time order.
-    /// Usual interval of rows [s]; 0 if unknown.
+    /// Usual interval between rows [s]; 0 if unknown.
     virtual double period() const = 0;
     /// Time of the first row [ns since 1970, UTC]; empty if not in the file.
     virtual std::optional<std::int64_t> startUtcNs() const;
@@ -82,22 +84,22 @@ public:
     virtual const std::map<std::string, std::string>& facts() const;
     virtual QStringList attachments() const;                           ///< Names of attached files.
     virtual Result<QByteArray> attachment(const QString& name) const;  ///< Content of an attached file.
-    /// One sentence per part that could not be read, with the reason; empty: none.
+    /// One sentence with the reason for each part that could not be read; empty: no problems.
     virtual const QStringList& problems() const = 0;
 
-    /// Seconds since the first row, in ascending order, for existing rows.
+    /// Times of these rows since the first row [s], in ascending order.
     virtual Result<std::vector<double>> times(RowRange rows) const = 0;
     /// One vector per requested column. NaN: not sent by the robot, or an empty cell.
     virtual Result<std::vector<std::vector<double>>> read(std::span<const std::size_t> columns,
                                                           RowRange rows) const = 0;
-    /// At least `blocks` blocks if there are enough rows, and at most sixteen times as many. The first block may
-    /// begin before the range and the last may end after it.
+    /// Returns at least `blocks` blocks if there are enough rows, and at most sixteen times as many. The
+    /// first block may begin before the range, and the last may end after it.
     virtual Result<std::vector<ColumnSummary>> summaries(std::span<const std::size_t> columns, RowRange rows,
                                                          std::uint64_t blocks) const;
-    /// Number of rows per summary, for each level stored for all or most rows, finest first; empty: summaries()
-    /// reads the rows.
+    /// Number of rows per summary for each level that is stored for all or most rows, finest first. Empty:
+    /// summaries() reads the rows.
     virtual std::vector<std::uint64_t> summaryRows() const { return {}; }
-    /// The times of some rows, including the first and the last, without reading the rows; accurate to a few
+    /// Times of some rows, including the first and the last, without reading the rows. Accurate to a few
     /// milliseconds. Rows between two marks are evenly spaced unless packages are missing.
     virtual Result<std::vector<TimeMark>> timeMarks() const;
     /// The last row at or before this time; 0 before the first row.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The file format of a recorder: a format creates an encoder for each file, and the encoder converts samples to
-// bytes. CSV is included here; formats that need other libraries are in separate folders.
+// The file format of a recorder. A format creates an encoder for each file, and the encoder converts samples
+// to bytes. CSV is included here. Formats that need other libraries are in separate folders.
 
 #include <cstdint>
 #include <memory>
@@ -15,7 +15,7 @@
 
 namespace tiller::recording {
 
-/// `source` of a note of the operator, as opposed to a line of the log.
+/// `source` of an operator's note, to distinguish it from a line of the log.
 inline constexpr const char* kNoteSource = "note";
 
 /// A line of the log or a note added during a recording.
@@ -37,23 +37,24 @@ struct RecordedPart {
 class RecordingEncoder {
 public:
     enum class Close {
-        WhenDue,  ///< data up to a boundary at which the file may end, now or within half a second
+        WhenDue,  ///< data up to a point where the file may end, now or within half a second
         Last,     ///< all data and the end of the file
     };
     virtual ~RecordingEncoder() = default;
 
-    /// utcNs  time of reception [ns since 1970]
+    /// utcNs  time of arrival [ns since 1970]
     virtual void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) = 0;
     virtual void add(const RecordedNote& note) = 0;  ///< Ignored by formats without notes.
-    /// Complete rows only, so that a file ending after them is readable. The first part includes the header.
+    /// Returns complete rows only, so that a file ending after them is readable. The first part includes the
+    /// header.
     virtual RecordedPart take(Close how) = 0;
-    /// Usable length of a partially written part, with its rows.
+    /// Returns the usable length of a partially written part, and the rows it contains.
     virtual std::size_t keepOf(std::string_view written, std::uint64_t& rows) const = 0;
 };
 
 struct RecordingSetup {
     std::shared_ptr<const receive::SampleLayout> layout;
-    std::vector<std::string> fields;  ///< all of them in the layout
+    std::vector<std::string> fields;  ///< fields to record, all in the layout
     bool asGiven = false;
 };
 
@@ -65,7 +66,7 @@ public:
     virtual std::unique_ptr<RecordingEncoder> encoder(const RecordingSetup& setup) const = 0;
 };
 
-/// Text, as described in recorder.h.
+/// CSV format, as described in recorder.h.
 std::shared_ptr<const RecordingFormat> csvFormat();
 
 }  // namespace tiller::recording

@@ -7,6 +7,7 @@
 
 #include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/ranges.h"
+#include "robot/recording/detail/restart_note.h"
 #include "robot/recording/recorder.h"
 
 namespace tiller::recording {
@@ -14,7 +15,7 @@ namespace tiller::recording {
 namespace {
 
 constexpr double kUsualPeriod = 0.002;  // [s]
-// Number of rows used to determine their usual interval.
+// Number of rows used to determine the usual interval.
 constexpr std::size_t kRowsForPeriod = 1000;
 
 /// Median of the intervals; 0 if there are none.
@@ -55,6 +56,7 @@ void TableRecording::findTimes() {
     period_ = medianStep(stamps);
     double shift = 0;
     double previous = 0;
+    double last = 0;  // time stamp of the robot
     bool first = true;
     for (std::size_t i = 0; i < rowCount; ++i) {
         double time = previous;
@@ -63,9 +65,12 @@ void TableRecording::findTimes() {
                 shift = -stamps[i];
                 first = false;
             } else if (stamps[i] + shift < previous) {
-                shift = previous + period_ - stamps[i];  // the robot's clock was reset
+                shift = previous + period_ - stamps[i];
+                events_.push_back({previous + period_, kRestartLevel, QLatin1String(kRestartSource),
+                                   restartText(last, stamps[i])});
             }
             time = stamps[i] + shift;
+            last = stamps[i];
         }
         times_[i] = time;
         previous = time;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A recording with all numbers in memory, such as a text file.
+// A recording with all values in memory, e.g. read from a text file.
 
 #include <utility>
 
@@ -9,7 +9,7 @@
 
 namespace tiller::recording {
 
-/// The content of a table. `columns` corresponds to `values`; all columns have the same length.
+/// Content of a table. `columns` describes `values`; all columns have the same length.
 struct RecordedTable {
     QString path{};
     QString format{};
@@ -18,9 +18,10 @@ struct RecordedTable {
     QStringList problems{};
 };
 
-/// The time axis is the column `timestamp`, or the first one named time, seconds or t; otherwise rows are assumed
-/// to be 2 ms apart. If the clock was reset, time continues from its last value. Gaps are taken from the column
-/// `packages_lost`, or detected where two rows are more than one and a half periods apart.
+/// The time axis is the column `timestamp`, or the first column named time, seconds or t. Without such a
+/// column, rows are assumed to be 2 ms apart. If the clock was reset, the time continues from its last value,
+/// and events() reports it. Gaps are taken from the column `packages_lost`, or detected where two rows are more
+/// than one and a half periods apart.
 class TableRecording : public Recording {
 public:
     explicit TableRecording(RecordedTable table);
@@ -30,6 +31,7 @@ public:
     const std::vector<RecordedColumn>& columns() const override { return table_.columns; }
     std::uint64_t rows() const override { return times_.size(); }
     const std::vector<RecordedGap>& gaps() const override { return gaps_; }
+    const std::vector<RecordedEvent>& events() const override { return events_; }
     double period() const override { return period_; }
     const QStringList& problems() const override { return table_.problems; }
     Result<std::vector<double>> times(RowRange rows) const override;
@@ -44,6 +46,7 @@ private:
     RecordedTable table_;
     std::vector<double> times_;
     std::vector<RecordedGap> gaps_;
+    std::vector<RecordedEvent> events_;
     double period_ = 0;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Automatic start and end of a recording: a condition on one value of the package in text form, e.g.
-// "actual_TCP_force_2 > 20", "robot_mode = 7", "actual_digital_input_bits:3 = 1", "runtime_state changes".
+// Starts and ends a recording automatically. The trigger is a condition on one value of the package, in text
+// form: e.g. "actual_TCP_force_2 > 20", "robot_mode = 7", "actual_digital_input_bits:3 = 1", "runtime_state
+// changes".
 
 #include <cstdint>
 #include <deque>
@@ -19,7 +20,7 @@ struct RecordingTrigger {
     enum class When { Above, Below, Equal, Unequal, Changes };
 
     std::string column = {};  ///< e.g. "actual_TCP_force_2"
-    int bit = -1;             ///< bit number; -1: the whole number
+    int bit = -1;             ///< bit number; -1: the whole value
     When when = When::Above;
     double value = 0;
     double before = 0;  ///< recorded time before the trigger [s], 0 to 60
@@ -37,15 +38,15 @@ struct RecordingTrigger {
 class TriggerWatch {
 public:
     enum class Verdict {
-        Keep,   ///< keep it for the time before a trigger
-        Begin,  ///< start with the kept samples and this one
+        Keep,   ///< keep the sample for the time before a trigger
+        Begin,  ///< start with the stored samples and this one
         Write,
         End,  ///< end before this sample
     };
     /// Errors   FieldUnknown: the trigger's column is not in the layout
     static Result<TriggerWatch> make(const RecordingTrigger& trigger, const receive::SampleLayout& layout);
 
-    /// A condition that is true for the first sample does not trigger; it has to become true later.
+    /// A condition that is true for the first sample does not trigger. It must become true later.
     Verdict add(const receive::Sample& sample);
 
 private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Requests, replies and text messages of the setup. They are rare and short, so these functions may allocate.
+// Requests, replies and text messages of the setup. They are infrequent and short, so these functions may
+// allocate.
 #include "robot/rtde/codec.h"
 
 #include <algorithm>
@@ -24,8 +25,9 @@ Error wrongSize(PackageType type, std::size_t expected, std::size_t got) {
     return malformed(type, QStringLiteral("payload of %1 bytes instead of %2").arg(got).arg(expected));
 }
 
-/// Appends a package around the bytes that `fill` appends, and sets its size. A payload too large for the size
-/// field is truncated: no caller produces one, and a wrong size would corrupt the stream permanently.
+/// Appends a package whose payload is appended by `fill`, and sets the package size. A payload too large for
+/// the size field is truncated. No caller produces such a payload, and a wrong size would corrupt the stream
+/// permanently.
 template <class Fill>
 void writePackage(Bytes& out, PackageType type, Fill fill) {
     const std::size_t start = out.size();
@@ -130,7 +132,7 @@ Result<TextMessage> readLongText(ByteView payload) {
         }
         const std::size_t length = payload[at++];
         if (length > payload.size() - at) {
-            return malformed(kType, QStringLiteral("announces %1 characters, but %2 are left")
+            return malformed(kType, QStringLiteral("declares %1 characters, but only %2 remain")
                                         .arg(length)
                                         .arg(payload.size() - at));
         }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Encodes and decodes the packages of the handshake and the text messages, for both ends of an RTDE connection
-// and both protocol versions. splitter.h splits a stream into packages; values.h reads and writes data packages.
-// The functions have no socket and no state, and validate every length they read. All numbers are big-endian.
-// Source: RTDE guide.
+// Encodes and decodes the packages of the handshake and the text messages, for both ends of an RTDE
+// connection and both protocol versions. splitter.h splits a stream into packages; values.h reads and writes
+// data packages. The functions perform no I/O, keep no state, and validate every length they read. All
+// numbers are big-endian. Source: RTDE guide.
 
 #include <cstdint>
 #include <span>
@@ -32,7 +32,7 @@ struct TextMessage {
 // ---- setup
 // -------------------------------------------------------------------------------------------------
 
-/// The controller's answer for one requested field.
+/// The controller's reply for one requested field.
 struct FieldAnswer {
     enum class Kind : std::uint8_t { Type, NotFound, InUse };
     Kind kind = Kind::Type;
@@ -50,7 +50,7 @@ struct SetupOutputsRequest {
 };
 
 struct SetupReply {
-    /// 0: invalid; version 1 outputs carry no id and read as 1 (0 if a field is missing)
+    /// 0: invalid. Outputs of version 1 contain no id; their id is set to 1 (0 if a field is missing).
     std::uint8_t recipeId = 0;
     std::vector<FieldAnswer> fields;
 };
@@ -110,8 +110,8 @@ std::vector<std::string> readPropertiesRequest(ByteView payload);
 // ---- payloads a client reads
 // -------------------------------------------------------------------------------
 
-/// Reads the one-byte answer to protocol, start and pause requests.
-/// type  appears in the error message only
+/// Reads the one-byte reply to protocol, start and pause requests.
+/// type  only used in the error message
 Result<bool> readAccepted(ByteView payload, PackageType type);
 Result<SoftwareVersion> readVersionReply(ByteView payload);                           ///< Package type 118.
 Result<SetupReply> readSetupOutputsReply(ByteView payload, ProtocolVersion version);  ///< Package type 79.

@@ -30,7 +30,7 @@ struct Connection::State {
     QString peer;
     mutable std::mutex errorMutex;
     Error error;    ///< protected by the mutex
-    Bytes replies;  ///< bytes that the session wants to send
+    Bytes replies;  ///< bytes that the session has to send
     // The data package being sent. Bytes remain here only while the peer is not reading.
     std::array<std::uint8_t, kMaxPackageSize> outgoing{};
     std::size_t outgoingBegin = 0;
@@ -45,7 +45,7 @@ struct Connection::State {
         }
     }
 
-    // When a connection breaks, the reader and the writer can both detect it.
+    // When a connection breaks, both the reader and the writer may detect it.
     void failWith(ErrorCode code, const QString& what) { keep({code, peer, what}); }
     void keep(const Error& reason) {
         const std::lock_guard lock(errorMutex);
@@ -109,7 +109,8 @@ struct Connection::State {
             if (auto sent = sendReplies(deadline); !sent) {
                 return sent;
             }
-            // Stop as soon as `done` is true: the remaining bytes in the buffer are data for the caller.
+            // Stop as soon as `done` is true, because the remaining bytes in the buffer are data for the
+            // caller.
             while (!done() && !session.isFailed()) {
                 const auto package = splitter.next();
                 if (!package) {
@@ -158,7 +159,7 @@ Result<std::unique_ptr<Connection>> Connection::open(const ConnectionOptions& op
     if (!socket) {
         Error error = socket.error();
         if (error.code == ErrorCode::Timeout) {
-            error.code = ErrorCode::HostUnreachable;  // Timeout is reserved for hosts that were reached.
+            error.code = ErrorCode::HostUnreachable;  // Timeout is only used if the host was reached.
         }
         return error;
     }
@@ -251,7 +252,7 @@ Connection::Read Connection::readWire(ByteView& wire, nanoseconds atMost,
         if (timeIsUp) {
             return Read::Nothing;
         }
-        // Waiting first costs two system calls per package; reading first would cost three.
+        // Waiting before reading costs two system calls per package; the opposite order would cost three.
         if (!onlyLook) {
             const auto left = end - std::chrono::steady_clock::now();
             if (left.count() <= 0 || !native_socket::waitReadable(d.socket, left, waker)) {
@@ -285,7 +286,7 @@ Connection::Send Connection::sendInputs(std::size_t recipe, std::span<const doub
     if (d.socket == kNoSocket || recipe >= recipes.size() || !recipes[recipe].isValid()) {
         return Send::Failed;
     }
-    // The rest of an earlier package has to be sent first to keep the stream intact.
+    // The remaining bytes of an earlier package have to be sent first to keep the stream intact.
     Status status = d.flush();
     if (status == Status::Ok) {
         d.outgoingEnd = writeDataPackage(d.outgoing, recipes[recipe].id(), recipes[recipe].layout(), values);
@@ -294,7 +295,8 @@ Connection::Send Connection::sendInputs(std::size_t recipe, std::span<const doub
         }
         status = d.flush();
         if (status == Status::WouldBlock) {
-            // If no byte of the package was sent, drop it. Otherwise the rest follows with the next package.
+            // If no byte of the package was sent, drop the package. Otherwise the remaining bytes are sent
+            // with the next package.
             const bool begun = d.outgoingBegin > 0;
             if (!begun) {
                 d.outgoingEnd = 0;

@@ -2,8 +2,8 @@
 #pragma once
 
 // An RTDE connection: opens a native socket, runs the handshake within a deadline, and then transfers data
-// packages without allocating. It has no thread: one thread reads, and one thread at a time may send. The
-// destructor closes the socket immediately, whatever state the peer is in.
+// packages without allocating. The class starts no threads: one thread reads, and one thread at a time may
+// send. The destructor closes the socket immediately, regardless of the state of the peer.
 
 #include <QString>
 #include <chrono>
@@ -30,8 +30,8 @@ class Connection {
 public:
     /// Connects and performs the handshake.
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, ConnectionClosed, Timeout, Cancelled,
-    ///          ProtocolError, FieldUnknown (the controller has none of the outputs), RegisterInUse, Rejected;
-    ///          the context names host and port
+    ///          ProtocolError, FieldUnknown (the controller has none of the outputs), RegisterInUse,
+    ///          Rejected; the context contains host and port
     /// Threads  any. Blocks: until the deadline at most. Real-time: no
     static Result<std::unique_ptr<Connection>> open(const ConnectionOptions& options,
                                                     const Deadline& deadline);
@@ -39,7 +39,7 @@ public:
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    const SoftwareVersion& version() const;     ///< Software version of the controller.
+    const SoftwareVersion& version() const;
     ProtocolVersion protocol() const;           ///< V2, or V1 with old software.
     const Recipe& outputs() const;              ///< The output recipe as accepted by the controller.
     const std::vector<Recipe>& inputs() const;  ///< The input recipes as accepted by the controller.
@@ -49,7 +49,7 @@ public:
     double period() const;
     /// Address for messages, e.g. "192.168.0.10:30004".
     const QString& peer() const;
-    native_socket::Descriptor descriptor() const;  ///< Descriptor of the socket.
+    native_socket::Descriptor descriptor() const;
 
     enum class Read {
         Package,   ///< the values were filled
@@ -58,8 +58,9 @@ public:
         Failed,    ///< the connection failed
         Malformed  ///< the received bytes are not RTDE; see error()
     };
-    /// Waits for the next data package and decodes it. Packages of other types are consumed; text messages are
-    /// kept in session(). With a zero time the function only checks for received packages.
+    /// Waits for the next data package and decodes it. Packages of other types are consumed; text messages
+    /// are stored in session(). With a zero time, the function only checks for packages that have already
+    /// arrived.
     /// values   at least outputs().size() numbers
     /// waker    may end the wait early; the result is then Nothing
     /// Blocks: atMost. Real-time: yes (two system calls per package)
@@ -69,7 +70,7 @@ public:
     /// wire  set to the bytes that decodeEach() reads with outputs().layout(); valid until the next call
     Read readWire(ByteView& wire, std::chrono::nanoseconds atMost,
                   const native_socket::EventFd* waker = nullptr);
-    /// Returns  true if another package has already been received, so that readPackage() will not block
+    /// Returns true if another package has already been received, so that readPackage() will not block.
     bool hasPackage() const;
 
     enum class Send {
@@ -87,7 +88,7 @@ public:
     /// Errors   Timeout, Cancelled, ConnectionClosed, Rejected, ProtocolError
     /// Blocks: until the deadline
     Result<void> start(const Deadline& deadline);
-    /// Stops the data packages until start(). Errors as start().
+    /// Stops the data packages until start(). Errors as for start().
     Result<void> pause(const Deadline& deadline);
 
     /// Closes the socket. Later reads and sends fail. Blocks: never

@@ -60,7 +60,7 @@ private:
     }
 
     /// direction  of the transmission
-    /// registers  whether input or output registers
+    /// registers  whether input or output registers are described
     void addRegisters(std::vector<Field>& into, Direction direction, Direction registers) {
         const Since lowBits = registers == Direction::Output ? Since{} : kSince34;
         add(into, direction, std::string(prefix(registers)) + "bit_registers0_to_31", DataType::UInt32,
@@ -103,7 +103,7 @@ bool Field::isAvailableOn(const SoftwareVersion& version) const {
 }
 
 bool Field::isListedOn(const SoftwareVersion& version) const {
-    // The software of the clients whose tables list the undocumented fields.
+    // Software versions of the clients whose tables list the undocumented fields.
     const SoftwareVersion listed =
         version.isPolyScopeX() ? SoftwareVersion{10, 12, 0, 0} : SoftwareVersion{5, 25, 0, 0};
     return isAvailableOn(version) && (since.confirmed || version >= listed);

@@ -2,9 +2,9 @@
 #pragma once
 
 // The catalogue of RTDE fields: all outputs a controller can send and all inputs a client can set, with type,
-// unit, description and the first software version. The catalogue is informative; whether a given robot has a field
-// is decided by its setup reply.
-// Source: RTDE guide. Additions of newer software are marked as unconfirmed.
+// unit, description and the first software version. The catalogue is informative; the setup reply of a robot
+// determines whether it has a field. Source: RTDE guide. Fields added by newer software are marked as
+// unconfirmed.
 
 #include <cstdint>
 #include <span>
@@ -41,19 +41,20 @@ struct Field {
     std::size_t components() const {
         return componentCount(type);
     }  ///< Number of values in the field: 1, 3 or 6.
-    /// Compares with the first and last software version of the field.
+    /// Compares `version` with the first and last software version of the field.
     bool isAvailableOn(const SoftwareVersion& version) const;
-    /// The same with the latest first version that sources allow, where it is not documented.
+    /// Like the function above, but if the first version is not documented, uses the latest one consistent
+    /// with the sources.
     bool isListedOn(const SoftwareVersion& version) const;
 };
 
-/// All outputs: first the single fields, then the registers in ascending order. The span stays valid for the
-/// whole program.
+/// All outputs: first the single fields, then the registers in ascending order. The span remains valid until
+/// the program ends.
 /// Threads  any
 std::span<const Field> outputFields();
 std::span<const Field> inputFields();  ///< All inputs, in the same order.
 
-/// Looks a name up; case-sensitive, like the controller.
+/// Finds an output by name. Case-sensitive, like the controller.
 /// Returns  null if there is no such field
 /// Threads  any. Real-time: yes (one hash look-up) after the first call
 const Field* findOutput(std::string_view name);
@@ -70,7 +71,7 @@ std::string componentName(std::string_view field, DataType type, std::size_t com
 // Ranges of the general purpose registers. Source: RTDE guide.
 inline constexpr int kRegisterCount = 48;  ///< integers 0..47 and doubles 0..47
 inline constexpr int kBitRegisterCount =
-    128;  ///< bits 0..63 only in two packed words, 64..127 only individually
+    128;  ///< bits 0..63 only in two packed integers, 64..127 only individually
 inline constexpr int kFirstUpperRegister = 24;
 inline constexpr int kFirstSingleBitRegister = 64;
 

@@ -22,7 +22,7 @@ using ByteView = std::span<const std::uint8_t>;
 
 inline constexpr std::uint16_t kPort = 30004;
 
-/// Size (2 bytes, including the header) and type (1 byte) precede every payload.
+/// Size of the header that precedes every payload: package size (2 bytes, header included) and type (1 byte).
 inline constexpr std::size_t kHeaderSize = 3;
 /// Largest value of the size field [bytes].
 inline constexpr std::size_t kMaxPackageSize = 65535;

@@ -25,7 +25,7 @@ struct RecipeField {
 class Recipe {
 public:
     Recipe() = default;
-    /// requested, answers  of equal length; fields answered without a type become absent
+    /// requested, answers  must have equal length; fields answered without a type become absent
     Recipe(std::uint8_t id, const std::vector<std::string>& requested,
            const std::vector<FieldAnswer>& answers);
 
@@ -41,11 +41,10 @@ public:
     /// Number of values in one package.
     std::size_t size() const { return layout_.components(); }
 
-    /// Returns  null if the recipe does not contain the field
+    /// Returns null if the recipe does not contain the field.
     const RecipeField* find(std::string_view name) const;
     /// Index of the field's first number in the values; empty if the robot does not have the field.
     std::optional<std::size_t> indexOf(std::string_view name) const;
-    /// Returns  true if the recipe contains the field
     bool has(std::string_view name) const { return find(name) != nullptr; }
 
 private:

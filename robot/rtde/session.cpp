@@ -33,7 +33,8 @@ void Session::begin(Bytes& out) {
     for (const auto* list : lists) {
         if (joinNames(*list).size() > kMaxNameListSize) {
             fail(ErrorCode::InvalidArgument,
-                 QStringLiteral("a list of %1 RTDE fields is longer than the %2 bytes a controller takes")
+                 QStringLiteral(
+                     "a list of %1 RTDE fields is longer than the %2 bytes that a controller accepts")
                      .arg(list->size())
                      .arg(kMaxNameListSize));
             return;
@@ -52,7 +53,7 @@ void Session::handle(const PackageView& package, Bytes& out) {
             keepText(package);
             return;
         case PackageType::Data:
-            // The first data package can overtake the reply to START.
+            // The first data package can arrive before the reply to START.
             if (state_ == State::Starting) {
                 state_ = State::Running;
             }
@@ -159,7 +160,7 @@ void Session::onProtocol(ByteView payload, Bytes& out) {
         writeProtocolRequest(out, askedProtocol_);
         return;
     }
-    // Version 1 was refused: it is the default of a connection without an agreed version.
+    // The controller refused version 1, which is the default of a connection without an agreed version.
     state_ = State::AskingVersion;
     writeVersionRequest(out);
 }
@@ -317,7 +318,7 @@ void Session::fail(ErrorCode code, const QString& context, const QString& messag
 void Session::keepText(const PackageView& package) {
     auto text = readControllerText(package.payload, protocol_);
     if (!text && protocol_ == ProtocolVersion::V2) {
-        // sent before version 2 was agreed on
+        // The message was sent before version 2 was agreed.
         text = readControllerText(package.payload, ProtocolVersion::V1);
     }
     if (!text) {

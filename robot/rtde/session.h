@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Client side of an RTDE connection as a state machine without I/O: it consumes packages and produces the bytes
-// to send. It negotiates protocol 2 (or 1), reads the controller version, sets up outputs and inputs (repeating the
-// request without the fields unknown to the robot), starts, pauses and resumes. Text messages and delayed data
-// packages may arrive in any state. Source: RTDE guide.
+// Client side of an RTDE connection as a state machine without I/O: it consumes packages and produces the
+// bytes to send. It negotiates protocol 2 (or 1), reads the controller version, sets up outputs and inputs,
+// and starts, pauses and resumes the data. If a field is unknown to the robot, the setup request is repeated
+// without the field. Text messages and delayed data packages may arrive in any state. Source: RTDE guide.
 
 #include <cstdint>
 #include <optional>
@@ -23,17 +23,17 @@ namespace tiller::rtde {
 struct InputRequest {
     std::vector<std::string> names;
     /// Behaviour if another client or a fieldbus uses one of the names: true fails the session with
-    /// RegisterInUse, false leaves only this recipe invalid (see Session::inUse).
+    /// RegisterInUse; false marks only this recipe as invalid (see Session::inUse).
     bool required = true;
 };
 
 struct SessionRequest {
     /// Requested outputs, in the order of the decoded values. Empty: no data packages.
     std::vector<std::string> outputs;
-    /// Packages per second; 0 requests the maximum of the controller. Clamped to 1 .. this maximum.
+    /// Packages per second, clamped to 1 ... the maximum of the controller. 0 requests this maximum.
     double frequency = 0;
     std::vector<InputRequest> inputs;
-    /// Sends START at the end of the handshake. Needs outputs; a session with inputs only does not start.
+    /// Sends START at the end of the handshake. Ignored without outputs.
     bool start = true;
 };
 
@@ -56,11 +56,11 @@ public:
 
     /// Appends the first request to `out`. All other functions also append the bytes to send to `out`.
     void begin(Bytes& out);
-    /// Processes any package, except a data package while running (the caller decodes those).
+    /// Processes any package, except for data packages while running, which the caller decodes.
     void handle(const PackageView& package, Bytes& out);
     /// Requests data packages. Allowed in Ready and Running; ignored otherwise.
     void start(Bytes& out);
-    void pause(Bytes& out);  ///< Requests a pause.
+    void pause(Bytes& out);
 
     State state() const { return state_; }
     bool isFailed() const { return state_ == State::Failed; }
@@ -70,9 +70,9 @@ public:
     /// The pending reply, for messages, e.g. "the reply to RTDE_GET_URCONTROL_VERSION".
     QString awaited() const;
 
-    ProtocolVersion protocol() const { return protocol_; }       ///< The negotiated protocol version.
-    const SoftwareVersion& version() const { return version_; }  ///< Software version of the controller.
-    const Recipe& outputs() const { return outputs_; }           ///< Recipe of the data packages.
+    ProtocolVersion protocol() const { return protocol_; }
+    const SoftwareVersion& version() const { return version_; }
+    const Recipe& outputs() const { return outputs_; }  ///< Recipe of the data packages.
     /// One recipe per InputRequest, in the same order; a refused recipe is invalid.
     const std::vector<Recipe>& inputs() const { return inputs_; }
     /// Names used by other clients, per input recipe.

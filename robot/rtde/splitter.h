@@ -18,7 +18,7 @@ struct PackageView {
     ByteView payload;
 };
 
-/// Splits a byte stream into packages, independent of its segmentation.
+/// Splits a byte stream into packages, regardless of how it is divided into segments.
 /// Threads  one at a time. Real-time: yes (the buffer is allocated once, at construction)
 class PackageSplitter {
 public:
@@ -31,8 +31,8 @@ public:
     /// limit  the largest package accepted [bytes, header included]
     explicit PackageSplitter(std::size_t limit = kMaxPackageSize);
 
-    /// Space for received bytes; never empty while there is no fault and packages are taken. Call commit() with
-    /// the number of bytes received. Invalidates earlier views.
+    /// Free space for received bytes. Never empty if there is no fault and all complete packages have been
+    /// taken. Call commit() with the number of bytes received. Invalidates earlier views.
     std::span<std::uint8_t> writable();
     void commit(std::size_t bytes);  ///< Marks `bytes` of the writable space as received.
 

@@ -13,7 +13,7 @@
 
 namespace tiller::rtde {
 
-/// The types of a recipe in order, with the totals that the codec needs.
+/// The types of a recipe in order, with the totals required by the codec.
 class ValueLayout {
 public:
     ValueLayout() = default;
@@ -93,12 +93,12 @@ std::size_t writeDataPackage(std::span<std::uint8_t> into, std::optional<std::ui
 
 /// The parts of a data package's payload.
 struct DataView {
-    std::uint8_t recipeId = 0;  ///< 0 for outputs in protocol version 1, which carry no id
+    std::uint8_t recipeId = 0;  ///< 0 for outputs in protocol version 1, which contain no id
     ByteView values;
 };
 /// Reads a package sent by the controller.
 std::optional<DataView> readOutputData(ByteView payload, ProtocolVersion version);
-/// Reads a package sent by a client; both protocol versions carry the recipe id.
+/// Reads a package sent by a client. Both protocol versions contain the recipe id.
 std::optional<DataView> readInputData(ByteView payload);
 
 }  // namespace tiller::rtde

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Messages of the controller on the primary interface: log lines, errors, popups, start and end of programs; and
-// the arm configuration reported there.
+// Messages that the controller sends on the primary interface (log lines, errors, popups, start and end of
+// programs), and the arm configuration received there.
 
 #include <QMetaType>
 #include <QString>
@@ -27,8 +27,8 @@ enum class MessageKind : std::uint8_t {
     SafetyMode,        ///< the safety mode changed
     ErrorCode,         ///< a numbered error, e.g. C209A0
     Key,               ///< a program started or stopped
-    RequestValue,      ///< a program waits for an input on the pendant
-    RuntimeException,  ///< a program could not be compiled, or failed at run time
+    RequestValue,      ///< a program is waiting for operator input on the pendant
+    RuntimeException,  ///< a program could not be compiled or failed at run time
     Other,             ///< unknown to this library
 };
 
@@ -47,7 +47,7 @@ struct ControllerMessage {
     int line = 0;  ///< for RuntimeException: 1-based, 0 = unknown
     int column = 0;
 
-    /// e.g. "C209A0" for an error code, otherwise empty.
+    /// Name of an error code, e.g. "C209A0"; otherwise empty.
     QString codeName() const;
 };
 

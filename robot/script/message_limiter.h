@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Limits the number of displayed controller messages. A program that opens popups or writes texts in a loop, or a
-// defective controller, can send more than a person can read and a window can lay out.
+// Limits the number of displayed controller messages. A defective controller, or a program that opens popups
+// or writes text in a loop, can send more messages than a person can read or a window can lay out.
 
 #include <array>
 #include <cstdint>
@@ -18,7 +18,7 @@ struct MessageLimits {
     double perSecond = 20;  ///< per kind, after the burst is used up [1/s]
 };
 
-/// One budget for each kind of message, so that a flood of popups hides no error.
+/// Each kind of message has its own budget, so that a flood of popups does not hide errors.
 /// Threads  one
 class MessageLimiter {
 public:
@@ -27,8 +27,8 @@ public:
     /// Removes the messages beyond the budget of their kind and keeps the order of the others.
     /// nowNs  monotonic time
     void limit(std::vector<ControllerMessage>& messages, std::int64_t nowNs);
-    /// Returns the number of messages removed since the last nonzero count, including those of setDropped().
-    /// Nonzero at most once per second; 0 in between.
+    /// Returns the number of messages removed since the last nonzero count, including those passed to
+    /// setDropped(). Nonzero at most once per second; 0 in between.
     std::uint64_t takeRemoved(std::int64_t nowNs);
     /// total  number of messages dropped by the source so far
     void setDropped(std::uint64_t total);

@@ -17,12 +17,12 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// A controller sends about 20 kB/s. Data beyond 100 times this rate remain in the TCP buffers and slow down the
-/// sender, so that a flood does not occupy a CPU.
+/// A controller sends about 20 kB/s. Data beyond 100 times this rate remain in the TCP buffers, which slows
+/// down the sender, so that a flood of data does not occupy a whole CPU.
 class ReadPace {
 public:
     void take(std::size_t bytes) { taken_ += bytes; }
-    /// Pause before the next read.
+    /// Returns the pause before the next read.
     milliseconds pause() {
         const auto now = std::chrono::steady_clock::now();
         if (now >= end_) {
@@ -88,7 +88,7 @@ void PrimaryClient::Private::run() {
     changed.notify_all();
 }
 
-// Returns the reason why the connection could not be opened, or ended.
+// Returns the reason why the connection could not be opened or has ended.
 Error PrimaryClient::Private::listen() {
     constexpr milliseconds kConnectTime(3000);
     auto socket = openTcpSocket(options.host, options.port, Deadline::after(kConnectTime, thread.cancel));
@@ -106,12 +106,12 @@ Error PrimaryClient::Private::listen() {
     PrimaryReader reader;
     ReadPace pace;
     std::uint64_t malformedBefore = 0;
-    // Short compared to the 20 ms within which a cancel takes effect.
+    // Short compared with the 20 ms within which cancellation takes effect.
     constexpr milliseconds kPoll(5);
     while (!thread.cancel.isCancelled()) {
         if (stopWanted.exchange(false, std::memory_order_acq_rel)) {
-            // The message is short enough for any working connection; failures of the connection are reported
-            // elsewhere.
+            // The message fits into the send buffer of any working connection. Connection failures are
+            // reported elsewhere.
             (void)sendStopProgram(descriptor);
         }
         const native_socket::Status status = reader.read(descriptor, kPoll, *options.clock);

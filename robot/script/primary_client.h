@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Receives the primary interface (port 30001): messages of the controller and the configuration of the arm.
+// Client of the primary interface (port 30001): receives controller messages and the configuration of the
+// arm.
 
 #include <QString>
 #include <memory>
@@ -21,11 +22,11 @@ struct PrimaryClientOptions {
     int port = 30001;
     const Clock* clock = &SteadyClock::shared();
     bool reconnect = true;            ///< with delays of 0.5, 1, 2, 5, 5 ... s
-    std::size_t maxMessages = 10000;  ///< buffered messages; beyond this the oldest are dropped and counted
+    std::size_t maxMessages = 10000;  ///< buffered messages; if exceeded, the oldest are dropped and counted
 };
 
-/// Owns one thread with normal priority; started by start(), ended by stop() or the destructor. The thread reads
-/// the socket; a mutex protects messages and states.
+/// Owns one thread with normal priority, started by start() and ended by stop() or the destructor. The thread
+/// reads the socket; a mutex protects messages and states.
 class PrimaryClient {
 public:
     explicit PrimaryClient(const PrimaryClientOptions& options);
@@ -38,24 +39,24 @@ public:
     void start();
     void stop();  ///< Ends the thread. No effect if it is not running.
 
-    /// Waits until the first robot state was received.
-    /// Errors   the reason for the missing connection: HostUnreachable, ConnectionRefused, Timeout ...
+    /// Waits for the first robot state.
+    /// Errors   the reason why there is no connection: HostUnreachable, ConnectionRefused, Timeout ...
     Result<void> waitForState(const Deadline& deadline) const;
     bool isConnected() const;
-    /// The reason for the missing connection; code None if connected or not yet tried.
+    /// The reason why there is no connection; code None if connected or if no attempt was made yet.
     Error connectionError() const;
 
-    /// Requests the thread to stop the running or paused program on the controller, within about 5 ms. Without
-    /// effect if there is no connection. Real-time: yes
+    /// Makes the thread stop the running or paused program on the controller within about 5 ms. No effect
+    /// without a connection. Real-time: yes
     void requestProgramStop();
 
-    /// All messages since the last call, oldest first.
+    /// Returns all messages since the last call, oldest first.
     std::vector<ControllerMessage> takeMessages();
     PrimaryState state() const;  ///< The newest state.
     /// Available after the first robot state of a connection.
     std::optional<RobotConfiguration> configuration() const;
-    std::uint64_t droppedMessages() const;  ///< Messages dropped because of a full buffer.
-    /// Skipped packages that violate the protocol.
+    std::uint64_t droppedMessages() const;  ///< Number of messages dropped because the buffer was full.
+    /// Number of packages skipped because they violate the protocol.
     std::uint64_t malformedPackages() const;
 
 private:

@@ -22,7 +22,7 @@ constexpr std::int64_t kAskForNs = 2 * kNsPerSecond;
 /// A controller reports a stop within two robot states, 100 ms apart.
 constexpr std::int64_t kAskAgainNs = 300 * kNsPerMs;
 constexpr milliseconds kConnectTime(1000);
-/// For the second connection of a stop; the existing one is not read meanwhile.
+/// For the second connection of a stop. The existing connection is not read while the second one is opened.
 constexpr milliseconds kSecondConnectTime(300);
 
 void closeIfOpen(Descriptor socket) {
@@ -45,13 +45,13 @@ struct ProgramStopper::Private {
     bool renew = false;      ///< close this connection and open a new one
     Error connectionError;
     bool asked = false;
-    bool sent = false;    ///< on this connection
+    bool sent = false;    ///< the request was sent on this connection
     bool second = false;  ///< open a second connection for the request
     int states = 0;       ///< robot states received since sending
-    int refusals = 0;     ///< since the request
+    int refusals = 0;     ///< number of refusals since the request
     std::int64_t askedNs = 0;
     std::int64_t sentNs = 0;
-    Error outcome;  ///< of the last request; code None: stopped, or no request
+    Error outcome;  ///< result of the last request; code None: stopped, or no request
 
     QString context() const {
         return QStringLiteral("stop the program at %1:%2").arg(options.host).arg(options.port);
@@ -77,7 +77,7 @@ void ProgramStopper::Private::send() {
     }
     const native_socket::Transfer out = sendStopProgram(socket);
     if (out.status != Status::Ok || out.bytes != kStopProgram.size()) {
-        renew = true;  // connection broken, or its buffer full
+        renew = true;  // the connection is broken or its buffer is full
         return;
     }
     sent = true;
@@ -129,10 +129,10 @@ void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& package
     packages = state.packages;
 }
 
-// Members used by the thread only.
+// The following functions are called by the thread only.
 
 void ProgramStopper::Private::run() {
-    // Limits the rate of attempts with a peer that closes every connection immediately.
+    // Limits the rate of attempts if the peer closes every connection immediately.
     constexpr milliseconds kBrief(50);
     std::size_t attempt = 0;
     while (!thread.cancel.isCancelled()) {
@@ -184,7 +184,7 @@ bool ProgramStopper::Private::wantsSecond() {
     return std::exchange(second, false) && asked;
 }
 
-// Closes the connection and returns the reason for its end.
+// Processes the connection until it ends, closes it and returns the reason for its end.
 Error ProgramStopper::Private::listen(Descriptor descriptor) {
     use(descriptor);
     auto reader = std::make_unique<PrimaryReader>();
@@ -192,8 +192,8 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
     constexpr milliseconds kPoll(10);
     Error ended{ErrorCode::ConnectionClosed, context(), {}};
     bool goesOn = true;
-    // The previous connection. Closing a socket with unread data resets the connection and could discard a stop
-    // that was just sent on it.
+    // The previous connection. It stays open, because closing a socket with unread data resets the connection
+    // and could discard a stop request that was just sent on it.
     Descriptor before = -1;
     while (goesOn && !thread.cancel.isCancelled()) {
         if (wantsSecond()) {
@@ -228,7 +228,7 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
 }
 
 bool ProgramStopper::Private::pauseFor(milliseconds time) {
-    // Shorter while a stop is requested, because the robot may become reachable at any time.
+    // This pause is short because the robot may become reachable at any time while a stop is requested.
     constexpr milliseconds kWhileAsked(50);
     std::unique_lock lock(mutex);
     const auto wanted = [this] { return thread.cancel.isCancelled() || renew; };

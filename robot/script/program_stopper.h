@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stops any program on the controller immediately, independent of its origin (teach pendant, another PC): sends
-// "stop program" on an existing connection to the primary interface, and also on a new connection, because the
-// controller may have dropped the existing one without closing it. Motions of control::Controller are stopped by
-// Controller::stop() instead.
+// Stops any program on the controller immediately, regardless of whether the teach pendant or another PC
+// started it. The command "stop program" is sent on an existing connection to the primary interface, and then
+// on a new connection, because the controller may have dropped the existing one without closing it. Motions
+// of control::Controller are stopped by Controller::stop() instead.
 //
-// A robot in Local refuses this command, as all commands on this interface; use the pendant in this case. A
-// connection opened in Local is refused even after the switch to Remote, so a refusal is followed by another
-// attempt on a new connection. If the primary interface is disabled, use DashboardClient or
-// RobotService::perform(StopProgram); callers that must be sure use both.
+// A robot in Local control refuses this command, like all commands on this interface; use the pendant in this
+// case. A connection opened in Local control is refused even after the switch to Remote, so a refusal is
+// followed by another attempt on a new connection. If the primary interface is disabled, use DashboardClient
+// or RobotService::perform(StopProgram). Callers that must be sure use both.
 //
-// Source: Universal Robots client library ("stop program" on port 30001; a socket opened in Local stays read-only).
-// It is not known whether a real controller in Local accepts this command as an exception.
+// Source: Universal Robots client library ("stop program" on port 30001; a socket opened in Local stays
+// read-only). It is not known whether a real controller in Local accepts this command as an exception.
 
 #include <QString>
 #include <memory>
@@ -27,12 +27,12 @@ namespace tiller::script {
 struct ProgramStopperOptions {
     QString host = QStringLiteral("127.0.0.1");
     int port = kPrimaryPort;
-    const Clock* clock = &SteadyClock::shared();  ///< limits the duration of the repeated stop requests
+    const Clock* clock = &SteadyClock::shared();  ///< measures the duration of the repeated requests
 };
 
-/// Owns one thread with normal priority; started by start(), ended by end() or the destructor. The thread opens the
-/// connection (again after 0.5, 1, 2, 5, 5 ... s, immediately while a stop is requested) and reads it. A mutex,
-/// never locked while waiting, protects the socket and the request.
+/// Owns one thread with normal priority, started by start() and ended by end() or the destructor. The thread
+/// opens the connection and reads it. It retries after 0.5, 1, 2, 5, 5 ... s, or immediately while a stop is
+/// requested. A mutex, never locked while waiting, protects the socket and the request.
 class ProgramStopper {
 public:
     explicit ProgramStopper(const ProgramStopperOptions& options);
@@ -45,18 +45,18 @@ public:
     void start();
     void end();
 
-    /// Requests the stop. If there is a connection, the command has been sent when this function returns. It is
-    /// sent on a new connection as well about 10 ms later, and again on a new connection every 0.3 s for two
-    /// seconds, until the controller reports that no program is running.
+    /// Requests the stop. If there is a connection, the command has been sent when this function returns. The
+    /// command is repeated on a new connection about 10 ms later, and on further new connections every 0.3 s
+    /// for two seconds, until the controller reports that no program is running.
     void requestStop();
-    /// Cancels the request, so that a program started from now on is not stopped.
+    /// Cancels the request, so that a program started afterwards is not stopped.
     void withdraw();
     /// Waits for the outcome of the last request.
     /// Errors   RemoteControlRequired, Timeout (the program continues, or the controller does not respond),
-    ///          Cancelled (withdraw(), end(), or the deadline's token), or the reason for a missing connection:
-    ///          HostUnreachable, ConnectionRefused ...
+    /// Cancelled (withdraw(), end(), or the deadline's token), or the reason why there is no connection:
+    /// HostUnreachable, ConnectionRefused ...
     Result<void> waitUntilStopped(const Deadline& deadline) const;
-    /// True while the outcome of the last request is not known.
+    /// True while the outcome of the last request is pending.
     bool isUnderWay() const;
     Error error() const;  ///< The reason for the failure of the last stop.
 

@@ -15,7 +15,7 @@ namespace {
 /// Discards data streamed by the controller.
 Status readUnwanted(native_socket::Descriptor socket) {
     std::array<std::uint8_t, 16384> unwanted;
-    constexpr int kReads = 256;  // more than a socket buffer; limits the time spent in a flood
+    constexpr int kReads = 256;  // more than a socket buffer; limits the time spent on a flood of data
     Status status = Status::Ok;
     for (int i = 0; i < kReads && status == Status::Ok; ++i) {
         status = native_socket::receive(socket, unwanted).status;
@@ -67,7 +67,8 @@ Result<void> ScriptClient::send(const Text& text, const Deadline& deadline) {
             return Error{ErrorCode::ConnectionClosed, context, {}};
         }
         if (deadline.hasExpired()) {
-            // Part of the program was sent: close the connection, so that no further text is appended to it.
+            // Only a part of the program was sent. Close the connection, so that no further text is appended
+            // to this part.
             close();
             return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context, {}};
         }

@@ -28,11 +28,12 @@ public:
 
     /// Errors   AddressInvalid, HostUnreachable, ConnectionRefused, Timeout, Cancelled
     Result<void> connect(const Deadline& deadline);
-    /// Sends the text and waits until it is transmitted. Adds the final newline that the controller requires.
+    /// Sends the text and waits until it has been transmitted. Adds the final newline that the controller
+    /// requires.
     /// Errors   NotConnected, ConnectionClosed, Timeout, Cancelled, InvalidArgument (empty text)
     Result<void> send(const Text& text, const Deadline& deadline);
     void close();  ///< No effect if not connected.
-    /// False after the controller has closed the connection, e.g. because its stream was not read for minutes.
+    /// False after the controller has closed the connection, e.g. because its data were not read for minutes.
     bool isConnected();
 
 private:

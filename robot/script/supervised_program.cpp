@@ -9,9 +9,9 @@ namespace tiller::script {
 
 namespace {
 
-// Rounding error of a sum of control periods [s].
+// Tolerance for the rounding error of a sum of control periods [s].
 constexpr double kRounding = 0.0005;
-// The controller's own watchdog reacts after the thread.
+// Factor for the timeout of the controller's watchdog, which must react after the watchdog thread.
 constexpr double kLater = 1.5;
 
 /// Removes strings and comments.
@@ -22,7 +22,7 @@ QString codeOf(const QString& line) {
     return code.section(QLatin1Char('#'), 0, 0).trimmed();
 }
 
-/// Commands that are not URScript: "run program", "power on".
+/// True for commands that are not URScript, such as "run program" or "power on".
 bool isCommand(const QString& code) {
     static const QRegularExpression kCommand(
         QStringLiteral("^(?:(?:run|stop|pause) program|power (?:on|off)|set \\w+.*)$"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Connects a QTcpSocket by tiller::connectTcp(), for this folder and robot/dashboard.
+// Connects a QTcpSocket with tiller::connectTcp(), for this folder and robot/dashboard.
 
 #include <QString>
 #include <memory>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Behaviour of a real controller that public sources leave open and that decides whether and when the arm
-// stops. Each item is an option with all its possible values, so that clients can be tested against every one
-// of them. The table in README.md lists the source of each item and what depends on it.
+// Behaviour of a real controller that public sources leave open and that determines whether and when the arm
+// stops. Each item is an option with all its possible values, so that clients can be tested against each of
+// them. The table in README.md lists the source of each item and what depends on it.
 
 #include <QString>
 #include <QStringList>
@@ -15,20 +15,20 @@
 
 namespace tiller::simulator {
 
-/// The first value of each option is the default: the behaviour of the vendor's simulator or that suggested
-/// by most sources.
+/// The first value of each option is the default. It matches the vendor's simulator or the majority of the
+/// sources.
 struct BehaviourOptions {
     enum class Time : std::uint8_t { Real, Scaled };
     Time stops = Time::Real;         ///< whether the speed slider slows stopj and stopl
-    Time programStops = Time::Real;  ///< the same for protective stops and the end of a program
+    Time programStops = Time::Real;  ///< as above, for protective stops and the end of a program
     enum class SpeedCommands : std::uint8_t { Scaled, Real };
-    SpeedCommands speedCommands = SpeedCommands::Scaled;  ///< the same for speedj, speedl, servoj and servoc
+    SpeedCommands speedCommands = SpeedCommands::Scaled;  ///< as above, for speedj, speedl, servoj and servoc
 
     enum class Registers : std::uint8_t { Kept, Zeroed };
-    Registers registers = Registers::Kept;  ///< inputs of a disconnected client
+    Registers registers = Registers::Kept;  ///< inputs after their client has disconnected
     enum class Inputs : std::uint8_t { Whole, FirstHalf, LastHalf, Scattered };
-    /// A package of inputs is applied at once, or over two periods: first half first, last half first, or
-    /// scattered fields first.
+    /// Whether a package of inputs is applied at once or over two periods: first half first, last half first,
+    /// or scattered fields first.
     Inputs inputs = Inputs::Whole;
     enum class Outputs : std::uint8_t { SamePeriod, NextPeriod };
     Outputs outputs = Outputs::SamePeriod;  ///< when RTDE shows the values written by a script
@@ -36,46 +36,47 @@ struct BehaviourOptions {
     Data data = Data::Even;  ///< timing of RTDE packages
 
     enum class RealtimeBits : std::uint8_t { Double, Integer };
-    RealtimeBits realtimeBits = RealtimeBits::Double;  ///< digital inputs and outputs on port 30003
+    RealtimeBits realtimeBits = RealtimeBits::Double;  ///< format of the digital I/O on port 30003
 
     enum class Safeguard : std::uint8_t { Pauses, Runs };
     Safeguard safeguard = Safeguard::Pauses;  ///< effect of an open safeguard on the program
     enum class Reset : std::uint8_t { Resumes, Waits };
-    Reset safeguardReset = Reset::Resumes;  ///< effect of its reset on the paused program
+    Reset safeguardReset = Reset::Resumes;  ///< effect of resetting the safeguard on the paused program
     enum class ProtectiveStop : std::uint8_t { Ends, Pauses, Resumes };
-    /// Effect on a program sent over a socket; Resumes: it continues as soon as the stop is unlocked.
+    /// Effect of a protective stop on a program sent over a socket. Resumes: the program continues as soon as
+    /// the stop is unlocked.
     ProtectiveStop protectiveStop = ProtectiveStop::Ends;
     enum class EmergencyStop : std::uint8_t { Ends, Pauses };
-    EmergencyStop emergencyStop = EmergencyStop::Ends;  ///< effect on a program, whether from a file or not
+    EmergencyStop emergencyStop = EmergencyStop::Ends;  ///< effect on the program, whether from a file or not
     enum class RemoteToLocal : std::uint8_t { Keeps, Ends };
-    RemoteToLocal remoteToLocal = RemoteToLocal::Keeps;  ///< effect on the running program
+    RemoteToLocal remoteToLocal = RemoteToLocal::Keeps;  ///< effect of the switch to Local on the program
     enum class Pause : std::uint8_t { Holds, Frees };
     /// Whether force mode and freedrive hold position or continue while the program is paused.
     Pause pause = Pause::Holds;
     enum class StopReturns : std::uint8_t { Standing, Target };
-    StopReturns stopReturns = StopReturns::Standing;  ///< stopj and stopl wait for the arm, or for its target
+    StopReturns stopReturns = StopReturns::Standing;  ///< whether stopj, stopl wait for the arm or its target
     enum class ThreadStart : std::uint8_t { SamePeriod, NextPeriod };
     ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when a thread started by `run` begins
 
     enum class EventNode : std::uint8_t { Level, Edge };
-    /// An event node of the pendant runs while its condition is true, or once each time the condition becomes
-    /// true.
+    /// Whether an event node of the pendant runs while its condition is true, or once each time the condition
+    /// becomes true.
     EventNode eventNode = EventNode::Level;
     enum class UnknownUrcap : std::uint8_t { Refuse, Ask, Skip };
-    /// For a program with a node of a URCap without stand-in: it does not load, or a popup asks the operator
+    /// Effect of a node of a URCap without a stand-in. The program does not load, a popup asks the operator
     /// in place of the node, or a text message names the node and the program continues.
     UnknownUrcap unknownUrcap = UnknownUrcap::Refuse;
     enum class RpcFactory : std::uint8_t { Connects, Defers };
-    /// rpc_factory() needs a reachable server, or only the calls of its methods do.
+    /// Whether rpc_factory() needs a reachable server, or only the calls of its methods.
     RpcFactory rpcFactory = RpcFactory::Connects;
     enum class ThreadOrder : std::uint8_t { ThreadsFirst, MainFirst };
-    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< within a period, after equal waits
+    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< order within a period after equal waiting times
 
     enum class FirstVersions : std::uint8_t { Earliest, Latest };
-    /// Of functions, fields and commands where sources only give a range of versions.
+    /// Availability of functions, fields and commands for which sources only give a range of versions.
     FirstVersions firstVersions = FirstVersions::Earliest;
 
-    /// Deprecated builtins: available, or unknown to the compiler.
+    /// Whether deprecated builtins are available or unknown to the compiler.
     enum class Builtin : std::uint8_t { Present, Missing };
     Builtin teachMode = Builtin::Present;
     Builtin servoc = Builtin::Present;
@@ -94,12 +95,12 @@ struct BehaviourOptionInfo {
     QString help;
 };
 
-/// All options, in the order of the struct.
+/// All options, in the order of the struct members.
 const std::vector<BehaviourOptionInfo>& assumptionTable();
 /// Parses "NAME=VALUE".
-/// Errors  InvalidArgument, listing all names, or the values of that option
+/// Errors  InvalidArgument, listing all names, or the values of the option
 Result<void> assume(BehaviourOptions& assumptions, const QString& words);
-/// "NAME=VALUE" of every option that differs from its default, in one line; empty if none.
+/// Returns "NAME=VALUE" for every option that differs from its default, in one line; empty if none differs.
 QString assumptionText(const BehaviourOptions& assumptions);
 /// Help text with one paragraph per option.
 QString assumptionHelp();

@@ -14,15 +14,15 @@ ControllerServices::ControllerServices(const SimulatorOptions& options)
     , services(plant, [this](std::string_view line) { return answerFaultLine(*this, line); }) {}
 
 void ControllerServices::service() {
-    // Qt events are needed only to accept connections and for sockets of scripts; nothing else in this thread
-    // uses them.
+    // Qt events are needed only to accept connections and for the sockets of scripts. Nothing else in this
+    // thread uses them.
     const bool hasClient = services.link().poller().poll();
     if (hasClient || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
         if (auto* dispatcher = QAbstractEventDispatcher::instance()) {
             dispatcher->processEvents(QEventLoop::AllEvents);
         }
     }
-    services.faults().service();  // also while the controller is silent, so that the silence can be ended
+    services.faults().service();  // not skipped in silent mode, so that a fault line can end that mode
     if (!silent) {
         services.service();
     }

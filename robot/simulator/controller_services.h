@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Objects owned by the thread of the simulator: the robot, its services and their cycle.
+// The robot and its services, owned by the simulator thread, and their processing cycle.
 
 #include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/servers/services.h"
@@ -9,11 +9,11 @@
 
 namespace tiller::simulator {
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 struct ControllerServices {
     explicit ControllerServices(const SimulatorOptions& options);
 
-    /// Accepts connections, reads requests and answers; does not advance time.
+    /// Accepts connections, reads requests and sends replies. Does not advance time.
     void service();
     /// Runs one control period.
     void tick();
@@ -21,7 +21,7 @@ struct ControllerServices {
 
     ControllerModel plant;
     Services services;
-    bool silent = false;  ///< nothing is read or sent; connections stay open
+    bool silent = false;  ///< no data are read or sent; connections stay open
 
 private:
     std::uint64_t boots_ = 0;

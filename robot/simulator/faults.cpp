@@ -16,7 +16,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Arguments of a line. An invalid one is remembered and reported once, at the end.
+/// Arguments of a line. The first error is stored and reported once, at the end.
 class Words {
 public:
     explicit Words(const QStringList& words) : words_(words) {}
@@ -65,7 +65,7 @@ public:
                                              : complaint_;
     }
     bool good() { return complaint().isEmpty(); }
-    /// No error so far; more arguments may follow.
+    /// True if there is no error so far; more arguments may follow.
     bool goodSoFar() const { return complaint_.isEmpty(); }
 
 private:
@@ -78,7 +78,7 @@ struct Verb {
     const char* name;
     const char* arguments;
     const char* help;
-    /// Reads all words first and acts only if they are good().
+    /// Reads all words first, and acts only if good() returns true.
     QString (*run)(ControllerServices& controlBox, Words& words);
 };
 
@@ -250,7 +250,7 @@ QString answer(ControllerServices& controlBox, Words& words) {
     return {};
 }
 
-/// All remaining words, at least one.
+/// Reads all remaining words, at least one.
 std::vector<std::int32_t> modbusValues(Words& words) {
     std::vector<std::int32_t> values;
     do {
@@ -362,10 +362,10 @@ const Verb kVerbs[] = {
          const int joint = w.has() ? w.integer(1, kJointCount) : 0;
          if (w.good()) { m.plant.protectiveStop({code, joint, primary::ReportLevel::Warning, ""}); }
          return QString(); }},
-    {"emergency-stop", "on|off", "the pendant's button", &safetyInput<Input::RobotEmergencyStop>},
+    {"emergency-stop", "on|off", "the emergency stop button of the pendant", &safetyInput<Input::RobotEmergencyStop>},
     {"system-emergency-stop", "on|off", "the external emergency stop input", &safetyInput<Input::SystemEmergencyStop>},
     {"safeguard", "on|off", "on: the safeguard input is open", &safetyInput<Input::Safeguard>},
-    {"automatic-safeguard", "on|off", "the same, in operational mode AUTOMATIC only", &safetyInput<Input::AutomaticModeSafeguard>},
+    {"automatic-safeguard", "on|off", "on: the safeguard input of mode AUTOMATIC is open", &safetyInput<Input::AutomaticModeSafeguard>},
     {"enabling-device", "off|on", "on: the three-position device is released, which stops the arm in MANUAL", &safetyInput<Input::ThreePositionEnabling>},
     {"reduced", "on|off", "the reduced-mode input", &safetyInput<Input::Reduced>},
     {"recovery", "on|off", "a joint outside its safety limits", &safetyInput<Input::Recovery>},
@@ -399,19 +399,19 @@ const Verb kVerbs[] = {
      [](ControllerServices& m, Words& w) { if (w.good()) { m.plant.popups().closeNewest(); } return QString(); }},
     {"answer", "VALUE", "answers a request of a program to primary clients: true|false, a number, a text", &answer},
     {"hold-registers", "lower|upper|NAME,NAME...", "another client owns these RTDE inputs", &holdRegisters},
-    {"release-registers", "", "frees them again",
+    {"release-registers", "", "releases these inputs again",
      [](ControllerServices& m, Words& w) { if (w.good()) { m.services.rtde().releaseHeldInputs(); } return QString(); }},
-    {"link", "lost|back", "unplugs the cable, or plugs it in again: no data pass, connections stay",
+    {"link", "lost|back", "unplugs the cable, or plugs it in again: no data are transferred, connections stay open",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) { c.lost = r.choice("lost", "back"); }); }},
-    {"silence", "on|off", "a mute controller: time continues, nothing is read or sent",
+    {"silence", "on|off", "an unresponsive controller: time continues, nothing is read or sent",
      [](ControllerServices& m, Words& w) { const bool on = w.on(); if (w.good()) { m.silent = on; } return QString(); }},
     {"delay", "MS [JITTER]", "delay in each direction, plus a random jitter; 0: none",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.delay = r.number(0, 60'000) * kMilli; c.jitter = r.numberOr(0, 0, 60'000) * kMilli; }); }},
-    {"split", "BYTES", "sent data arrive in two pieces, the first with this number of bytes; 0: unsplit",
+    {"split", "BYTES", "sent data arrive in two parts, the first with this number of bytes; 0: not split",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.splitAt = static_cast<std::size_t>(r.integer(0, 65'536)); }); }},
-    {"coalesce", "MS", "data sent within this time arrive together; 0: as sent",
+    {"coalesce", "MS", "data sent within this time arrive together; 0: no effect",
      [](ControllerServices& m, Words& w) { return changeLink(m, w, [](LinkConditions& c, Words& r) {
          c.coalesce = r.number(0, 60'000) * kMilli; }); }},
     {"drop", "PERCENT", "this percentage of the RTDE data packages is not sent, as by an overloaded controller; 0: none",
@@ -472,7 +472,7 @@ const Verb kVerbs[] = {
              if (const Result<void> done = assume(m.plant.assumptions(), words); !done) { w.complain(done.error().context); } }
          return QString(); }},
     {"status", "", "shows the current modes and faults", &status},
-    {"clear", "", "ends silence, link conditions, held registers and calibration errors", &clear},
+    {"clear", "", "ends the faults silence, link, delay, split, coalesce and drop, held registers and calibration errors", &clear},
 };
 // clang-format on
 

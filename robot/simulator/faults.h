@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Faults and manual actions on request, one line of words each. The same words are accepted by Simulator::inject(),
-// the fault port and `tiller-cli simulate --fault`.
+// Faults and manual actions on request. Each request is a line of words. Simulator::inject(), the fault port
+// and `tiller-cli simulate --fault` accept the same lines.
 //
 //     protective-stop          safeguard on          link lost          delay 20 5
 //
-// A line is answered with `ok`, with `ok` and the requested value, or with `error: ` and the reason.
+// The reply to a line is `ok`, `ok` and the requested value, or `error: ` and the reason.
 
 #include <QString>
 #include <string>
@@ -21,11 +21,11 @@ struct ControllerServices;
 /// Executes a line.
 /// Returns  the requested value, usually empty
 /// Errors   InvalidArgument, with the reason
-/// Threads  the simulator's
+/// Threads  the simulator thread
 Result<QString> injectFault(ControllerServices& controlBox, const QString& line);
-/// The same in the format of the fault port, newline included.
+/// Executes a line and returns the reply in the format of the fault port, newline included.
 std::string answerFaultLine(ControllerServices& controlBox, std::string_view line);
-/// Help on all lines, one paragraph of text.
+/// Help text with one paragraph for each type of line.
 QString faultHelp();
 
 }  // namespace tiller::simulator

@@ -31,7 +31,7 @@ public:
             plant.arm().setTcp(*options.tcp);
         }
         plant.registers().followed.number = static_cast<std::size_t>(options.followedRegister);
-        // One period without a program, after which the arm reports its position.
+        // Runs one period without a program. After this period, the arm reports its position.
         plant.step();
     }
 

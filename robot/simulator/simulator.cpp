@@ -27,8 +27,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Maximum number of periods caught up after the machine was busy. Further ones are dropped, and robot time
-/// is paused for them.
+/// Maximum number of periods that are caught up after the machine was busy. Further periods are dropped, and
+/// robot time is paused for their duration.
 constexpr std::uint64_t kMaxCatchUp = 25;
 /// Response time to requests while virtual time is stopped.
 constexpr auto kVirtualPoll = 500us;
@@ -75,7 +75,7 @@ public:
         thread.reset();
     }
 
-    /// Queues work for the thread; it is dropped when the thread is not running.
+    /// Queues work for the thread. The work is dropped if the thread is not running.
     void post(Work work) {
         {
             const std::lock_guard lock(mutex);
@@ -87,7 +87,7 @@ public:
         wake.notify_all();
     }
 
-    /// As post(), but waits until the work is done.
+    /// Like post(), but waits until the work is done.
     void call(const Work& work) {
         std::promise<void> done;
         std::future<void> finished = done.get_future();
@@ -107,7 +107,7 @@ public:
 
     SimulatorOptions options;
     std::unique_ptr<QThread> thread;
-    mutable std::mutex mutex;  // guards everything below
+    mutable std::mutex mutex;  // protects the following members
     std::condition_variable wake;
     std::vector<Work> queue;
     bool accepting = false;
@@ -116,12 +116,12 @@ public:
     SimulatedState truth;
     std::vector<RtdeDelivery> deliveries;
     bool linkIsPlain = true;
-    TickTiming timing;  ///< this and the following members belong to the simulator thread
+    TickTiming timing;  ///< this and the following members are used by the simulator thread only
     std::chrono::steady_clock::time_point timingBegan;
     double threadSecondsBefore = 0;
-    const RtdeServer* rtde = nullptr;  ///< of the running thread; its counters may be read from any thread
+    const RtdeServer* rtde = nullptr;  ///< server in use; its counters may be read from any thread
 
-    // In the simulator thread.
+    // Functions called in the simulator thread.
     void resetTiming() {
         const bool granted = timing.priorityGranted;
         timing = TickTiming();
@@ -179,7 +179,7 @@ private:
             rtde = &controlBox.services.rtde();
             accepting = true;
         }
-        opened.set_value(std::move(outcome));  // `opened` may be destroyed from here on
+        opened.set_value(std::move(outcome));  // `opened` may be destroyed after this call
         if (!isOpen) {
             return;
         }
@@ -193,7 +193,7 @@ private:
             accepting = false;
             rtde = nullptr;
         }
-        work(controlBox);  // answers the last requests
+        work(controlBox);  // processes the last requests
         controlBox.services.close();
     }
 
@@ -245,8 +245,8 @@ private:
 
 namespace {
 
-/// Without an application object no socket notifier is called: the ports accept connections, but no client is
-/// served.
+/// Without an application object, no socket notifier is called. The ports accept connections, but no client
+/// is served.
 void makeApplication() {
     if (QCoreApplication::instance() == nullptr) {
         static int count = 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Identity of a simulated controller, its network address, and its time mode.
+// Options of the simulated controller: its identity, network address, time mode and behaviour.
 
 #include <QString>
 #include <chrono>
@@ -29,37 +29,37 @@ struct SimulatorOptions {
     SoftwareVersion software{5, 22, 1, 1214193};
     Text listenAddress = QStringLiteral("127.0.0.1");
     int portOffset = 0;         ///< added to every standard port
-    bool anyFreePorts = false;  ///< the system assigns the ports; query ports() after start()
+    bool anyFreePorts = false;  ///< the system assigns the ports; call ports() after start()
     Time time = Time::Real;
     bool poweredOn = false;  ///< start in RUNNING, with the brakes released
     JointPositions startJoints = kHomeJoints;
-    std::optional<int> priority = {};  ///< requested SCHED_FIFO priority of the thread; none: normal
-    std::uint64_t seed = 1;            ///< for measurement noise and the scripts' random()
-    bool remoteControl = true;         ///< the pendant's Local/Remote switch
+    std::optional<int> priority = {};  ///< requested SCHED_FIFO priority of the thread; empty: normal
+    std::uint64_t seed = 1;            ///< seed for measurement noise and random() of scripts
+    bool remoteControl = true;         ///< initial state of the pendant's Local/Remote switch
     bool gateLocalControl =
-        false;  ///< refuse what a robot in Local control refuses (the vendor's simulator does not)
+        false;  ///< refuse the same requests as a robot in Local control (the vendor's simulator does not)
     bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
     bool fastTransitions = false;      ///< power on and brake release within a few control periods
-    double startTime = 60.0;  ///< `timestamp` at start [s]; below 40 some clients wait for the boot to end
-    double bootTime = 0;      ///< [s] from the start to POWER_OFF; above 0, `timestamp` starts at 0
+    double startTime = 60.0;  ///< `timestamp` at start [s]; below 40, some clients wait for the boot to end
+    double bootTime = 0;      ///< time from the start to POWER_OFF [s]; above 0, `timestamp` starts at 0
     bool safetyUnconfirmed = false;  ///< the start waits in CONFIRM_SAFETY for the operator
     double calibration =
-        0;  ///< deviation of the arm from its nominal model, up to this many mm and mrad, as reported
+        0;  ///< maximum deviation of the arm from its nominal model [mm and mrad]; reported to clients
     double calibrationError = 0;  ///< deviation of the reported calibration from the actual one
-    Text programsFolder = {};     ///< folder for `load`; empty: no programs
-    Text urcapsFolder = {};       ///< more stand-ins for nodes of URCaps, see README.md; empty: none
+    Text programsFolder = {};     ///< folder for `load`; empty: no program files
+    Text urcapsFolder = {};       ///< additional stand-ins for URCap nodes, see README.md; empty: none
     struct Device {
         Text name;
-        Text file;  ///< its table, see equipment/device_table.h
+        Text file;  ///< response table, see equipment/device_table.h
     };
-    std::vector<Device> devices = {};  ///< on the network of the robot
-    Text serialNumber = {};            ///< empty: a default per model
-    /// Pause in the received data after which the script of an External Control node is complete.
+    std::vector<Device> devices = {};  ///< devices on the network of the robot
+    Text serialNumber = {};            ///< empty: the default for the model
+    /// Pause in the received data after which the script of an External Control node is considered complete.
     std::chrono::milliseconds scriptSilence{150};
-    BehaviourOptions assumptions = {};  ///< behaviour that is not documented for real controllers
+    BehaviourOptions assumptions = {};  ///< options for undocumented behaviour of real controllers
 };
 
-/// Port numbers in use; 0 before start(), and for services that this software does not have.
+/// Port numbers in use. A port is 0 before start(), or if this software does not have the service.
 struct Ports {
     std::uint16_t dashboard = 29999;
     std::uint16_t primary = 30001;
@@ -70,11 +70,11 @@ struct Ports {
     std::uint16_t secondaryReadOnly = 30012;
     std::uint16_t realtimeReadOnly = 30013;
     std::uint16_t interpreter = 30020;  ///< 0 for software without interpreter mode
-    std::uint16_t robotApi = 80;    ///< HTTP, PolyScope X only; 8080 where port 80 is reserved by the system
-    std::uint16_t gripper = 63352;  ///< Robotiq gripper
-    std::uint16_t faults = 29990;   ///< fault injection, see faults.h
+    std::uint16_t robotApi = 80;        ///< HTTP, PolyScope X only; 8080 if the system reserves port 80
+    std::uint16_t gripper = 63352;      ///< Robotiq gripper
+    std::uint16_t faults = 29990;       ///< fault injection, see faults.h
 
-    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }  ///< No ports.
+    static constexpr Ports none() { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }
 };
 
 }  // namespace tiller::simulator

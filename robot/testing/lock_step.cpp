@@ -14,11 +14,13 @@ namespace tiller::virtual_time {
 
 namespace {
 
-/// Maximum real time for a thread to process one packet; only reached if a thread hangs.
+/// Maximum real time for a thread to process one packet. Only reached if a thread hangs.
 constexpr std::chrono::seconds kGiveUp{20};
-/// Real time in which the control thread detects that its data are too old: several of its check intervals.
+/// Real time within which the control thread detects that its data are too old: several of its check
+/// intervals.
 constexpr std::chrono::milliseconds kNoticeTime{50};
-/// Maximum wait for an answer before checking again, because a controller that is losing control sends none.
+/// Maximum wait for an answer before checking the state again, because a controller that is losing control
+/// sends none.
 constexpr std::chrono::milliseconds kAnswerSlice{20};
 
 template <class T>
@@ -154,7 +156,8 @@ void LockStep::tick() {
         }
         answers += stamp && status.inControl ? 1 : 0;
     }
-    // Without packets, the control thread detects outdated data by checking the clock, and ends the motion.
+    // Without packets, the control thread detects outdated data by checking the clock, and then ends the
+    // motion.
     const auto noticed = std::chrono::steady_clock::now() + kNoticeTime;
     for (const auto& controller : all) {
         control::ControllerStatus status = controller->status();
@@ -164,7 +167,7 @@ void LockStep::tick() {
             status = controller->status();
         }
     }
-    // If the connection has injected faults, the answers may be delayed.
+    // Answers may be delayed by injected connection faults.
     const auto inControl = [&] {
         return std::any_of(controllers.begin(), controllers.end(),
                            [](const auto& controller) { return controller->status().inControl; });
@@ -172,7 +175,7 @@ void LockStep::tick() {
     while (answers > 0 && robot_.isLinkPlain() && inControl() && goesOn() &&
            !robot_.waitForInputPackages(inputs + answers, Deadline::after(kAnswerSlice))) {
     }
-    // Connecting clients get their answers without advancing the time.
+    // Clients that are still connecting get their answers without advancing the time.
     robot_.drainSockets();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For tests of programs: a simulated robot in virtual time, with receivers and controllers that follow its
-// clock in lock-step. Sockets, threads and the control program are real, but the time is not: a test runs as
-// fast as the machine permits, and has the same result on a slow machine. examples/cpp/testing contains
-// fixtures for GoogleTest, Catch2 and Qt Test.
+// For testing robot programs: a simulated robot in virtual time, with receivers and controllers that follow
+// its clock in lock-step. Sockets, threads and the control program are real; only the time is simulated. A
+// test runs as fast as the machine permits and has the same result on a slow machine. examples/cpp/testing
+// contains fixtures for GoogleTest, Catch2 and Qt Test.
 //
 //     virtual_time::LockStep bench;
 //     bench.start().value();
@@ -30,14 +30,14 @@
 
 namespace tiller::virtual_time {
 
-/// Owns the simulated robot and its clock. Both must outlive all objects that use the clock, so declare these
+/// Owns the simulated robot and its clock. Both must outlive all objects that use the clock, so declare such
 /// objects after this one. While a Flow exists, this object also owns a thread that advances the time.
 /// Threads  any, unless stated otherwise
 class LockStep {
 public:
     /// A UR5e with released brakes, at a loopback address that is unique on this machine.
     static simulator::SimulatorOptions defaultOptions();
-    /// options  the time is always virtual
+    /// options  the time mode is set to Virtual
     explicit LockStep(simulator::SimulatorOptions options = defaultOptions());
     ~LockStep();
     LockStep(const LockStep&) = delete;
@@ -49,7 +49,7 @@ public:
 
     simulator::Simulator& robot() { return robot_; }  ///< For faults, inputs and the actual state.
     const simulator::Simulator& robot() const { return robot_; }           ///< As above.
-    const std::shared_ptr<VirtualClock>& clock() const { return clock_; }  ///< For your own objects.
+    const std::shared_ptr<VirtualClock>& clock() const { return clock_; }  ///< For the caller's objects.
 
     /// Creates and starts a receiver of this robot that uses its clock.
     /// options  host, port and clock are overwritten
@@ -57,21 +57,22 @@ public:
     /// Creates a controller of this robot that uses its clock.
     /// options  host, port offset and clock are overwritten
     std::shared_ptr<control::Controller> makeController(control::ControllerOptions options = {});
-    /// Makes step() wait for an object that the caller created with clock(). Destroyed objects are removed
-    /// automatically.
+    /// Makes tick() and step() wait for an object that the caller created with clock(). Destroyed objects are
+    /// removed automatically.
     void follow(std::weak_ptr<const receive::Receiver> receiver);
     void follow(std::weak_ptr<const control::Controller> controller);  ///< As above.
 
-    /// Advances the time by one control period. When the function returns, each following receiver and
-    /// controller has processed the data that reached it, and controllers in control have answered. The
-    /// function does not wait for data that an injected fault of the connection delays.
+    /// Advances the time by one control period. When the function returns, each receiver and controller that
+    /// follows the clock has processed the data that reached it, and each controller in control has answered.
+    /// The function does not wait for data that an injected connection fault delays.
     void tick();
     void step(double seconds);  ///< Advances the time [s], rounded to control periods.
-    /// Steps until the condition is true, at most for this time [s].
+    /// Steps until the condition is true, for at most this time [s].
     /// Returns  whether the condition is true
     bool stepUntil(const std::function<bool()>& condition, double atMost);
 
-    /// Advances the time in a separate thread while an object exists, for calls that wait for the robot.
+    /// Advances the time in a separate thread while an object of this class exists. For calls that wait for
+    /// the robot.
     class Flow {
     public:
         explicit Flow(LockStep& bench) : bench_(bench) { bench_.beginFlow(); }
@@ -82,14 +83,15 @@ public:
     private:
         LockStep& bench_;
     };
-    /// Returns the result of a call that waits for the robot, and advances the time meanwhile.
+    /// Makes a call that waits for the robot, advances the time meanwhile, and returns the result of the
+    /// call.
     template <class Call>
     auto whileTimePasses(Call call) {
         const Flow flow(*this);
         return call();
     }
-    void beginFlow();  ///< As creating a Flow; each call needs an endFlow().
-    void endFlow();    ///< Blocks: until the time has stopped, unless other flows exist.
+    void beginFlow();  ///< Same as creating a Flow. Each call requires an endFlow().
+    void endFlow();    ///< Blocks until the time has stopped, unless other flows exist.
 
 private:
     struct Ticking {

@@ -37,7 +37,7 @@ struct RobotFixture {
     Result<void> finish(const control::Motion& motion) {
         return bench.whileTimePasses([&] { return motion.wait(limit()); });
     }
-    /// Only limits hangs: a test in virtual time never reaches it.
+    /// Timeout in case of a hang; a test in virtual time never reaches it.
     static Deadline limit() { return Deadline::after(std::chrono::seconds(60)); }
     /// Motion commands of the controller.
     control::Motions motions() { return control::Motions(*controller); }

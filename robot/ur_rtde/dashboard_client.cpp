@@ -25,7 +25,7 @@ struct DashboardClient::Private {
     std::recursive_mutex mutex;
     tiller::dashboard::DashboardClient client;
     bool verbose;
-    std::deque<std::string> replies;  ///< to lines sent by send()
+    std::deque<std::string> replies;  ///< replies to lines sent by send()
 
     template <class Refused = std::logic_error>
     std::string ask(const std::string& line) {
@@ -95,14 +95,14 @@ void DashboardClient::disconnect() {
 void DashboardClient::send(const std::string& str) {
     const std::lock_guard lock(d_->mutex);
     const std::size_t end = str.find_last_not_of("\r\n");
-    // The reply is read immediately, so that it cannot be assigned to another line.
+    // The reply is read immediately, so that it cannot be mistaken for the reply to another line.
     d_->replies.push_back(d_->ask(end == std::string::npos ? std::string() : str.substr(0, end + 1)));
 }
 
 std::string DashboardClient::receive() {
     const std::lock_guard lock(d_->mutex);
     if (d_->replies.empty()) {
-        throw std::logic_error("receive() needs a preceding send()");
+        throw std::logic_error("receive() requires a preceding send()");
     }
     std::string reply = std::move(d_->replies.front());
     d_->replies.pop_front();

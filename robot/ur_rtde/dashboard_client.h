@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Client of the dashboard server of the robot (CB3 and e-Series), one line per command.
+// Client of the robot's dashboard server (CB3 and e-Series). Each command is one line.
 //
-// Errors of every command: std::runtime_error without a connection, if it breaks, or without a reply for 2.5 s. If
-// the server refuses, the exception contains its reply: std::runtime_error from loadURP(), play(), stop() and
-// pause(), std::logic_error from the others, as in ur_rtde.
+// Errors of every command: std::runtime_error if there is no connection, if the connection breaks, or if
+// there is no reply for 2.5 s. If the server refuses a command, the exception contains the reply:
+// std::runtime_error from loadURP(), play(), stop() and pause(), std::logic_error from the other commands, as
+// in ur_rtde.
 
 #include <ur_rtde/dashboard_enums.h>
 #include <ur_rtde/rtde.h>
@@ -31,9 +32,9 @@ public:
     bool isConnected();
     void disconnect();
 
-    /// Sends any command, with or without line end; receive() returns the reply.
+    /// Sends any command, with or without a line end; receive() returns the reply.
     void send(const std::string& str);
-    /// Returns the reply to the oldest line for which it has not been read.
+    /// Returns the oldest reply that has not been read.
     std::string receive();
 
     // Programs
@@ -43,7 +44,7 @@ public:
     void pause();
     bool running();
     std::string programState();      ///< e.g. "STOPPED name"
-    std::string getLoadedProgram();  ///< "Loaded program: " and the path, or a text that none is loaded
+    std::string getLoadedProgram();  ///< "Loaded program: " and the path, or a text if no program is loaded
     bool isProgramSaved();
 
     // Power and safety
@@ -64,8 +65,8 @@ public:
     void setUserRole(const UserRole& role);  ///< CB3 only
 
     // Controller
-    void quit();                     ///< ends the connection
-    void shutdown();                 ///< switches off the robot and its controller
+    void quit();                     ///< closes the connection
+    void shutdown();                 ///< switches off the robot and the controller
     std::string polyscopeVersion();  ///< e.g. "5.22.1.1214193"
     std::string getRobotModel();
     std::string getSerialNumber();

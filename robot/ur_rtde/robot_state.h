@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For compatibility with programs that include this header; use RTDEReceiveInterface to read the robot's state.
+// Exists for compatibility with programs that include this header. Use RTDEReceiveInterface to read the
+// robot's state.
 
 #include <ur_rtde/rtde.h>

@@ -34,8 +34,8 @@ struct RobotiqGripper::Private {
 
     tiller::io::RobotiqClient client;
 
-    int minPosition = 0;           ///< open, in device units
-    int maxPosition = kDeviceMax;  ///< closed
+    int minPosition = 0;           ///< open end position, in device units
+    int maxPosition = kDeviceMax;  ///< closed end position
     int range_mm = 40;             ///< stroke
     eUnit units[3] = {UNIT_NORMALIZED, UNIT_NORMALIZED, UNIT_NORMALIZED};
     int speed = kDeviceMax;  ///< presets, in device units
@@ -45,7 +45,7 @@ struct RobotiqGripper::Private {
     int get(const std::string& name) {
         const auto value = client.get(name, tiller::urrtde::within(kGripperReplyTime));
         if (!value && value.error().code == ErrorCode::ProtocolError) {
-            throw std::runtime_error("gripper: unexpected answer \"" +
+            throw std::runtime_error("gripper: unexpected reply \"" +
                                      value.error().controllerMessage.toStdString() + "\" to GET " + name);
         }
         if (!value) {
@@ -77,7 +77,7 @@ struct RobotiqGripper::Private {
         return true;
     }
 
-    /// Positions for the user are 1 (open) ... 0 (closed); device units increase towards closed.
+    /// User positions are 1 (open) ... 0 (closed). Device units increase towards closed.
     float fromDevice(eMoveParameter param, int device) const {
         const auto value = static_cast<float>(device);
         float part = value / kDeviceMaxReal;
@@ -128,7 +128,8 @@ struct RobotiqGripper::Private {
         return minPosition + static_cast<int>(std::lround((1.0F - part) * span));
     }
 
-    /// Returns when the gripper has accepted the request: before that, its status belongs to the previous motion.
+    /// Returns when the gripper has accepted the request. Until then, its status belongs to the previous
+    /// motion.
     void moveDevice(int position, int withSpeed, int withForce) {
         requested = std::clamp(position, 0, kDeviceMax);
         if (!set({{"POS", requested}, {"SPE", withSpeed}, {"FOR", withForce}, {"GTO", 1}}) ||

@@ -3,7 +3,8 @@
 
 // A Robotiq gripper at the robot's wrist, controlled through the socket of its URCap on the controller.
 //
-// Errors: std::runtime_error without a connection, if it breaks, or if the URCap does not respond within 2 s.
+// Errors: std::runtime_error if there is no connection, if the connection breaks, or if the URCap does not
+// respond within 2 s.
 
 #include <ur_rtde/rtde.h>
 
@@ -15,9 +16,9 @@
 
 namespace ur_rtde {
 
-/// Positions, speeds and forces are in the units of setUnit(), initially normalized (0 ... 1). Position 1 is open,
-/// 0 is closed. Values are clamped to the range of the gripper. A negative speed or force selects the preset of
-/// setSpeed() and setForce(), initially full speed and minimum force.
+/// Positions, speeds and forces are in the units of setUnit(), initially normalized (0 ... 1). Position 1 is
+/// open, 0 is closed. Values are clamped to the range of the gripper. A negative speed or force selects the
+/// preset from setSpeed() or setForce(). The initial presets are full speed and minimum force.
 /// Threads  one at a time
 class RobotiqGripper {
 public:
@@ -52,7 +53,8 @@ public:
     void disconnect();
     bool isConnected() const;
 
-    /// Resets and activates the gripper, which opens and closes it once; returns when it is ready.
+    /// Resets and activates the gripper. Activation opens and closes the gripper once. Returns when the
+    /// gripper is ready.
     void activate(bool auto_calibrate = false);
     /// Closes and opens the empty gripper to determine its end positions.
     void autoCalibrate(float Speed = -1.0);
@@ -64,18 +66,19 @@ public:
     bool isOpen();
     bool isClosed();
 
-    /// Returns  the object status (eObjectStatus); START_MOVE returns at the start of the motion
+    /// Returns  the object status (eObjectStatus). With START_MOVE, the call returns at the start of the
+    ///          motion
     int move(float Position, float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
     int open(float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
     int close(float Speed = -1.0, float Force = -1.0, eMoveMode MoveMode = START_MOVE);
-    /// Opens or closes slowly in any case; afterwards the gripper has to be activated again.
+    /// Opens or closes slowly in any state. The gripper must be activated again afterwards.
     void emergencyRelease(ePostionId Direction, eMoveMode MoveMode = WAIT_FINISHED);
     int faultStatus();  ///< eFaultCode
 
     void setUnit(eMoveParameter Param, eUnit Unit);
     /// Stroke of the gripper for UNIT_MM; initially 40.
     void setPositionRange_mm(int Range);
-    /// Preset for moves without a value, clamped to the range of the gripper.
+    /// Sets the preset for moves without a value, clamped to the range of the gripper.
     /// Returns  the resulting preset
     float setSpeed(float Speed);
     float setForce(float Force);

@@ -70,7 +70,7 @@ struct RTDEControlInterface::Private {
 
     tiller::control::JointLimits limits() const { return session.backend()->jointLimits(); }
 
-    /// Available since 5.4; in older software the program has no contact detection.
+    /// Available since 5.4. In older software, the program has no contact detection.
     bool feelsContact() const {
         const auto& version = session.identity().versions;
         return version.major > 5 || (version.major == 5 && version.minor >= 4);
@@ -83,7 +83,7 @@ struct RTDEControlInterface::Private {
         const auto answer = session.backend()->perform({id, 1, values});
         return answer && (answer->result != 0 || session.isForeign());
     }
-    /// The six result values; empty without an answer or a result.
+    /// The six result values; empty if there is no reply or no result.
     List six(CommandId id, int recipe, const List& values = {}, bool mayFail = false) {
         const auto answer = session.backend()->perform({id, recipe, values});
         if (!answer || (mayFail && answer->result == 0)) {
@@ -229,7 +229,7 @@ uint32_t RTDEControlInterface::getRobotStatus() {
 bool RTDEControlInterface::setPayload(double mass, const List& cog) {
     check::number("mass", mass, 0, kMaxMass, "kg");
     if (!cog.empty()) {
-        check::listWithin("cog", cog, 3, kMaxLength, "m", "; is this one in millimetres?");
+        check::listWithin("cog", cog, 3, kMaxLength, "m", ". Was it given in millimetres?");
     }
     return d_->done(CommandId::SetPayload, 7, joined({mass}, cog.empty() ? List(3, 0.0) : cog));
 }
@@ -281,8 +281,9 @@ bool RTDEControlInterface::setExternalForceTorque(const List& external_force_tor
 namespace {
 List sensor(bool enable, double mass, const List& offset, const List& cog) {
     check::number("sensor_mass", mass, 0, kMaxMass, "kg");
-    check::listWithin("sensor_measuring_offset", offset, 3, kMaxLength, "m", "; is this one in millimetres?");
-    check::listWithin("sensor_cog", cog, 3, kMaxLength, "m", "; is this one in millimetres?");
+    check::listWithin("sensor_measuring_offset", offset, 3, kMaxLength, "m",
+                      ". Was it given in millimetres?");
+    check::listWithin("sensor_cog", cog, 3, kMaxLength, "m", ". Was it given in millimetres?");
     return joined(joined({enable ? 1.0 : 0.0, mass}, offset), cog);
 }
 }  // namespace
@@ -306,7 +307,7 @@ namespace {
 
 [[noreturn]] void throwUnanswered(const char* what) {
     throw std::runtime_error(std::string(what) +
-                             ": the robot did not answer. Check that the control program is running and the "
+                             ": the robot did not respond. Check that the control program is running and the "
                              "robot is not stopped.");
 }
 
@@ -327,7 +328,7 @@ double RTDEControlInterface::getStepTime() {
 List RTDEControlInterface::getActualJointPositionsHistory(int steps) {
     check::integer("steps", steps, 0, 100000);
     if (steps > 0 && !d_->feelsContact()) {
-        return {};  // software without a history of positions has no history of contacts
+        return {};  // software without position history has no contact history either
     }
     return d_->six(CommandId::JointPositionsHistory, 9, {static_cast<double>(steps)});
 }
@@ -379,8 +380,8 @@ List RTDEControlInterface::getForwardKinematics(const List& q, const List& tcp_o
     if (!tcp_offset.empty()) {
         check::pose("tcp_offset", tcp_offset);
     }
-    // Without a TCP argument the active TCP is used. It has to be queried, because the command uses the register
-    // values.
+    // Without a TCP argument, the active TCP is used. It must be queried, because the command uses the
+    // register values.
     const List tcp = tcp_offset.empty() ? getTCPOffset() : tcp_offset;
     return answered("getForwardKinematics", d_->six(CommandId::ForwardKinematicsOf, 12, joined(joints, tcp)));
 }
@@ -585,7 +586,7 @@ bool RTDEControlInterface::endFreedriveMode() {
 int RTDEControlInterface::getFreedriveStatus() {
     const auto answer = d_->session.backend()->perform({CommandId::FreedriveStatus, 4, {}});
     if (!answer) {
-        throw std::runtime_error("getFreedriveStatus: the robot did not answer");
+        throw std::runtime_error("getFreedriveStatus: the robot did not respond");
     }
     return answer->result;
 }

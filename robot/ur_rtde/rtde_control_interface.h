@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Moves the arm through the control program of robot/control and with its rules.
+// Moves the arm through the control program of robot/control, following the same rules.
 //
-// Command functions return true on success, motions (unless asynchronous) when they are complete, and false if the
-// robot does not execute them (program not running, protective or emergency stop, no connection): see lastError().
+// Command functions return true on success and false if the robot does not execute them (program not running,
+// protective or emergency stop, no connection): see lastError(). Motions return when they are complete,
+// unless they are asynchronous.
 //
-// Arguments are checked before sending: std::invalid_argument for a wrong number of values or NaN, std::range_error
-// for a value out of range, both with the name of the argument. Ranges of joints and their speeds are those of the
-// connected robot. Whether a pose is reachable is checked before a move starts.
+// Arguments are checked before sending: std::invalid_argument for a wrong number of values or NaN,
+// std::range_error for a value out of range. Both contain the name of the argument. Ranges of joints and
+// their speeds are those of the connected robot. The reachability of a pose is checked before a move starts.
 //
-// End of a motion, other than its target and stops: a thread of this process sends a heartbeat 500 times per
-// second. If the process ends for any reason, is killed or suspended, or the connection transmits nothing for 0.1
-// s, every motion ends, including moves, paths and custom scripts; a program that only sleeps keeps its motion.
-// Motions also end after a protective, safeguard or emergency stop, and when the program is paused. They never
-// resume automatically: set points (speed, servo) are refused until servoStop(), speedStop(), jogStop() or another
-// command has been called. disconnect() and the destructor stop the arm as well. The arm moves without this process
-// only if `unattended` is true. ENDS.md lists every call.
+// Motions end at their target or with a stop, and also without a heartbeat. A thread of this process sends
+// the heartbeat 500 times per second. If the process ends for any reason, is killed or suspended, or the
+// connection transmits nothing for 0.1 s, every motion ends, including moves, paths and custom scripts. A
+// program that only sleeps does not end its motion. Motions also end after a protective, safeguard or
+// emergency stop, and when the program is paused. They never resume automatically: set points (speed, servo)
+// are refused until servoStop(), speedStop(), jogStop() or another command is called. disconnect() and the
+// destructor also stop the arm. The arm moves without this process only if `unattended` is true. ENDS.md
+// lists every call.
 //
-// Differences from ur_rtde: stopJ, stopL, stopScript and triggerProtectiveStop end a motion that another thread
-// waits for; stops also end force mode; a move after servoing does not need servoStop(); a lost connection is only
-// restored by reconnect(). With setCustomScriptFile(), FLAG_CUSTOM_SCRIPT, or without upload while another program
-// is running, commands are sent to that program through ur_rtde's registers. A program sent by
-// setCustomScriptFile() contains the heartbeat watchdog; other ends of a motion, and all behaviour of a program
-// started elsewhere, depend on that program.
+// Differences from ur_rtde: stopJ, stopL, stopScript and triggerProtectiveStop end a motion even while
+// another thread waits for it. Stops also end force mode. A move after servoing does not need servoStop(). A
+// lost connection is restored only by reconnect(). With setCustomScriptFile(), FLAG_CUSTOM_SCRIPT, or without
+// upload while another program is running, commands are sent to that program through ur_rtde's registers. A
+// program sent by setCustomScriptFile() contains the heartbeat watchdog. All other ends of a motion, and the
+// entire behaviour of a program started elsewhere, depend on that program.
 
 #include <ur_rtde/async_operation_status.h>
 #include <ur_rtde/dashboard_enums.h>
@@ -37,7 +39,7 @@
 #include <string>
 #include <vector>
 
-// Limits of the arguments, with the names of ur_rtde.
+// Argument limits, with the names of ur_rtde.
 #define UR_JOINT_VELOCITY_MAX 3.14  // [rad/s]
 #define UR_JOINT_VELOCITY_MIN 0
 #define UR_JOINT_ACCELERATION_MAX 40.0  // [rad/s^2]
@@ -67,9 +69,9 @@ class RTDEControlInterface {
 public:
     enum Flags : uint16_t {
         FLAG_UPLOAD_SCRIPT = 0x01,          ///< upload the control program
-        FLAG_USE_EXT_UR_CAP = 0x02,         ///< serve it to the ExternalControl URCap instead
+        FLAG_USE_EXT_UR_CAP = 0x02,         ///< serve the control program to the ExternalControl URCap
         FLAG_VERBOSE = 0x04,                ///< print progress on standard output
-        FLAG_UPPER_RANGE_REGISTERS = 0x08,  ///< use registers from 24 on
+        FLAG_UPPER_RANGE_REGISTERS = 0x08,  ///< use registers from number 24 on
         FLAG_NO_WAIT = 0x10,                ///< do not wait for the program to start
         FLAG_CUSTOM_SCRIPT = 0x20,          ///< a user program replaces the control program
         FLAGS_DEFAULT = FLAG_UPLOAD_SCRIPT
@@ -99,8 +101,8 @@ public:
     /// frequency    of the data [Hz]; -1: default of the controller
     /// ur_cap_port  port at which the ExternalControl URCap requests the program
     /// rt_priority  of the receive thread
-    /// Throws std::runtime_error if the controller cannot be reached, std::logic_error if the robot is not in
-    /// remote control or the program does not start within 5 s (60 s if it is started manually).
+    /// Throws std::runtime_error if the controller cannot be reached, or std::logic_error if the robot is not
+    /// in remote control or the program does not start within 5 s (60 s if it is started manually).
     explicit RTDEControlInterface(std::string hostname, double frequency = -1.0,
                                   uint16_t flags = FLAGS_DEFAULT, int ur_cap_port = 50002,
                                   int rt_priority = RT_PRIORITY_UNDEFINED);
@@ -108,15 +110,16 @@ public:
     RTDEControlInterface(const RTDEControlInterface&) = delete;
     RTDEControlInterface& operator=(const RTDEControlInterface&) = delete;
 
-    /// Ends the active motion and the connection; the program on the robot keeps running (see stopScript()).
-    /// unattended  true: a current move or path continues to its target, as in ur_rtde, and this process cannot
-    ///             stop it any more. Use this only if no person can be within reach of the arm. Not available in
-    ///             ur_rtde
+    /// Ends the active motion and closes the connection. The program on the robot keeps running (see
+    /// stopScript()).
+    /// unattended  true: an active move or path continues to its target, as in ur_rtde, and this process can
+    ///             no longer stop it. Use this only if no person can be within reach of the arm. Not
+    ///             available in ur_rtde
     void disconnect(bool unattended = false);
     /// Returns  false on failure: see lastError(). Does not throw
     bool reconnect();
-    /// The reason of the last call that returned false or threw; empty if there was none. Also printed on standard
-    /// error, once. Not available in ur_rtde.
+    /// Reason of the last failure (a call that returned false or threw); empty if there was none. Also
+    /// printed once to standard error. Not available in ur_rtde.
     std::string lastError() const;
     bool isConnected();
     /// Version of the controller software; zeros before the first connection.
@@ -128,19 +131,19 @@ public:
     std::chrono::steady_clock::time_point initPeriod();
 
     // ---- the program on the robot
-    /// Returns true when the program is running, or, during a protective or emergency stop, after it was handed
-    /// over.
+    /// Returns true when the program is running. During a protective or emergency stop, returns true after
+    /// the program was handed over.
     bool reuploadScript();
-    /// Runs `script` (lines of URScript) as a function with this name, then the control program again.
-    /// unattended  false: an inserted watchdog thread ends the script if this process ends or the connection is
-    ///             lost; names starting with tiller_heartbeat are reserved. true: the script is sent unchanged, and
-    ///             moves the arm even after this process was killed. Not available in ur_rtde. Also applies to the
-    ///             next two functions
+    /// Runs `script` (lines of URScript) as a function with this name, then restarts the control program.
+    /// unattended  false: an inserted watchdog thread ends the script if this process ends or the connection
+    ///             is lost; names starting with tiller_heartbeat are reserved. true: the script is sent
+    ///             unchanged, and moves the arm even if this process is killed. Not available in ur_rtde.
+    ///             Also applies to the next two functions
     bool sendCustomScriptFunction(const std::string& function_name, const std::string& script,
                                   bool unattended = false);
     bool sendCustomScript(const std::string& script, bool unattended = false);
     bool sendCustomScriptFile(const std::string& file_path, bool unattended = false);
-    /// Replaces the control program by a file, now and in every later upload; empty: the built-in program.
+    /// Replaces the control program with a file, now and in every later upload. Empty: the built-in program.
     void setCustomScriptFile(const std::string& file_path);
     void stopScript();
     bool isProgramRunning();
@@ -161,25 +164,25 @@ public:
     bool moveL_FK(const std::vector<double>& q, double speed = 0.25, double acceleration = 1.2,
                   bool asynchronous = false);
     bool movePath(const Path& path, bool asynchronous = false);
-    /// Moves with velocity xd until the tool makes contact, then back to the pose at the first contact; does not
-    /// move if there is a contact initially. Returns false without moving on software before 5.4, which has no
-    /// contact detection.
+    /// Moves with velocity xd until the tool makes contact, then back to the pose of the first contact. Does
+    /// not move if there is already a contact. Returns false without moving on software before 5.4, which has
+    /// no contact detection.
     /// direction  direction of the contacts in the base frame; zeros: direction of xd
     bool moveUntilContact(const std::vector<double>& xd,
                           const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
                           double acceleration = 0.5);
-    /// Progress of the last asynchronous motion while it is running, otherwise -1 or -2, alternating.
+    /// Progress of the last asynchronous motion while it is running; otherwise alternately -1 and -2.
     int getAsyncOperationProgress();
     AsyncOperationStatus getAsyncOperationProgressEx();
 
     // ---- streams of set points
-    /// time  duration of the set point before the next one is read [s]; 0: one control period. As in ur_rtde, the
-    ///       motion continues until a new set point, a stop, or an end as described above
+    /// time  duration of the set point before the next one is read [s]; 0: one control period. As in ur_rtde,
+    ///       the motion continues until the next set point, a stop, or one of the ends described above
     bool speedJ(const std::vector<double>& qd, double acceleration = 0.5, double time = 0.0);
     bool speedL(const std::vector<double>& xd, double acceleration = 0.25, double time = 0.0);
     bool speedStop(double a = 10.0);
-    /// As in ur_rtde, a target far from the arm is passed to the controller, which follows at its maximum speed or
-    /// makes a protective stop. control::Motions refuses it.
+    /// As in ur_rtde, a target far from the arm is passed to the controller. The controller follows at
+    /// maximum speed or makes a protective stop. control::Motions refuses such targets.
     /// speed, acceleration  ignored by current software
     /// lookahead_time       0.03 ... 0.2 s
     /// gain                 100 ... 2000
@@ -189,7 +192,7 @@ public:
                 double lookahead_time, double gain);
     bool servoC(const std::vector<double>& pose, double speed = 0.25, double acceleration = 1.2,
                 double blend = 0.0);
-    bool servoStop(double a = 10.0);  ///< deceleration along the line of the tool [m/s2]
+    bool servoStop(double a = 10.0);  ///< deceleration along the path of the tool [m/s2]
     /// speeds  [m/s, rad/s] in the axes of the feature; acc [m/s2]; custom_frame is a pose in the base frame
     bool jogStart(const std::vector<double>& speeds, int feature = FEATURE_BASE, double acc = 0.5,
                   const std::vector<double>& custom_frame = {});
@@ -215,30 +218,30 @@ public:
     int getFreedriveStatus();
     bool teachMode();
     bool endTeachMode();
-    /// Number of control periods since the first contact; 0: no contact.
+    /// Number of control periods since the first contact; 0 without contact.
     int toolContact(const std::vector<double>& direction);
-    /// Starts contact detection after an existing contact is released; on contact the current motion stops and
-    /// returns to the pose at the first contact, unless it is stopped. Returns false on software before 5.4.
+    /// Starts contact detection. An existing contact must be released first. On contact, the current motion
+    /// stops and the tool returns to the pose of the first contact, unless a stop occurs. Returns false on
+    /// software before 5.4.
     /// direction  zeros: direction of the tool motion
     bool startContactDetection(const std::vector<double>& direction = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
     bool readContactDetection();
     bool stopContactDetection();
 
     // ---- settings
-    bool setPayload(double mass,
-                    const std::vector<double>& cog = {});  ///< [kg], [m]; without cog it is unchanged
+    bool setPayload(double mass, const std::vector<double>& cog = {});  ///< [kg], [m]; empty cog: unchanged
     bool setTcp(const std::vector<double>& tcp_offset);
     bool setGravity(const std::vector<double>& direction);  ///< [m/s2] in the base frame
     bool setWatchdog(double min_frequency = 10.0);
     bool kickWatchdog();
     bool triggerProtectiveStop();
-    /// Sends the request to the dashboard server. Throws as DashboardClient::unlockProtectiveStop; does not cause a
-    /// motion.
+    /// Sends the request to the dashboard server. Throws the same exceptions as
+    /// DashboardClient::unlockProtectiveStop. Does not cause a motion.
     void unlockProtectiveStop();
 
-    // ---- queries. Without an answer of the robot: an empty list, 0 or false for the functions that also return
-    // these as regular results (step time, history, waypoint, contact, inverse kinematics, limits, steady);
-    // std::runtime_error for the others
+    // ---- queries. If the robot does not respond, functions that may regularly return an empty list, 0 or
+    // false return this value (step time, history, waypoint, contact, inverse kinematics, limits, steady).
+    // All others throw std::runtime_error.
     double getStepTime();
     std::vector<double> getActualJointPositionsHistory(int steps = 0);
     std::vector<double> getTargetWaypoint();
@@ -258,7 +261,7 @@ public:
     std::vector<double> getTCPOffset();
     std::vector<double> getActualToolFlangePose();
     bool isSteady();
-    uint32_t getRobotStatus();  ///< bits, see RobotStatus
+    uint32_t getRobotStatus();  ///< bits: see RobotStatus
 
 private:
     struct Private;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Export macros, for compatibility with programs that include this header; not needed here.
+// Export macros. Exist for compatibility with programs that include this header.
 
 #define RTDE_EXPORT

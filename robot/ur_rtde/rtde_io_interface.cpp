@@ -20,7 +20,7 @@ using tiller::rtde::Connection;
 using tiller::rtde::Direction;
 namespace check = tiller::urrtde::check;
 
-/// Groups of inputs that another client can use separately have separate recipes.
+/// Inputs that another client may use separately are in separate recipes.
 enum Group : std::size_t { kStandard, kConfigurable, kTool, kSlider, kAnalog, kIntRegisters };
 
 constexpr int kFirstRegister = 18;
@@ -66,7 +66,7 @@ struct RTDEIOInterface::Private {
         return {};
     }
 
-    /// The robot sends no data on this connection, so a closed connection is only detected by checking.
+    /// The robot sends no data on this connection, so a closed connection can only be detected by checking.
     bool isAlive() const {
         return connection &&
                connection->readPackage({}, std::chrono::nanoseconds(0)) == Connection::Read::Nothing;
@@ -126,7 +126,7 @@ RTDEIOInterface::RTDEIOInterface(std::string hostname, bool verbose, bool use_up
     }
     check::priority(rt_priority);
     if (rt_priority > 0) {
-        tiller::realtime::requestThreadPriority(rt_priority);  // all work is done in the caller's thread
+        tiller::realtime::requestThreadPriority(rt_priority);  // the caller's thread does all the work
     }
     d_->host = std::move(hostname);
     d_->verbose = verbose;

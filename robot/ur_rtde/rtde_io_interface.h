@@ -12,9 +12,9 @@
 
 namespace ur_rtde {
 
-/// Setters return true when the command was sent, and false without a connection (after one attempt to reconnect),
-/// if the robot does not read, or if another client or a fieldbus uses the input. Arguments out of range throw
-/// std::range_error before sending.
+/// Setters return true when the command was sent. They return false without a connection (after one attempt
+/// to reconnect), if the robot does not read the data, or if another client or a fieldbus uses the input.
+/// Arguments out of range throw std::range_error before anything is sent.
 /// Threads  any; calls are serialized
 class RTDEIOInterface {
 public:
@@ -33,13 +33,13 @@ public:
     bool setConfigurableDigitalOut(std::uint8_t output_id, bool signal_level);  ///< 0 ... 7
     bool setToolDigitalOut(std::uint8_t output_id, bool signal_level);          ///< 0, 1
     /// speed  0.02 ... 1. At lower values the arm would move extremely slowly, and 0 has caused protective
-    /// stops. To hold the arm, pause or stop the program
+    ///        stops. To keep the arm at standstill, pause or stop the program
     bool setSpeedSlider(double speed);
     bool setAnalogOutputVoltage(std::uint8_t output_id,
                                 double voltage_ratio);  ///< 0, 1; ratio 0 ... 1 of 10 V
     bool setAnalogOutputCurrent(std::uint8_t output_id, double current_ratio);  ///< 0, 1; 0 ... 1 of 4-20 mA
-    bool setInputIntRegister(int input_id, int value);                          ///< 18-22, upper range 42-46
-    bool setInputDoubleRegister(int input_id, double value);                    ///< 18-22, upper range 42-46
+    bool setInputIntRegister(int input_id, int value);                          ///< 18-22; upper range: 42-46
+    bool setInputDoubleRegister(int input_id, double value);                    ///< 18-22; upper range: 42-46
 
 private:
     struct Private;

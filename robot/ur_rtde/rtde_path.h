@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A list of moves executed as one path with blends.
+// A list of moves that are executed as one path with blends.
 
 #include <cstddef>
 #include <string>
@@ -20,7 +20,7 @@ struct PathEntry {
     ///             parameters or NaN, std::range_error for a value out of range.
     PathEntry(eMoveType move_type, ePositionType position_type, const std::vector<double> parameters);
 
-    /// The URScript line, including the line end.
+    /// URScript line, including the line end.
     std::string toScriptCode() const;
 
     eMoveType move_type_;
@@ -38,7 +38,7 @@ public:
     void appendMovelPath(const std::vector<std::vector<double>>& path);
     /// path  rows of 9: joint positions [rad], speed [rad/s], acceleration [rad/s2], blend radius [m]
     void appendMovejPath(const std::vector<std::vector<double>>& path);
-    /// One line per entry, each preceded by a line that reports its number as progress.
+    /// One line per entry. Each is preceded by a line that reports the entry number as progress.
     std::string toScriptCode() const;
 
 private:

@@ -81,7 +81,7 @@ struct RTDEReceiveInterface::Private {
 };
 
 const Sample& RTDEReceiveInterface::Private::newest() const {
-    // One buffer per thread, to avoid locking and allocation.
+    // One buffer per thread avoids locking and allocation.
     thread_local Sample sample;
     receiver.latest(sample);
     return sample;
@@ -161,7 +161,7 @@ void RTDEReceiveInterface::Private::start() {
             throw tiller::urrtde::Interrupted();
         }
         throw std::runtime_error(failed ? receiver.lastError().toString().toStdString()
-                                        : "the robot sends no data over RTDE: is it switched on?");
+                                        : "the robot sends no data over RTDE. Check that it is switched on.");
     }
     if (verbose) {
         for (const std::string& field : receiver.absentFields()) {
@@ -225,7 +225,7 @@ bool RTDEReceiveInterface::startFileRecording(const std::string& filename,
     }
     tiller::recording::RecorderOptions options;
     options.path = QString::fromStdString(filename);
-    options.format = tiller::recording::csvFormat();  // for every name, as in ur_rtde
+    options.format = tiller::recording::csvFormat();  // CSV for every file name, as in ur_rtde
     options.asGiven = true;                           // programs identify columns by number
     options.fields.clear();
     for (const auto& entry : d_->receiver.layout()->entries()) {

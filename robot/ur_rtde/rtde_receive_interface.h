@@ -2,8 +2,8 @@
 #pragma once
 
 // Reads the RTDE data of the robot and records them to CSV files. A separate thread receives the stream and
-// reconnects automatically until disconnect(). The getters return values of the newest package, independent of its
-// age; use isConnected() to check whether data arrive.
+// reconnects automatically until disconnect(). The getters return values of the newest package, regardless of
+// its age. Use isConnected() to check that data arrive.
 //
 // Errors of the getters: std::runtime_error with the field name if the field was not requested (see `variables`) or
 // the robot does not have it.
@@ -19,7 +19,7 @@
 
 namespace ur_rtde {
 
-/// Speed state after a pause; see getSpeedScalingCombined().
+/// State of the speed after a pause: see getSpeedScalingCombined().
 enum class PausingState { PAUSED, RUNNING, RAMPUP };
 
 /// Threads  any
@@ -145,7 +145,8 @@ public:
     /// variables                  names of RTDE output fields to receive; empty: all fields of this interface
     /// use_upper_range_registers  receive output registers 26, 36-43 instead of 2, 12-19
     /// rt_priority                of the receive thread
-    /// Throws std::runtime_error without data for 3 s, std::invalid_argument for an unknown field name.
+    /// Throws std::runtime_error if no data arrive for 3 s, or std::invalid_argument for an unknown field
+    /// name.
     explicit RTDEReceiveInterface(std::string hostname, double frequency = -1.0,
                                   std::vector<std::string> variables = {}, bool verbose = false,
                                   bool use_upper_range_registers = false,
@@ -156,25 +157,25 @@ public:
 
     void disconnect();
     /// Reconnects and waits for data.
-    /// Returns  false without data for 3 s; the thread keeps retrying
+    /// Returns  false if no data arrive for 3 s; the thread keeps retrying
     bool reconnect();
     bool isConnected();
 
-    /// Start of a cycle, for waitPeriod().
+    /// Marks the start of a cycle for waitPeriod().
     std::chrono::steady_clock::time_point initPeriod();
     /// Sleeps until one period of `frequency` after the start of the cycle.
     void waitPeriod(const std::chrono::steady_clock::time_point& t_cycle_start);
 
-    /// Records every package from now on, one row per package and one column per number (actual_q_0 ...).
+    /// Starts recording, with one row per package and one column per number (actual_q_0 ...).
     /// variables  field names in column order; empty: all received fields, `timestamp` first
     /// Throws std::invalid_argument for a field that is not received.
     /// Returns    false if the file cannot be written or a recording is active
     bool startFileRecording(const std::string& filename, const std::vector<std::string>& variables = {});
-    /// Returns  false if there was no recording, or it failed
+    /// Returns  false if there was no recording or the recording failed
     bool stopFileRecording();
     /// Returns after the next package, or after 2.5 s without a package.
     void receiveCallback();
-    /// Returns after the next package was passed to the recording; immediately without a recording.
+    /// Returns after the next package was passed to the recording, or immediately if there is no recording.
     void recordCallback();
 
     double getTimestamp();                        ///< [s] since the start of the controller
@@ -218,9 +219,9 @@ public:
     double getStandardAnalogOutput1();
     bool isProtectiveStopped();
     bool isEmergencyStopped();
-    int getOutputIntRegister(int output_id);  ///< 12-19, upper range 36-43, or as requested in `variables`
+    int getOutputIntRegister(int output_id);  ///< 12-19; upper range: 36-43; or as requested in `variables`
     double getOutputDoubleRegister(int output_id);  ///< same registers as getOutputIntRegister()
-    /// Speed scaling times speed slider; 0 while the program is paused, then increasing smoothly.
+    /// Speed scaling times speed slider. 0 while the program is paused; increases smoothly afterwards.
     double getSpeedScalingCombined();
     std::vector<double> getFtRawWrench();     ///< flange frame [N, Nm]
     double getPayload();                      ///< [kg]

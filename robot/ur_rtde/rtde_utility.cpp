@@ -76,12 +76,13 @@ bool RTDEUtility::isRealtimeKernelAvailable() {
 
 bool RTDEUtility::setRealtimePriority(int priority) {
 #ifdef _WIN32
-    // 16 ... 31 on Windows; not run in this project's CI.
+    // 16 ... 31 on Windows; not run in the project's CI.
     priority = priority >= 31 ? 99 : 50;
 #endif
     const auto report = tiller::realtime::requestThreadPriority(priority);
 #ifdef __linux__
-    // With a limited amount of lockable memory, later allocations would fail, so memory is not locked then.
+    // With a limited amount of lockable memory, later allocations could fail, so memory is not locked in this
+    // case.
     rlimit limit{};
     if (report.ok() && ::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) {
         ::mlockall(MCL_CURRENT | MCL_FUTURE);

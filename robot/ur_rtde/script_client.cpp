@@ -54,7 +54,7 @@ struct ScriptClient::Private {
     }
 
     /// Evaluates a version mark, e.g. "5.10" or "3.15".
-    /// Returns  whether the software has at least this version; empty for an invalid mark
+    /// Returns  true if the software has at least this version; empty for an invalid mark
     std::optional<bool> fits(const std::string& mark) const {
         std::istringstream text(mark);
         unsigned markMajor = 0;
@@ -140,7 +140,7 @@ std::string ScriptClient::getScript() {
     const std::lock_guard lock(d_->mutex);
     std::string text;
     if (d_->file.empty()) {
-        // Uses the program name known to ur_rtde.
+        // Uses the program name of ur_rtde.
         text = tiller::control::Programs::controlProgram({d_->major, d_->minor, 0, 0},
                                                          tiller::control::RegisterRange::Lower)
                    .replace(QStringLiteral("def tiller_control()"), QStringLiteral("def rtde_control()"))

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sends URScript: a file, a text, or the built-in control program, adapted to the controller's software version.
+// Sends URScript to the controller: a file, text, or the built-in control program adapted to the controller's
+// software version.
 
 #include <ur_rtde/rtde.h>
 
@@ -13,7 +14,8 @@ namespace ur_rtde {
 
 class ScriptClient {
 public:
-    /// major_control_version, minor_control_version  of the controller; used for lines marked with a version
+    /// major_control_version, minor_control_version  of the controller; they select the lines marked with a
+    ///                                               version
     explicit ScriptClient(std::string hostname, uint32_t major_control_version,
                           uint32_t minor_control_version, int port = 30003, bool verbose = false);
     virtual ~ScriptClient();
@@ -25,26 +27,26 @@ public:
     void disconnect();
     bool isConnected();
 
-    /// The file used by sendScript() instead of the built-in program; empty: the built-in program.
+    /// File used by sendScript(). Empty: the built-in program.
     void setScriptFile(const std::string& file_name);
     /// Sends the file of setScriptFile(), or the built-in program.
-    /// Returns  false without a connection or if the file cannot be read
+    /// Returns  false if there is no connection or the file cannot be read
     bool sendScript();
     /// Sends a file unchanged.
     bool sendScript(const std::string& file_name);
-    /// Sends a text; a missing line end is added.
+    /// Sends text. Adds a missing line end.
     bool sendScriptCommand(const std::string& cmd_str);
-    /// Inserts `inject_string` after the first `search_string` of every program sent from now on, replacing an
-    /// earlier injection for it.
+    /// Inserts `inject_string` after the first `search_string` of every program sent from now on. Replaces an
+    /// earlier injection for the same search string.
     void setScriptInjection(const std::string& search_string, const std::string& inject_string);
-    /// The text that sendScript() would send. Throws std::runtime_error if the file cannot be read.
+    /// Returns the text that sendScript() would send. Throws std::runtime_error if the file cannot be read.
     std::string getScript();
 
-    /// Removes lines that this software version does not support: lines starting with "$5.4" or "$5.10|3.15" for
-    /// newer software. Marks of remaining lines are replaced by blanks.
+    /// Removes lines that need a newer software version: lines that start with a version mark, e.g. "$5.4" or
+    /// "$5.10|3.15". In the remaining lines, the marks are replaced by blanks.
     /// Returns  false for an invalid mark
     bool removeUnsupportedFunctions(std::string& ur_script);
-    /// Inserts the texts of setScriptInjection().
+    /// Inserts the strings of setScriptInjection().
     /// Returns  false if a search string is missing
     bool scanAndInjectAdditionalScriptCode(std::string& ur_script);
 

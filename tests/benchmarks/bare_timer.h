@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A thread that only wakes up every 2 ms, as a reference next to the measured code, with the same or a higher
-// priority: any program on this machine has at least its delays.
+// A thread that only wakes up every 2 ms, as a reference for the measured code. It has the same priority or a
+// higher one. Any program on this computer has at least the delays of this thread.
 
 #include <atomic>
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace tiller::benchmark {
 
-/// Threads: one, from construction to stop().
+/// Threads: one, from construction until stop().
 class BareTimer {
 public:
     explicit BareTimer(int priority) : thread_([this, priority] { run(priority); }) {}
@@ -28,7 +28,7 @@ public:
             thread_.join();
         }
     }
-    /// Available after stop(): delays and intervals of the wake-ups [ns].
+    /// Delays and intervals of the wake-ups [ns]. Available after stop().
     const realtime::Histogram& lateness() const { return lateness_; }
     const realtime::Histogram& cycles() const { return cycles_; }
 

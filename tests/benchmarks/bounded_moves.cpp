@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How often a gap in the data or in the heartbeat ends a move to a target, with and without real-time priorities, and
-// with the default and a longer heartbeat timeout.
+// Measures how often a gap in the data or in the heartbeat ends a move to a target, with and without
+// real-time priorities, and with the default and a longer heartbeat timeout.
 //
-//     bounded_moves [seconds a row, 30 by default] [busy threads, 0 by default]
+//     bounded_moves [seconds per row, 30 by default] [busy threads, 0 by default]
 //
-// The simulated controller has a higher priority than all other threads, so that it is never the cause.
+// The simulated controller has a higher priority than all other threads, so that it is never the cause of a
+// gap.
 
 #include <atomic>
 #include <chrono>
@@ -28,7 +29,7 @@ struct Row {
     std::chrono::milliseconds heartbeatTimeout;
 };
 
-/// Moves the last joint back and forth; each move takes about a second.
+/// Moves the last joint back and forth. Each move takes about a second.
 void measure(const QString& host, const Row& row, double seconds) {
     RobotOptions options;
     options.control.priority = row.priority;

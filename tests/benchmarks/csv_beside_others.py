@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Cost of opening an hour of 24 columns at 500 Hz as CSV: with Tiller, with pandas, and with LabPlot.
+"""Measures the cost of opening an hour of 24 columns at 500 Hz as CSV with Tiller, pandas and LabPlot.
 
     xvfb-run -a tests/benchmarks/csv_beside_others.py build/release/bin/tiller-cli [--hours H] [--folder F] [--json]
 
-The file (500 MB per hour) is created first and deleted afterwards. The programs run one after the other; their
-processor time and peak memory are measured. `tiller-cli info` reads all values, as the plots do when they open a
-file; pandas uses read_csv(); LabPlot opens a project that refers to the file, needs a display, and counts as finished
-when its processor time stops increasing. Programs that are not installed are reported and skipped.
+The file (500 MB per hour) is created first and deleted afterwards. The programs run one after the other, and their
+processor time and peak memory are measured. `tiller-cli info` reads all values, like the plots when they open a file.
+pandas uses read_csv(). LabPlot opens a project that refers to the file, needs a display, and counts as finished when
+its processor time stops increasing. Programs that are not installed are reported and skipped.
 """
 
 import argparse
@@ -56,20 +56,20 @@ def make(path, rows):
 
 
 def measure(command, environment=None):
-    """Processor time [s] and peak memory [MB] of a program that exits by itself."""
+    """Returns processor time [s] and peak memory [MB] of a program that exits by itself."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                                env={**os.environ, **(environment or {})})
     said = process.stderr.read()
     _, status, used = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode not in (0, 1):  # 1: info reports a problem of the file
+    if process.returncode not in (0, 1):  # 1: info reports a problem in the file
         sys.exit(f"{command[0]}: {said.decode(errors='replace').strip()}")
     return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
 
 
 def watch(command, environment, least, patience=900):
-    """The same for a program with a window: it is finished when it has used `least` memory [MB], which it needs to
-    read the file, and its processor time has not increased for 10 s. Returns None if it has not read the file."""
+    """The same for a program with a window. The program is finished when it has used `least` memory [MB], which it needs
+    to read the file, and its processor time has not increased for 10 s. Returns None if it has not read the file."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                env={**os.environ, **environment})
     spent, most, still = 0.0, 0.0, time.monotonic()

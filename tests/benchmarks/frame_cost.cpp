@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cost of one frame in the GUI thread: the plots with a short and a long history, zoomed in and out, and the scene.
-// Prints percentiles and the ratios that must be below 1.2; times depend on the machine, ratios do not.
+// Measures the cost of one frame in the GUI thread: the plots with a short and a long history, zoomed in and
+// out, and the scene. Prints percentiles and the ratios that must be below 1.2. The times depend on the
+// computer, but the ratios do not.
 //
 // frame_cost [--frames N]
 
@@ -33,7 +34,7 @@ using namespace tiller;
 namespace {
 
 constexpr double kPeriod = 0.002;  // [s]
-constexpr int kWidth = 1430;       // of a plot in the default layout [px]
+constexpr int kWidth = 1430;       // width of a plot in the default layout [px]
 constexpr int kHeight = 130;
 constexpr int kCurves = 12;
 
@@ -49,16 +50,15 @@ Percentiles percentiles(std::vector<double> values) {
     return {at(0.5), at(0.9), at(0.99), values.back()};
 }
 
-/// Processor time instead of wall time, so that other processes have no effect.
+/// Returns processor time instead of wall time, so that other processes have no effect.
 double seconds(const std::function<void()>& work) {
     const std::clock_t from = std::clock();
     work();
     return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC;
 }
 
-/// A signal similar to a robot's: slow movement with noise.
-/// `stretch`: factor for the duration of the movement, so that a history that is longer by this factor looks
-/// the same.
+/// A signal similar to that of a robot: slow movement with noise.
+/// stretch  factor for the duration of the movement; a history that is longer by this factor looks the same
 float signalAt(std::int64_t sample, int signal, double stretch) {
     const double t = static_cast<double>(sample) * kPeriod / stretch;
     const auto noise = static_cast<double>((static_cast<std::uint32_t>(sample) * 2654435761U +
@@ -80,7 +80,7 @@ void grow(SeriesBuffer& history, double length, double stretch = 1) {
     }
 }
 
-/// One case: twelve curves over the last `span` seconds of a history.
+/// One case with twelve curves over the last `span` seconds of a history.
 struct CurveCase {
     const char* name;
     SeriesBuffer& history;
@@ -90,10 +90,10 @@ struct CurveCase {
     ColumnGrid grid = {};
     std::vector<double> times = {};
     double end = 0;
-    bool zooming = false;  ///< the raster changes with every frame, so that no columns are reused
+    bool zooming = false;  ///< true if the raster changes in every frame, so that no columns are reused
 
     void frame(QImage& image) {
-        // The curves move by the samples of one frame, as in live mode.
+        // The curves move by the samples of one frame, as with live data.
         end = end == 0 ? history.lastTime() - 20 : end + 0.0166;
         if (end > history.lastTime()) {
             end = history.lastTime() - 20;
@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
 
     SeriesBuffer shortHistory(kCurves);
     SeriesBuffer longHistory(kCurves);
-    grow(shortHistory, 60);  // 30 s displayed, and some to move through
+    grow(shortHistory, 60);  // 30 s are displayed, and the rest is used for scrolling
     grow(longHistory, 30 * 60 + 30);
     SeriesBuffer slowHistory(kCurves);
     grow(slowHistory, 30 * 60 + 30, 1790.0 / 30.0);
@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
         c.sheet = std::make_unique<CurveRaster>(c.curves, nullptr);
     }
     QImage image(kWidth, kHeight, QImage::Format_ARGB32_Premultiplied);
-    // The cases alternate, so that load of the machine affects all of them.
+    // The cases alternate, so that load on the computer affects all of them.
     for (int i = 0; i < frames; ++i) {
         for (CurveCase& c : cases) {
             c.frame(image);

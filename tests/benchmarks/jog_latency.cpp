@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Latency of jogging: from a press on a jog button to the first motion packet, and from the release to the stop
-// packet, with the whole window including plots and 3D view, and optional load on the other core. A relay between
-// the program and the simulated controller adds time stamps; its own delay is included. Prints a table; asserts
-// nothing.
+// Measures the latency of jogging: from a press on a jog button to the first motion packet, and from the
+// release to the stop packet. Uses the whole window including plots and 3D view, and optional load on the
+// other core. A relay between the application and the simulated controller adds time stamps, and its own
+// delay is included. Prints a table. Does not check limits.
 //
 //   jog_latency [--presses 200] [--no-load] [--json]
 
@@ -46,7 +46,8 @@ namespace {
 constexpr auto kRobot = "127.0.7.3";
 constexpr auto kRelay = "127.0.7.4";
 
-/// Forwards data between the program and one port of the robot, and reads the RTDE packages of the program.
+/// Forwards data between the application and one port of the robot, and reads the RTDE packages of the
+/// application.
 class Relay {
 public:
     explicit Relay(std::uint16_t port) : port_(port) {
@@ -65,7 +66,8 @@ public:
         thread_.join();
         ::close(listener_);
     }
-    /// Time of the first newest command with motion, or without [steady ns].
+    /// Time of the first new command with motion [steady ns]. The next member is that of the first new
+    /// command without motion.
     std::atomic<std::int64_t> beganNs{0};
     std::atomic<std::int64_t> endedNs{0};
 
@@ -94,7 +96,7 @@ private:
         }
         return true;
     }
-    /// Data packages of the command recipe: sequence, epoch, kind, ... as int32, big endian.
+    /// Reads data packages of the command recipe: sequence, epoch, kind, ... as big-endian int32.
     void read(QByteArray& inputs) {
         while (inputs.size() >= 3) {
             const auto byte = [&](qsizetype i) { return static_cast<std::uint8_t>(inputs[i]); };
@@ -179,7 +181,7 @@ double percentile(std::vector<double> values, double percent) {
     return values[static_cast<std::size_t>(std::lround(at))];
 }
 
-/// Runs the event loop for this time, or until the condition is true.
+/// Runs the event loop for this time or until the condition is true.
 template <class Condition>
 bool spin(int ms, Condition condition) {
     QElapsedTimer time;
@@ -196,7 +198,7 @@ bool spin(int ms, Condition condition) {
 void mouse(QWidget& key, QEvent::Type type) {
     const QPointF at = QRectF(key.rect()).center();
     const bool down = type == QEvent::MouseButtonPress;
-    // Posted, as by the window system: it waits for pending paint events.
+    // Posted like an event of the window system, so that it waits for pending paint events.
     QCoreApplication::postEvent(
         &key, new QMouseEvent(type, at, key.mapToGlobal(at), Qt::LeftButton,
                               down ? Qt::MouseButtons(Qt::LeftButton) : Qt::NoButton, Qt::NoModifier));
@@ -258,7 +260,7 @@ int main(int argc, char* argv[]) {
             }
         });
     }
-    // The plots have some history to draw.
+    // Wait until the plots have some history to draw.
     spin(3000, [] { return false; });
 
     std::vector<double> pressMs;
@@ -275,7 +277,7 @@ int main(int argc, char* argv[]) {
         const std::int64_t pressed = now();
         mouse(*key, QEvent::MouseButtonPress);
         const bool began = spin(500, [&] { return rtde.beganNs > pressed; });
-        // Different phases within a frame and within a control period.
+        // The waits have different phases within a frame and within a control period.
         spin(120 + i * 7 % 31, [] { return false; });
         const std::int64_t released = now();
         mouse(*key, QEvent::MouseButtonRelease);

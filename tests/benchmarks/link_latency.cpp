@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Regularity of packages, and the time from a stop to standstill, with real sockets and the simulated controller on
-// this machine. Prints a table and, with --json, one JSON object; asserts nothing.
+// Measures the regularity of packages and the time from a stop to standstill, with real sockets and the
+// simulated controller on this computer. Prints a table and, with --json, one JSON object. Does not check
+// limits.
 //
 //   link_latency [--seconds 10] [--jogs 20] [--record FILE] [--json]
 
@@ -40,7 +41,7 @@ struct JogTimes {
     std::vector<double> distanceMm;
 };
 
-/// One hold and release at 100 mm/s; the motion is refreshed every 20 ms, as by a button.
+/// Performs one hold and release at 100 mm/s. The motion is refreshed every 20 ms, as by a button.
 void jogOnce(control::Controller& controller, double direction, JogTimes& times) {
     control::JogTarget target;
     target.twist.linear.x() = 0.1 * direction;
@@ -111,7 +112,7 @@ int main(int argc, char* argv[]) {
     }
     std::this_thread::sleep_for(500ms);
     receiver.resetCounters();
-    std::this_thread::sleep_for(10ms);  // takes effect with the next package
+    std::this_thread::sleep_for(10ms);  // the command takes effect with the next package
     recording::Recorder recorder;
     if (parser.isSet("record")) {
         recording::RecorderOptions recorderOptions;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Time to open a long recording: the first complete image of 24 curves from a file with 150 numbers per packet, and
-// then any range of it. The file is created in the format of the recorder, and deleted afterwards. Prints processor
-// time and wall time; asserts nothing.
+// Measures the time to open a long recording: the first complete image of 24 curves from a file with 150
+// values per packet, and then any range of the file. The file is created in the format of the recorder and
+// deleted afterwards. Prints processor time and wall time. Does not check limits.
 //
 // long_recording [--hours H] [--folder F] [--zooms N] [--keep]
-//   --hours   of the recording; default 0.5. Eight hours need 10 GB of disk space, and minutes to create
-//   --folder  of the file; an existing long.mcap of this length is reused
+//   --hours   duration of the recording; default 0.5. Eight hours need 10 GB of disk space, and creating the
+//             file takes minutes
+//   --folder  folder of the file; an existing long.mcap with this duration is reused
 
 #include <QApplication>
 #include <QDir>
@@ -53,7 +54,7 @@ Time timeOf(const std::function<void()>& work) {
             static_cast<double>(wall.nsecsElapsed()) * 1e-9};
 }
 
-/// Fields with kNumbers numbers or slightly more.
+/// Returns fields with kNumbers values or slightly more.
 std::vector<std::string> someFields() {
     std::vector<std::string> fields;
     std::size_t numbers = 0;
@@ -217,7 +218,7 @@ int main(int argc, char** argv) {
         std::vector<Time> pictures;
         std::vector<Time> sharp;
         for (int i = 0; i < zooms && status == 0; ++i) {
-            // Any length, from one second to everything, at any position.
+            // Any range from one second to the whole file, at any position.
             const double span = all * std::pow(1 / all, static_cast<double>(i) / (zooms - 1));
             const double start = std::uniform_real_distribution<double>(0, std::max(0.0, all - span))(random);
             pictures.push_back(timeOf([&] {

@@ -12,10 +12,11 @@ namespace tiller::benchmark {
 namespace {
 
 constexpr int kAboveAll = 99;
-// Not more often: on a virtual machine each wake-up costs time of the hypervisor, so that the watch would be a
-// disturbance itself. Not a fraction of a control period, which would always sample the same phase.
+// No shorter period: on a virtual machine, each wake-up takes time of the hypervisor, and the watch itself
+// would cause disturbances. The period is not a fraction of a control period, which would always sample the
+// same phase.
 constexpr auto kPeriod = std::chrono::microseconds(263);
-constexpr std::int64_t kMaxNs = 350'000;  ///< maximum interval of wake-ups on an available CPU
+constexpr std::int64_t kMaxNs = 350'000;  ///< maximum interval between wake-ups on an available CPU
 constexpr std::size_t kMaxValue = 1'000'000;
 
 std::int64_t nowNs() {
@@ -30,7 +31,7 @@ MachineWatch::MachineWatch() {
         Processor& processor = *processors_.emplace_back(std::make_unique<Processor>());
         processor.absences.resize(kMaxValue);
         processor.thread = std::thread([this, &processor, i] { watch(processor, i); });
-        // Staggered: a thread disturbed on one CPU can use another one.
+        // Staggered, so that a thread disturbed on one CPU can use another CPU.
         std::this_thread::sleep_for(kPeriod / count);
     }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Distinguishes delays of the machine from delays of the program. On each CPU, a thread above all measured
-// priorities only wakes up: if it is late, the CPU was not available (used by a hypervisor or the kernel), and no
-// program on it could have been in time.
+// Distinguishes delays of the computer from delays of the program. On each CPU, a thread with a priority
+// above all measured threads only wakes up. If it is late, the CPU was not available (used by a hypervisor or
+// the kernel), and no program on this CPU could have been in time.
 
 #include <atomic>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace tiller::benchmark {
 
-/// Requires SCHED_FIFO (root, or a line in limits.d): see isWatching().
-/// Threads: one caller, after stop() or while the watch is running.
+/// Requires SCHED_FIFO (root, or an entry in limits.d); see isWatching(). Threads: one caller, after stop()
+/// or while the watch is running.
 class MachineWatch {
 public:
     MachineWatch();
@@ -23,7 +23,7 @@ public:
     MachineWatch& operator=(const MachineWatch&) = delete;
 
     bool isWatching() const;
-    /// Whether a CPU was unavailable between these times of the steady clock [ns].
+    /// True if a CPU was unavailable between these times of the steady clock [ns].
     bool wasAway(std::int64_t fromNs, std::int64_t toNs) const;
     /// Number and total duration [s] of unavailable periods.
     std::uint64_t count() const;
@@ -34,7 +34,7 @@ private:
         std::int64_t fromNs;
         std::int64_t toNs;
     };
-    /// Written by its thread only; `count` is the number of complete entries.
+    /// Written only by the thread of the CPU. `count` is the number of complete entries.
     struct Processor {
         std::vector<Absence> absences;
         std::atomic<std::size_t> count{0};

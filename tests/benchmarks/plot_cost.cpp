@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cost of the plots with an hour of history: adding every packet, and drawing 24 curves, 1920 px wide, while the
-// view follows, pans and zooms. Prints processor time and wall time; the latter includes effects of other
-// processes.
+// Measures the cost of the plots with an hour of history: adding every packet, and drawing 24 curves with a
+// width of 1920 px while the view follows, pans and zooms. Prints processor time and wall time. Wall time
+// includes effects of other processes.
 //
-// Each time is followed by its parts: the look-up of 24 curves in the pixel columns, the painting of these columns
-// and the scales (Tiller's code), and Qt's drawing of the scene: axes, labels, legends, and copying of images.
+// Each time is followed by its parts: the look-up of 24 curves in the pixel columns, the painting of these
+// columns and the scales (Tiller's code), and Qt's drawing of the scene (axes, labels, legends, and copying
+// of images).
 //
 // plot_cost [--frames N] [--hours H] [--only WORD]
 
@@ -65,7 +66,7 @@ struct Times {
 
 /// Parts of a frame [ms of processor time].
 struct Parts {
-    Times lookUp;  // repeated outside of the view with separate curves
+    Times lookUp;  // repeated outside the view with separate curves
     Times show;    // work of the view: look-up, painting of columns, scales
     Times draw;    // work of Qt
 };
@@ -117,7 +118,7 @@ PageLayout fourPlots() {
     return page;
 }
 
-/// Every packet with all fields, frame by frame.
+/// Appends every packet with all fields, frame by frame.
 Times append(std::int64_t packets) {
     SignalStore store(HistoryLimits{7200, std::size_t{4} << 30});
     const std::size_t columns = store.liveColumns().size();

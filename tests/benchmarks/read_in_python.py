@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Cost for a Python program that reads every packet of a robot at 500 Hz.
+"""Measures the cost for a Python program of reading every packet of a robot at 500 Hz.
 
     PYTHONPATH=build/release/python python3 tests/benchmarks/read_in_python.py build/release/bin/tests/tiller_python_robot [60]
 
-The robot is simulated in a separate process in real time. Two readers, one after the other: `tiller.Robot.samples()`,
-which returns every packet once, and `rtde_receive` polled once per period, as in programs written for ur_rtde. For
-each reader: the number of packets that the controller sent, that were read, read twice and missed, and the processor
-time of this process, including the receive thread, as a share of one core. Exits with 1 if samples() missed or
-repeated a packet.
+The robot is simulated in a separate process in real time. Two readers run one after the other:
+`tiller.Robot.samples()`, which returns every packet once, and `rtde_receive` polled once per period, as in programs
+written for ur_rtde. For each reader, the table contains the numbers of packets sent by the controller, read, read twice
+and missed, and the processor time of this process, including the receive thread, as a share of one core. Exits with 1
+if samples() missed or repeated a packet.
 """
 import subprocess
 import sys

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Speed of writing, opening and exporting recordings per second of processor time, from memory to a folder
-// (default: a temporary one). Prints a table; asserts nothing.
+// Measures the speed of writing, opening and exporting recordings per second of processor time, from memory
+// to a folder (default: a temporary folder). Prints a table. Does not check limits.
 //   recording_speed [minutes] [folder]
 
 #include <QCoreApplication>
@@ -22,7 +22,7 @@ using namespace tiller::recording;
 
 namespace {
 
-/// Processor time, so that other processes have no effect.
+/// Returns processor time, so that other processes have no effect.
 double secondsOf(const std::function<void()>& work) {
     const std::clock_t begin = std::clock();
     work();
@@ -34,7 +34,7 @@ void print(const char* what, double bytes, double seconds) {
     std::fflush(stdout);
 }
 
-/// Repeats the same samples, so that generating them costs no time, with sensor-like noise.
+/// Returns samples with sensor-like noise. They are repeated, so that generating them costs no time.
 std::vector<receive::Sample> someSamples(test::MadeSamples& made) {
     std::vector<receive::Sample> samples;
     std::uint64_t state = 1;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Scaling of backend and plots with the number of robots and fields: simulated controllers, each in a separate
-// process, and for each of them a receiver, a history and a recorder (MCAP), as in the window; then a page with
-// four curves per robot. Counts lost packets, and prints the processor time by thread. Prints a table; asserts
-// nothing.
+// Measures how backend and plots scale with the number of robots and fields. Each simulated controller is a
+// separate process. Each has a receiver, a history and a recorder (MCAP), as in the window, and the page has
+// four curves per robot. Counts lost packets and prints the processor time by thread as a table. Does not
+// check limits.
 //
 //   scale [--seconds 5] [--robots 1,8,32] [--fields 20,100] [--json]
 //
-// robots, fields  one row per pair; fields are the first ones of the controller's outputs. Their names must fit
-//                 into 2048 bytes, which is about 110 fields
+// robots, fields  one row per pair; the fields are the first outputs of the controller. Their names must
+//                 fit into 2048 bytes, which is about 110 fields
 // receive         processor time of a receive thread [us per packet]
 // history         moving a packet from the ring to the history [us per packet]
-// recorder        writing a packet to the file [us per packet]; its file [MB per minute and robot]
+// recorder        writing a packet to the file [us per packet]; size of the file [MB per minute and robot]
 // frame           drawing a page of 1920 x 900 with 4 curves per robot, 30 s of history [ms]
 // memory          memory of half an hour of history [MB per robot]
-// lost            packets that a receiver did not get [%]
+// lost            packets that a receiver did not receive [%]
 // all             CPU load of this program, and of the controllers [% of a core]
 
 #include <QApplication>
@@ -65,7 +65,7 @@ double seconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Processor time of the threads of a process by name [s].
+/// Returns the processor time of the threads of a process, by thread name [s].
 std::map<std::string, double> threadSeconds(const std::string& process) {
     std::map<std::string, double> byName;
     std::error_code problem;
@@ -87,7 +87,7 @@ double sum(const std::map<std::string, double>& byName) {
     return all;
 }
 
-/// One robot: a controller in a separate process, and Tiller's objects for it.
+/// One robot: a controller in a separate process and Tiller's objects for it.
 struct Robot {
     Robot(int number, const std::vector<std::string>& fields, const QString& folder) {
         receive::ReceiverOptions options;
@@ -119,7 +119,7 @@ struct Robot {
         return static_cast<bool>(recorder.start(file, *receiver));
     }
 
-    /// Moves the packets since the last frame to the history.
+    /// Moves the packets received since the last frame to the history.
     void drain() {
         std::size_t count = 0;
         for (;; ++count) {
@@ -160,7 +160,8 @@ struct Figures {
     double frameMs = 0;
 };
 
-/// Memory of half an hour of history with this number of values, extrapolated from two minutes [MB].
+/// Returns the memory of half an hour of history with this number of values, extrapolated from two minutes
+/// [MB].
 double memoryOf(int numbers) {
     constexpr std::size_t kRows = 65'536;
     SeriesBuffer history(numbers, HistoryLimits{kHalfHour, std::size_t{8} << 30});
@@ -175,7 +176,7 @@ double memoryOf(int numbers) {
     return (static_cast<double>(history.memoryBytes()) - empty) * kHalfHour * kRate / kRows / 1e6;
 }
 
-/// Cost of one live frame of a page with this number of curves [ms].
+/// Returns the cost of one live frame of a page with this number of curves [ms].
 double frameOf(int curves) {
     SignalStore store;
     const auto columns = static_cast<int>(store.liveColumns().size());
@@ -223,7 +224,7 @@ double frameOf(int curves) {
     return spent * 1e3 / kFrames;
 }
 
-/// Empty if a controller did not start.
+/// Returns an empty optional if a controller did not start.
 std::optional<Figures> measure(int robots, int fields, double duration) {
     std::vector<std::string> names;
     for (const rtde::Field& field : rtde::outputFields()) {
@@ -260,7 +261,7 @@ std::optional<Figures> measure(int robots, int fields, double duration) {
         }
     };
     double history = 0;
-    rest(1, history);  // until all buffers have their final size
+    rest(1, history);  // run until all buffers have their final size
     const double begun = seconds(CLOCK_MONOTONIC);
     const auto threads = threadSeconds("self");
     const double controllers = controllerSeconds();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cost of the view in the GUI thread at 1200 x 700 while the arm is jogged: with and without a ghost, with a cell,
-// and while the view is rotated; and the time from a selection until its ghost is drawn. Processor time, so that
-// other processes have no effect.
+// Measures the cost of the 3D view in the GUI thread at 1200 x 700 while the arm is jogged: with and without
+// a ghost, with a cell, and while the view is rotated. Also measures the time from a selection until its
+// ghost is drawn. Uses processor time, so that other processes have no effect.
 //
 // scene_cost [--frames N]
 

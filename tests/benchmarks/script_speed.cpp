@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Speed of the URScript interpreter: simple statements per second in one or more threads, and the cost of a control
-// loop at 500 Hz. Only the interpreter is measured, with a host that responds immediately.
+// Measures the speed of the URScript interpreter: simple statements per second in one or more threads, and
+// the cost of a control loop at 500 Hz. Only the interpreter is measured, with a host that responds
+// immediately.
 //
 //     script_speed [seconds for each row, 1 by default]
 //
-// Rates are based on processor time, percentiles on wall time. Target: 10 million simple statements per second and
-// thread; a control loop below 5 % of one core.
+// Rates are based on processor time, and percentiles on wall time. Target: 10 million simple statements per
+// second and thread, and a control loop below 5 % of one core.
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +34,7 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// `body` consists of `statements` simple statements; each of `threads` threads repeats it.
+/// `body` consists of `statements` simple statements. Each of `threads` threads repeats it.
 struct Load {
     const char* name;
     int statements;
@@ -56,7 +57,8 @@ constexpr Load kLoads[] = {
     {"call of a builtin", 4, "x = sin(0.5) y = cos(0.5) x = sqrt(2.0) y = norm(3.0)"},
 };
 
-/// Total statements per second of all threads. The number of iterations is read from the program.
+/// Returns the total number of statements per second in all threads. The number of iterations is read from
+/// the program.
 double statementRate(const Load& load, int threads, double seconds) {
     std::string text =
         "def m():\nglobal rounds = [0,0,0,0,0,0,0,0]\ndef f(v):\nreturn v\nend\nthread t():\nlocal me = "
@@ -100,12 +102,12 @@ double statementRate(const Load& load, int threads, double seconds) {
         std::fprintf(stderr, "%s\n", interpreter.error() ? interpreter.error()->text.c_str() : "ended");
         std::exit(1);
     }
-    // The two statements of the loop itself (condition and count) are excluded.
+    // The two statements of the loop itself (condition and count) are not included.
     return (rounds() - before) * 100 * load.statements / elapsed;
 }
 
-// A typical remote control program: a main loop that reads registers and executes commands, a servo thread, a
-// watchdog, status output, and a trajectory spline evaluated in every frame.
+// A typical remote control program with a main loop that reads registers and executes commands, a servo
+// thread, a watchdog, status output, and a trajectory spline that is evaluated in every frame.
 const char* const kControlLoop = R"(
 def control():
   global target = [0.1,-1.2,1.3,-1.4,-1.5,0.6]
@@ -160,7 +162,7 @@ struct Percentiles {
     double median, p99, p999, mean;
 };
 
-/// [us] per frame of the control loop.
+/// Returns the cost per frame of the control loop [us].
 Percentiles controlLoopCost(double seconds) {
     const CompileOutcome outcome = compile(kControlLoop);
     if (!outcome) {
@@ -187,7 +189,7 @@ Percentiles controlLoopCost(double seconds) {
     const auto at = [&](double share) {
         return costs[static_cast<std::size_t>(share * double(costs.size() - 1))];
     };
-    // The mean is based on processor time including the measurement itself: an upper bound.
+    // The mean is an upper bound, because it is based on processor time including the measurement itself.
     return {at(0.5), at(0.99), at(0.999), 1e6 * spent / double(costs.size())};
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Cost and regularity of a simulated controller in real time with real sockets: three RTDE clients with the full
-// recipe of the receiver at full rate, a primary client and a 500 Hz script; first one controller, then several in
-// parallel. As a reference, a thread of the same priority only wakes up every 2 ms. Finally both are evaluated
-// second by second: on a shared machine some seconds are disturbed, and the median is representative. Prints tables
-// and, with --json, one JSON object; asserts nothing.
+// Measures the cost and regularity of a simulated controller in real time with real sockets: three RTDE
+// clients with the full recipe of the receiver at full rate, a primary client, and a 500 Hz script. Runs
+// first one controller and then several in parallel. As a reference, a thread with the same priority only
+// wakes up every 2 ms. Finally, both are evaluated second by second: on a shared computer some seconds are
+// disturbed, and the median is representative. Prints tables and, with --json, one JSON object. Does not
+// check limits.
 //
 //   simulator_cost [--seconds 20] [--controllers 8] [--clients 3] [--priority 95] [--json]
 
@@ -34,7 +35,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// A typical control loop of clients: reads registers, sends a servo target, writes registers.
+/// A typical control loop of a client: reads registers, sends a servo target, writes registers.
 const char* const kScript =
     "def loop():\n"
     "  q0 = get_actual_joint_positions()\n"
@@ -83,7 +84,7 @@ struct Cell {
         if (upload.waitForConnected(5000)) {
             upload.write(kScript);
             upload.waitForBytesWritten(5000);
-            upload.waitForDisconnected(200);  // time for reading it
+            upload.waitForDisconnected(200);  // gives the controller time to read the script
         }
     }
 
@@ -137,7 +138,7 @@ QString load() {
     return text.empty() ? QStringLiteral("unknown") : QString::fromStdString(text);
 }
 
-/// Runs this number of controllers for a while and prints the results of each, and of a bare timer.
+/// Runs this number of controllers for some time. Prints the results of each controller and of a bare timer.
 std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients, int priority, int seconds) {
     std::vector<std::unique_ptr<Cell>> cells;
     for (int i = 1; i <= controllers; ++i) {
@@ -165,8 +166,8 @@ std::optional<QJsonArray> measure(QTextStream& out, int controllers, int clients
     return all;
 }
 
-/// One controller and a bare timer, second by second: the seconds without disturbances of the machine show the cost
-/// of the controller.
+/// Runs one controller and a bare timer, and evaluates them second by second. The seconds without
+/// disturbances of the computer show the cost of the controller.
 std::optional<QJsonObject> measureBySeconds(QTextStream& out, int priority, int seconds) {
     Cell cell(1, priority, 3);
     if (!cell.error.isEmpty()) {

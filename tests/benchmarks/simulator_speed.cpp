@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Speed of the simulated controller without real time: ratio of virtual to real time for a moving UR5e with a
-// running program, and the time to create one, start it, move it for 10 ms and destroy it. Prints both and, with
-// --json, one JSON object; asserts nothing.
+// Measures the speed of the simulated controller without real time: the ratio of virtual to real time for a
+// moving UR5e with a running program, and the time to create a controller, start it, move it for 10 ms and
+// destroy it. Prints both and, with --json, one JSON object. Does not check limits.
 //
 //   simulator_speed [--seconds 60] [--lives 1000] [--json]
 
@@ -24,7 +24,7 @@ using Steady = std::chrono::steady_clock;
 
 namespace {
 
-/// Joint and linear moves one after the other, and an output with the progress.
+/// Alternates joint and linear moves, and writes the progress to an output.
 const char* const kProgram =
     "def tour():\n"
     "  home = get_actual_joint_positions()\n"
@@ -40,7 +40,7 @@ const char* const kProgram =
     "    set_digital_out(0, round % 2 == 0)\n"
     "  end\n"
     "end\n";
-/// Moves from the first period on.
+/// Starts to move in the first period.
 const char* const kTurn =
     "def turn():\n"
     "  speedj([0.5, 0, 0, 0, 0, 0], 5, 10)\n"
@@ -63,7 +63,7 @@ simulator::SimulatorOptions virtualRobot() {
     return options;
 }
 
-/// Returns whether the program is running.
+/// Starts the program. Returns true if it is running.
 bool play(simulator::Simulator& robot, const char* program) {
     QTcpSocket upload;
     upload.connectToHost(robot.listenAddress(), robot.ports().secondary);
@@ -81,7 +81,7 @@ bool play(simulator::Simulator& robot, const char* program) {
 struct Speed {
     double passed = 0;     ///< real time [s]
     double processor = 0;  ///< [s]
-    double path = 0;       ///< of the TCP [m], to verify that it moves
+    double path = 0;       ///< path of the TCP, to verify that the arm moves [m]
     bool good = false;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Start-up time: from the start of the process to the first frame of the window, and to the first frame with a live
-// value of the simulated controller; and to the first line of tiller-cli. Each start is a separate process; prints
-// wall time and processor time, median of several runs. The window's process performs the steps of app/main.cpp and
-// prints its progress; QT_QPA_PLATFORM=xcb measures on an X server. Prints a table; asserts nothing.
+// Measures start-up times: from the start of the process to the first frame of the window, to the first frame
+// with a live value of the simulated controller, and to the first line of tiller-cli. Each start is a
+// separate process. Prints the median wall time and processor time of several runs as a table. The process of
+// the window performs the steps of app/main.cpp and prints its progress. QT_QPA_PLATFORM=xcb measures on an X
+// server. Does not check limits.
 //
 //   start_time [--runs 7] [--json]
 
@@ -40,7 +41,8 @@ double seconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Prints each event once: name, wall time since the start of the process, and processor time so far [ms].
+/// Prints each event once with its name, the wall time since the start of the process, and the processor time
+/// so far [ms].
 void tell(const char* moment, double begun) {
     QTextStream(stdout) << moment << ' ' << (seconds(CLOCK_MONOTONIC) - begun) * 1e3 << ' '
                         << seconds(CLOCK_PROCESS_CPUTIME_ID) * 1e3 << '\n';
@@ -57,7 +59,7 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() == QEvent::UpdateRequest && watched == &window_) {
-            // After this event the frame is on the screen.
+            // The frame is on the screen after this event.
             const bool live = live_;
             QMetaObject::invokeMethod(
                 this, [this, live] { shown(live); }, Qt::QueuedConnection);
@@ -158,7 +160,7 @@ bool startWindow(std::map<QString, Moment>& moments) {
     return true;
 }
 
-/// One start of tiller-cli up to its first line.
+/// Measures one start of tiller-cli up to its first line.
 bool startCli(const QStringList& arguments, const QString& name, std::map<QString, Moment>& moments) {
     const double cpuBefore = childrenCpuMs();
     QProcess child;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Accuracy and cost of the wake-ups of three 2 ms loops: one that only waits actively, one that only sleeps, and
-// Tiller's, which waits actively for the measured delay of wake-ups. They alternate, so that load of the machine
-// affects all of them.
+// Measures the accuracy and cost of the wake-ups of three 2 ms loops: one that only waits actively, one that
+// only sleeps, and Tiller's loop, which waits actively for the measured wake-up delay. The loops alternate,
+// so that load on the computer affects all of them.
 //
-//     wake_up [seconds a loop and round, 3 by default] [rounds, 3 by default] [priority, 0 by default]
+//     wake_up [seconds per loop and round, 3 by default] [rounds, 3 by default] [priority, 0 by default]
 //
-// First without load, then with all CPUs but one kept busy by threads of the normal scheduler. Late: more than 2.5
-// ms after the previous wake-up. Target: not more late wake-ups than the active loop at less than half its cost.
+// The first run is without load. In the second run, threads of the normal scheduler keep all CPUs but one
+// busy. A wake-up more than 2.5 ms after the previous one is late. Target: not more late wake-ups than the
+// active loop at less than half its cost.
 
 #include <atomic>
 #include <chrono>
@@ -37,7 +38,7 @@ struct Figures {
     double seconds = 0;
 };
 
-/// A loop in a separate thread; adds its results.
+/// Runs a loop in a separate thread and adds its results.
 void runLoop(Kind kind, double seconds, int priority, Figures& figures) {
     std::thread([&] {
         (void)requestThreadPriority(priority);

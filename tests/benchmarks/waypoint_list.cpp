@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cost of a long list of waypoints in the GUI thread: scrolling, searching, and an edit, with 2000 waypoints.
-// Prints the processor time of single steps; none may block the window for 50 ms.
+// Measures the cost of a list with 2000 waypoints in the GUI thread: scrolling, searching, and an edit.
+// Prints the processor time of single steps. None of them may block the window for 50 ms.
 //
 // waypoint_list [--waypoints N]
 
@@ -30,7 +30,7 @@ namespace {
 
 constexpr double kStallMs = 50;
 
-/// Processor time instead of wall time, so that other processes have no effect [ms].
+/// Returns processor time instead of wall time, so that other processes have no effect [ms].
 double cost(const std::function<void()>& work) {
     const std::clock_t from = std::clock();
     work();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// CPU load of the window without user input: processor time of the program and of its GUI thread, and the duration
-// of a frame, at rest with running plots, while the arm is jogged, and minimized. The simulated controller runs in
-// a separate process, so that its cost is excluded. Uses the offscreen platform by default and, with
-// QT_QPA_PLATFORM=xcb, an X server. Prints a table; asserts nothing.
+// Measures the CPU load of the window without user input: processor time of the application and of its GUI
+// thread, and the duration of a frame. The cases are: at rest with running plots, while the arm is jogged,
+// and minimized. The simulated controller runs in a separate process, so that its cost is excluded. Uses the
+// offscreen platform by default, and an X server with QT_QPA_PLATFORM=xcb. Prints a table. Does not check
+// limits.
 //
 //   window_cost [--seconds 5] [--size 1920x1080 ...] [--no-jog] [--paints] [--json]
 
@@ -42,7 +43,7 @@ double cpuSeconds(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Measures paint events: the requests to update a whole window.
+/// Measures paint events, which are the requests to update a whole window.
 class TimedApplication : public QApplication {
 public:
     using QApplication::QApplication;
@@ -72,7 +73,7 @@ public:
 
     std::vector<double> frameMs;
 
-    /// Lists the painting widgets; only on request, to find the cause of a cost.
+    /// Lists the widgets that paint. Used only on request, to find the cause of a cost.
     struct Paints {
         int count = 0;
         double ms = 0;
@@ -114,10 +115,10 @@ void mouse(QWidget& key, QEvent::Type type) {
 }
 
 struct Figures {
-    double programPercent = 0;  ///< of one core, all threads
-    double guiPercent = 0;      ///< of one core, the GUI thread
+    double programPercent = 0;  ///< all threads [% of one core]
+    double guiPercent = 0;      ///< the GUI thread [% of one core]
     double framesPerSecond = 0;
-    double p50 = 0, p99 = 0, longest = 0;  ///< of one frame [ms]
+    double p50 = 0, p99 = 0, longest = 0;  ///< duration of one frame [ms]
 };
 
 class Meter {
@@ -151,7 +152,7 @@ Figures atRest(TimedApplication& application, int ms) {
     return meter.read();
 }
 
-/// Jogs back and forth, half a second in each direction, so that the arm stays at its position.
+/// Jogs back and forth for half a second in each direction, so that the arm remains near its position.
 Figures jogging(TimedApplication& application, app::MainWindow& window, int ms) {
     const Meter meter(application);
     for (int way = 0; way * 500 < ms; ++way) {

@@ -9,11 +9,11 @@
 namespace tiller::test {
 namespace {
 
-// Commanded speeds have no noise. Measured speeds do, but they show an external force that moves the arm in
-// freedrive.
+// Commanded speeds have no noise. Measured speeds are noisy, but they show an arm that an external force
+// moves in freedrive.
 constexpr double kCommandedMoves = 5e-4;  // [rad/s]
 constexpr double kMeasuredMoves = 0.012;  // [rad/s]
-// Without data for this time the controller is considered to have stopped.
+// If no data arrive for this time, the controller is considered to have stopped.
 constexpr int kSilenceMs = 20'000;
 
 double largest(std::span<const double> values) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Observes the arm from outside, with a separate RTDE client in another process than the window. All times
-// are robot times, so that a slow machine does not look like a slow stop.
+// Observes the arm with a separate RTDE client, in a process other than that of the window. All times are
+// robot times, so that a slow computer does not look like a slow stop.
 
 #include <QString>
 #include <functional>
@@ -14,55 +14,57 @@
 
 namespace tiller::test {
 
-/// Result for the arm after the last key was released.
+/// Result of observing the arm after the last key was released.
 struct Standstill {
     enum class Verdict {
-        Stood,   ///< within the time of the contract
-        Late,    ///< the arm stopped, but later
-        GoesOn,  ///< the arm still moved a second later
+        Stood,   ///< the arm stopped within the time of the contract
+        Late,    ///< the arm stopped, but too late
+        GoesOn,  ///< the arm was still moving a second later
         Blind,   ///< no data were received, so there is no result
     };
     Verdict verdict = Verdict::Blind;
-    double seconds =
-        0;  ///< robot time, from the first package after the release to the last package with motion
+    /// Robot time from the first package after the release to the last package with motion.
+    double seconds = 0;
+    /// Time in which the program or the display server was ready to run, but other processes used the processors [s].
+    double withoutProcessor = 0;
 };
 
-/// Threads: one, in addition to the receiver's own.
+/// Threads: one, in addition to that of the receiver.
 class ArmWatch {
 public:
-    /// `host`: address of the simulated controller.
+    /// host  address of the simulated controller
     explicit ArmWatch(const QString& host);
 
     /// Waits until a package has arrived.
     bool isConnected();
     /// True if the arm moves according to the latest package.
     bool moves();
-    /// Waits until the arm has moved for kConnectPending, for at most this robot time [s].
+    /// Waits until the arm has moved for kConnectPending, but at most for this robot time [s].
     bool untilMoving(double seconds);
-    /// Waits until the arm has been at standstill for `quiet`, for at most `seconds` (both in robot time
-    /// [s]).
+    /// Waits until the arm has been at standstill for `quiet`, but at most for `seconds` (both are robot
+    /// times [s]).
     bool untilStanding(double seconds, double quiet = kQuiet);
-    /// Call immediately after the release. Observes the arm until it has been at standstill for `quiet`.
-    /// `contract`: permitted time until standstill [s].
+    /// Call this immediately after the release. Observes the arm until it has been at standstill for `quiet`.
+    /// contract  permitted time until standstill [s]
     Standstill standstill(double contract, double quiet = kQuiet);
-    /// True if the arm does not move at all during this robot time [s].
+    /// True if the arm does not move during this robot time [s].
     bool stays(double seconds);
 
-    /// Values of the latest package.
+    /// Values in the latest package.
     Vector6 joints();
     Vector6 tcpPose();
     /// The highest commanded joint speed [rad/s].
     double speed();
 
-    /// Time without motion that counts as standstill [s]: longer than any short pause.
+    /// Time without motion that counts as standstill [s]. Longer than any short pause.
     static constexpr double kQuiet = 0.06;
-    /// Time with motion that counts as moving [s], so that a release has a motion to end.
+    /// Time with motion that counts as moving [s], so that the release ends an actual motion.
     static constexpr double kConnectPending = 0.05;
     static constexpr double kGoesOnAfter = 1.0;
 
 private:
-    /// Evaluates every package from now on, until `done` returns true or no package has arrived for a long
-    /// time.
+    /// Evaluates every package from the time of the call on, until `done` returns true or no package has
+    /// arrived for a long time.
     bool follow(const std::function<bool(const receive::Sample&)>& done);
     bool isMoving(const receive::Sample& sample) const;
     double timeOf(const receive::Sample& sample) const { return sample.at(timestamp_); }

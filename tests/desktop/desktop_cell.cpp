@@ -5,12 +5,14 @@
 
 #include <QDir>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTcpSocket>
 #include <QTest>
+#include <algorithm>
 
 namespace tiller::test {
 namespace {
@@ -31,7 +33,7 @@ QProcessEnvironment environmentWith(const QString& home, const QString& display)
     environment.insert("LC_ALL", "C.UTF-8");
     environment.insert("QT_QPA_PLATFORM", "xcb");
     environment.remove("WAYLAND_DISPLAY");
-    // Independent of the desktop's theme and of the message bus of the user who runs the tests.
+    // Makes the tests independent of the desktop's theme and of the message bus of the user who runs them.
     environment.insert("QT_QPA_PLATFORMTHEME", "none");
     environment.insert("DBUS_SESSION_BUS_ADDRESS", "disabled:");
     return environment;
@@ -72,7 +74,7 @@ QString Child::waitForLine(const QString& beginning) {
     time.start();
     while (time.elapsed() < kStartMs) {
         QStringList lines = output().split('\n');
-        lines.removeLast();  // not complete yet
+        lines.removeLast();  // the last line is not complete yet
         for (const QString& line : std::as_const(lines)) {
             if (line.startsWith(beginning)) {
                 return line;
@@ -92,11 +94,16 @@ void Child::signal(int number) {
     }
 }
 
+double Child::withoutProcessor() const {
+    QFile file(QStringLiteral("/proc/%1/schedstat").arg(process_.processId()));
+    return file.open(QIODevice::ReadOnly) ? file.readAll().split(' ').value(1).toDouble() * 1e-9 : 0;
+}
+
 // ---- DesktopCell
 
 namespace {
 
-/// How a window manager is started.
+/// Describes how a window manager is started.
 struct WindowManager {
     QString name;
     QStringList arguments;
@@ -139,7 +146,7 @@ DesktopCell::~DesktopCell() {
     }
     arm_.reset();
     places_.reset();
-    // The window must end before its display; otherwise it would report a lost display.
+    // The window must exit before its display. Otherwise, it would report a lost display.
     program_.signal(SIGCONT);
 }
 
@@ -190,7 +197,7 @@ bool DesktopCell::startDisplay() {
     if (!windowManager_.start(program, command, environment())) {
         return fail(program + " could not be started");
     }
-    // The window manager is ready when it has announced its desktops; openbox has several.
+    // The window manager is ready when it has announced its desktops. openbox has several desktops.
     const int desktops = windowManagerName_ == kOpenbox ? 2 : 1;
     if (!until([&] { return hand_->desktopCount() >= desktops; })) {
         return fail(windowManagerName_ + " does not manage the display");
@@ -209,7 +216,7 @@ bool DesktopCell::startController() {
             arm_ = std::make_unique<ArmWatch>(host_);
             return arm_->isConnected() || fail("the simulated controller sends nothing");
         }
-        controller_.waitForEnd(kStartMs);  // another controller is listening there
+        controller_.waitForEnd(kStartMs);  // another controller uses this address
     }
     return fail("no simulated controller could be started");
 }
@@ -241,7 +248,7 @@ bool DesktopCell::startProgram() {
 }
 
 bool DesktopCell::takeControl() {
-    // There is no next step while the window connects; then it is "Take control".
+    // While the window connects, there is no next step. Afterwards it is "Take control".
     return until([&] {
         if (place("jog.X+").enabled) {
             return true;
@@ -333,6 +340,18 @@ bool DesktopCell::armKeyboard() {
     hand_->tap(kLetterJ);
     hand_->release(kControl);
     return untilShown("armedFrame");
+}
+
+Standstill DesktopCell::standstill(double contract) {
+    const auto waited = [this] { return display_.withoutProcessor() + program_.withoutProcessor(); };
+    const double before = waited();
+    Standstill result = arm_->standstill(contract);
+    // A process that has ended meanwhile has no statistics any more.
+    result.withoutProcessor = std::max(waited() - before, 0.0);
+    if (result.verdict == Standstill::Verdict::Late && result.seconds - result.withoutProcessor <= contract) {
+        result.verdict = Standstill::Verdict::Stood;
+    }
+    return result;
 }
 
 bool DesktopCell::fault(const QString& words) {

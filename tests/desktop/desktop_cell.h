@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A complete workplace: an X server with a window manager, the built program, and a simulated controller.
+// A complete workplace: an X server with a window manager, the built application, and a simulated controller.
 // Each is a separate process, so that any of them can be frozen or killed while the arm is observed from
 // outside.
 
@@ -22,17 +22,19 @@
 
 namespace tiller::test {
 
-/// A child process that ends with this object.
+/// A child process that is terminated when this object is destroyed.
 class Child {
 public:
     ~Child();
     /// Returns false if the process could not be started.
     bool start(const QString& program, const QStringList& arguments, const QProcessEnvironment& environment);
-    /// Waits until the process has printed a line that starts with `beginning`, and returns it; empty if the
-    /// process ended or the wait timed out.
+    /// Waits until the process has printed a line that starts with `beginning`, and returns the line. Returns
+    /// an empty text if the process exited or the wait timed out.
     QString waitForLine(const QString& beginning);
     void signal(int number);
     bool isRunning() const { return process_.state() == QProcess::Running; }
+    /// Total time in which the main thread was ready to run, but had no processor [s].
+    double withoutProcessor() const;
     bool waitForEnd(int ms) {
         return process_.state() == QProcess::NotRunning || process_.waitForFinished(ms);
     }
@@ -44,33 +46,33 @@ private:
     QByteArray output_;
 };
 
-/// A widget of the window as visible on the screen.
+/// The position of a widget of the window on the screen.
 struct Place {
     bool found = false;
     bool visible = false;
     bool enabled = false;
-    bool active = false;  ///< its window has the keyboard focus
+    bool active = false;  ///< true if the window of the widget has the keyboard focus
     bool focus = false;
     QString text;
     QString toolTip;
-    QRect area;  ///< on the screen
+    QRect area;  ///< rectangle on the screen [px]
     XHand::WindowId window = 0;
     QPoint middle() const { return area.center(); }
 };
 
 class DesktopCell {
 public:
-    /// The missing requirement of this machine; empty if there is none.
+    /// Returns the requirement that this computer does not meet; empty if all are met.
     static QString obstacle(const QString& windowManager = kOpenbox);
 
-    /// `windowManager`: "openbox", "xfwm4" or "metacity".
+    /// windowManager  "openbox", "xfwm4" or "metacity"
     explicit DesktopCell(QSize screen = {1280, 800}, const QString& windowManager = kOpenbox);
     ~DesktopCell();
 
     /// Starts display, window manager, controller and window, observes the arm, and takes control. Every step
     /// waits for a visible result.
     bool bringUp();
-    /// The reason for a failure, with the output of the processes.
+    /// The reason for a failure, including the output of the processes.
     QString what() const { return what_; }
 
     QSize screen() const { return screen_; }
@@ -79,14 +81,14 @@ public:
     QString displayName() const { return displayName_; }
     /// Address of the simulated controller.
     QString host() const { return host_; }
-    /// Environment for programs on this display.
+    /// Environment variables for programs on this display.
     QProcessEnvironment environment() const;
     Child& display() { return display_; }
     Child& program() { return program_; }
 
-    /// `layout` as for `setxkbmap`: "de", or "us,de" for two groups.
+    /// layout  layout for `setxkbmap`, e.g. "de", or "us,de" for two groups
     bool setLayout(const QString& layout);
-    /// Returns a widget by its objectName, as reported by the program.
+    /// Returns the position of a widget with this objectName, as reported by the application.
     Place place(const QString& name);
     bool until(const std::function<bool()>& condition, int ms = kWaitTimeoutMs);
     bool untilShown(const QString& name) {
@@ -94,12 +96,15 @@ public:
     }
     /// Moves the pointer to the widget and clicks.
     bool click(const QString& name);
-    /// Brings the window to the front if necessary, and closes everything open above it.
+    /// Brings the window to the front if necessary, and closes everything that is open above the window.
     bool toTheFront();
-    /// Takes control with the button in the header, if not in control yet.
+    /// Takes control with the button in the header if the window is not in control.
     bool takeControl();
     /// Arms the keyboard jog by its shortcut.
     bool armKeyboard();
+    /// As ArmWatch::standstill(). The contract is about the program: time without a processor, because other tests run
+    /// at the same time, does not count.
+    Standstill standstill(double contract);
     /// Sends a fault command to the controller, e.g. "hand 30 0 0".
     bool fault(const QString& words);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tests of desktop events during a hold, independent of the input device: a derived class defines how to hold
+// Tests of desktop events during a hold, independent of the input device. A derived class defines how to hold
 // and release, and inherits these tests.
 
 #include <signal.h>
@@ -14,24 +14,32 @@ class InterruptedHold : public DesktopTest {
     Q_OBJECT
 
 protected:
-    /// Holds until the arm is moving.
+    /// Presses the input and waits until the arm is moving.
     virtual void hold() = 0;
     virtual void letGo() = 0;
-    /// Action of the operator, who is still holding, when the window is visible again.
+    /// Action of the operator when the window is visible again. The operator is still holding the input.
     virtual void comeBack() {}
 
-    /// Waits until the window has lost the focus: the time of the window manager is not that of the stop.
+    /// Waits until the window has lost the focus, because the time that the window manager needs is not part
+    /// of the stop.
     void waitForFocusLoss() {
         QVERIFY2(cell().until([&] { return hand().activeWindow() != mainWindow_; }),
                  "the window manager did not take the focus from the window");
+    }
+    /// Opens the window of another program and waits until it has the focus.
+    void openAnotherWindow(const QPoint& place) {
+        mainWindow();
+        hand().openWindow(place);
+        waitForFocusLoss();
     }
     XHand::WindowId mainWindow() {
         mainWindow_ = cell().place("mainWindow").window;
         return mainWindow_;
     }
 
-    /// The arm is at standstill although the input is still held. It remains at standstill when the window is
-    /// active again and the input is released: a stopped motion needs a new press.
+    /// Verifies that the arm is at standstill although the input is still held. The arm must remain at
+    /// standstill when the window is active again and the input is released, because a stopped motion needs a
+    /// new press.
     void verifyEndedForGood() {
         verifyStands();
         QVERIFY(cell().toTheFront());
@@ -64,7 +72,7 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    // Equivalent to a remote desktop with a blocked connection: no release can arrive any more.
+    // Equivalent to a remote desktop with a blocked connection: no release event can arrive.
     void theDisplayServerIsFrozen() {
         hold();
         cell().display().signal(SIGSTOP);
@@ -73,7 +81,8 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    // Some programs do this while one of their menus is open: the server does not answer other clients.
+    // Some programs grab the server while one of their menus is open. The server then does not respond to
+    // other clients.
     void anotherProgramTakesTheServerForItself() {
         XHand other(cell().displayName());
         hold();

@@ -11,14 +11,14 @@
 namespace tiller::test {
 namespace {
 
-constexpr double kContract = 0.25;       // [s] of robot time
-constexpr double kGetsGoing = 1.5;       // [s] an expected motion has begun by then
-constexpr double kStaysPut = 0.15;       // [s] time without motion if none is expected
-constexpr double kStandsAlready = 0.02;  // [s] the previous cell has already waited
-constexpr double kFarEnough = 0.35;      // [rad] travel for Back or levelling, enough for many short holds
-constexpr double kNearlyThere = 0.12;    // [rad]
+constexpr double kContract = 0.25;       // [s] robot time
+constexpr double kGetsGoing = 1.5;       // [s] an expected motion must begin within this time
+constexpr double kStaysPut = 0.15;       // [s] duration without motion if none is expected
+constexpr double kStandsAlready = 0.02;  // [s] shorter, because the previous cell has already waited
+constexpr double kFarEnough = 0.35;  // [rad] distance for Back or levelling, sufficient for many short holds
+constexpr double kNearlyThere = 0.12;  // [rad]
 constexpr int kAttempts = 10;
-constexpr int kLongWayMs = 20'000;  // longer than any preparation takes
+constexpr int kLongWayMs = 20'000;  // longer than any preparation
 
 constexpr int kModifierCodes[] = {0, kShift, kControl, kAlt, kAltGr, kNumLock, kCapsLock};
 
@@ -26,7 +26,7 @@ int codeOf(Modifier modifier) {
     return kModifierCodes[int(modifier)];
 }
 
-/// Angle between the tool axis and the nearest axis of the base [rad].
+/// Angle between the tool axis and the nearest axis of the base frame [rad].
 double tiltOf(const Vector6& pose) {
     const Eigen::Vector3d turn = pose.tail<3>();
     const double angle = turn.norm();
@@ -50,7 +50,7 @@ void change(XHand& hand, Modifier modifier, bool down) {
     }
 }
 
-/// Permitted key symbols for this key; empty if any symbol is permitted.
+/// Returns the permitted key symbols for this key; empty if any symbol is permitted.
 QStringList symbolsOf(int code, bool numLock) {
     switch (code) {
         case kKeypad4:
@@ -66,7 +66,8 @@ QStringList symbolsOf(int code, bool numLock) {
         case kKeypad3:
             return {"KP_Next"};
         case kLetterF:
-            return {"f", "F", "Cyrillic_a", "Cyrillic_A"};  // by position if there are no Latin letters
+            // By key position if the layout has no Latin letters.
+            return {"f", "F", "Cyrillic_a", "Cyrillic_A"};
         case kLetterG:
             return {"g", "G", "Cyrillic_pe", "Cyrillic_PE"};
         default:
@@ -101,7 +102,7 @@ QList<HeldKey> makeKeys() {
     for (const auto& [name, code] : keypad) {
         keys.append({QLatin1String(name), {code}, {}});
     }
-    // The sign first, because a layout may require Shift for the digit.
+    // Press the sign first, because a layout may require Shift for the digit.
     keys.append({"keypad + 1", {kKeypadPlus}, "1"});
     keys.append({"keypad - 1", {kKeypadMinus}, "1"});
     keys.append({"keypad + 6", {kKeypadPlus}, "6"});
@@ -167,13 +168,13 @@ QList<MatrixCell> wholeMatrix() {
 }
 
 QList<MatrixCell> everyPair() {
-    // Each value of key, modifier, order and layout gets a number.
+    // Each value of key, modifier, order and layout has a number.
     const int keys = int(heldKeys().size());
     constexpr int kModifiers = 7;
     constexpr int kOrders = 4;
     const int values = keys + kModifiers + kOrders + int(layouts().size());
     const auto pairsOf = [&](const MatrixCell& cell) {
-        const bool ordered = cell.modifier != Modifier::None;  // without a modifier, the order has no meaning
+        const bool ordered = cell.modifier != Modifier::None;  // without a modifier there is no order
         const int modifier = keys + int(cell.modifier);
         const int order = keys + kModifiers + int(cell.order);
         const int layout = keys + kModifiers + kOrders + cell.layout;
@@ -199,7 +200,7 @@ QList<MatrixCell> everyPair() {
     }
     QList<MatrixCell> chosen;
     while (std::ranges::find(open, true) != open.end()) {
-        // Greedy: always the cell that covers the most open pairs.
+        // Greedy selection: always choose the cell that covers the most open pairs.
         const Candidate& best = *std::ranges::max_element(candidates, {}, [&](const Candidate& candidate) {
             return std::ranges::count_if(candidate.pairs, [&](std::size_t pair) { return bool(open[pair]); });
         });
@@ -208,7 +209,7 @@ QList<MatrixCell> everyPair() {
         }
         chosen.append(best.cell);
     }
-    // Sorted so that each layout is set only once, and cells with the same preparation follow each other.
+    // Sort so that each layout is set only once, and cells with the same preparation are adjacent.
     std::ranges::stable_sort(chosen, {}, [](const MatrixCell& c) { return std::pair(c.layout, c.key); });
     return chosen;
 }
@@ -224,7 +225,7 @@ bool MatrixTrial::makeReady(int layout) {
             cell_.reset();
             return false;
         }
-        // Teaches a waypoint for "Go to".
+        // Teach a waypoint for "Go to".
         cell_->hand().tap(kLetterT);
         if (!cell_->until([&] { return cell_->place("waypoint.goTo").enabled; })) {
             what_ = "no waypoint could be taught";
@@ -250,7 +251,7 @@ bool MatrixTrial::makeReady(int layout) {
 bool MatrixTrial::prepare(const QString& preparation) {
     XHand& hand = cell_->hand();
     ArmWatch& arm = cell_->arm();
-    // A busy machine may end a motion early: then it is started again.
+    // A busy computer may end a motion early. The motion is then started again.
     const auto turn = [&](int code, const std::function<bool()>& enough) {
         for (int attempt = 0; attempt < kAttempts && !enough(); ++attempt) {
             hand.press(kAlt);
@@ -284,7 +285,8 @@ QList<Typed> MatrixTrial::strokes(const HeldKey& key) {
         strokes.append({code, false});
     }
     for (const QChar character : key.characters) {
-        // "+" without Shift is "=" if both are on the same key, and the program treats them as the same key.
+        // If "+" and "=" are on the same key, "+" without Shift is "=", and the application treats them as
+        // the same key.
         const char wanted = character.toLatin1();
         std::optional<Typed> typed = cell_->hand().find(wanted);
         if (wanted == '+' && typed && typed->shift) {
@@ -306,8 +308,8 @@ QString MatrixTrial::put(const HeldKey& key, const QList<Typed>& strokes, bool s
     QString other;
     bool shift = false;
     for (qsizetype i = 0; i < strokes.size(); ++i) {
-        // A character that requires Shift is held together with Shift: releasing a modifier would end the
-        // motion.
+        // A character that requires Shift is held together with Shift, because releasing a modifier would end
+        // the motion.
         if (strokes[i].shift != shift && !shiftHeld) {
             shift = strokes[i].shift;
             hand.key(kShift, shift);
@@ -361,7 +363,7 @@ CellOutcome MatrixTrial::run(const MatrixCell& cell) {
         other = "Go to is G without modifiers";
     }
     if (key.preparation == "hand") {
-        cell_->fault("hand 20 0 0");  // an external force; applied earlier, it would cause a payload warning
+        cell_->fault("hand 20 0 0");  // external force; applied earlier, it would cause a payload warning
     }
     const bool moved = arm.untilMoving(other.isEmpty() ? kGetsGoing : kStaysPut);
     if (cell.order == Order::Before) {
@@ -378,7 +380,7 @@ CellOutcome MatrixTrial::run(const MatrixCell& cell) {
     if (keys.last().shift && cell.modifier != Modifier::Shift) {
         hand.release(kShift);
     }
-    CellOutcome outcome = judge(arm.standstill(kContract));
+    CellOutcome outcome = judge(cell_->standstill(kContract));
     if (cell.order == Order::Around || cell.order == Order::After) {
         change(hand, cell.modifier, false);
     }

@@ -2,8 +2,8 @@
 #pragma once
 
 // Every key that moves the arm, combined with every modifier and lock key before, during and after the hold,
-// on several layouts: the complete matrix, a part of it that covers all pairs, and a class that runs its
-// cells.
+// on several layouts. Contains the complete matrix, a part of it that covers all pairs, and a class that runs
+// the cells of the matrix.
 
 #include <QList>
 #include <QString>
@@ -12,22 +12,22 @@
 
 namespace tiller::test {
 
-/// Keys to be pressed for one motion: key codes, or characters whose keys depend on the layout.
+/// The keys that are pressed for one motion: key codes, or characters whose keys depend on the layout.
 struct HeldKey {
     QString name;
-    QList<int> codes;       ///< pressed in this order
-    QString characters;     ///< pressed after the codes
-    bool numLock = false;   ///< has this meaning only with NumLock on
-    QString preparation{};  ///< required preparation, so that a motion is possible
+    QList<int> codes;       ///< key codes in the order in which they are pressed
+    QString characters;     ///< characters pressed after the codes
+    bool numLock = false;   ///< true if the key has this meaning only with NumLock on
+    QString preparation{};  ///< preparation that is required to make a motion possible
 };
 
 enum class Modifier { None, Shift, Control, Alt, AltGr, NumLock, CapsLock };
-/// When the modifier is pressed and released. A lock key is toggled at the same times.
+/// The times at which the modifier is pressed and released. A lock key is toggled at the same times.
 enum class Order {
-    Before,  ///< pressed before the keys, released while they are held
-    Around,  ///< pressed before the keys, released after them
+    Before,  ///< pressed before the keys and released while they are held
+    Around,  ///< pressed before the keys and released after them
     During,  ///< pressed and released while the keys are held
-    After,   ///< pressed while the keys are held, released after them
+    After,   ///< pressed while the keys are held and released after them
 };
 
 struct MatrixCell {
@@ -45,7 +45,7 @@ QString nameOf(Modifier modifier);
 QString nameOf(Order order);
 QString nameOf(const MatrixCell& cell);
 
-/// The complete matrix. Without a modifier there is no order.
+/// The complete matrix. Cells without a modifier exist in one order only.
 QList<MatrixCell> wholeMatrix();
 /// A small part of the matrix that covers each pair of values of key, layout, modifier and order.
 /// Deterministic.
@@ -53,21 +53,21 @@ QList<MatrixCell> everyPair();
 
 struct CellOutcome {
     enum class Kind {
-        Stood,       ///< moved while held, and stopped in time
-        Late,        ///< moved, and stopped later than permitted by the contract
-        GoesOn,      ///< still moved long after the last key was released
-        DidNotMove,  ///< no motion although one was expected, so there was nothing to stop
-        OtherKeys,   ///< no motion, as expected: with this modifier the keys have another meaning
-        NoSuchKeys,  ///< the layout has no such keys within reach of one hand
+        Stood,       ///< the arm moved while held, and stopped in time
+        Late,        ///< the arm moved, but stopped later than the contract permits
+        GoesOn,      ///< the arm was still moving long after the last key was released
+        DidNotMove,  ///< the arm did not move although a motion was expected, so there was nothing to stop
+        OtherKeys,   ///< no motion, as expected, because the keys have another meaning with this modifier
+        NoSuchKeys,  ///< the layout has no such keys, or one hand cannot reach them
         Broken,      ///< the workplace failed
     };
     Kind kind = Kind::Broken;
-    double seconds = 0;  ///< from the release of the last key to standstill
+    double seconds = 0;  ///< time from the release of the last key to standstill [s]
     QString note;        ///< details
 };
 QString nameOf(CellOutcome::Kind kind);
 
-/// Runs cells one after the other, on a workplace that is created again if necessary.
+/// Runs cells one after the other in a workplace that is created again if necessary.
 class MatrixTrial {
 public:
     CellOutcome run(const MatrixCell& cell);
@@ -77,7 +77,7 @@ public:
 private:
     bool makeReady(int layout);
     bool prepare(const QString& preparation);
-    /// The keys in the order of pressing; empty if the layout does not have them.
+    /// Returns the keys in the order in which they are pressed; empty if the layout does not have them.
     QList<Typed> strokes(const HeldKey& key);
     /// Presses the keys. Returns the reason why no motion is expected; empty if the arm should move.
     QString put(const HeldKey& key, const QList<Typed>& strokes, bool shiftHeld);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// "Run route" held with a real mouse button: everything except a steady hold ends the motion, and only a new
+// "Run route" held with a real mouse button. Everything except a steady hold ends the motion, and only a new
 // press continues it.
 
 #include "tests/desktop/interrupted_hold.h"
@@ -10,34 +10,34 @@ namespace tiller::test {
 class TestGoThroughByHand : public InterruptedHold {
     Q_OBJECT
 
-    // On a lower screen the button is hidden, because the list and the details need the space.
+    // On a smaller screen the button is hidden, because the list and the details need the space.
     QSize screen() const override { return {1600, 1000}; }
     void hold() override {
         teach();
         const Place key = cell().place("waypoint.goThrough");
         area_ = key.area;
-        hand().moveTo(area_.center());
-        holdBy([&] { hand().button(1, true); }, [&] { letGo(); });
+        holdBy([&] { hand().moveTo(area_.center()), hand().button(1, true); }, [&] { letGo(); });
     }
     void letGo() override { hand().button(1, false); }
     void comeBack() override { hand().moveTo(area_.center() + QPoint(3, 3)); }
 
-    /// Teaches two waypoints far from each other, if there are none yet, and enables the loop, so that a
-    /// motion is always possible.
+    /// Teaches two distant waypoints if there are none, and enables the loop, so that a motion is always
+    /// possible.
     void teach() {
+        QVERIFY(beReady());
         if (cell().place("waypoint.empty").visible) {
             hand().tap(kLetterT);
             QVERIFY(cell().until([&] { return cell().place("waypoint.goThrough").enabled; }));
             const Vector6 from = arm().joints();
-            hand().moveTo(cell().place("jog.Z+").middle());
-            holdBy([&] { hand().button(1, true); }, [&] { hand().button(1, false); });
+            holdBy([&] { hand().moveTo(cell().place("jog.Z+").middle()), hand().button(1, true); },
+                   [&] { hand().button(1, false); });
             QVERIFY(cell().until(
                 [&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 0.2 || !arm().moves(); }));
             hand().button(1, false);
             QVERIFY(arm().untilStanding(5));
             hand().tap(kLetterT);
             QVERIFY(cell().click("waypoint.routeLoop"));
-            // Selects all waypoints as the route. A key pressed before the list is open is lost.
+            // Select all waypoints as the route. A key pressed before the list is open would be lost.
             for (int attempt = 0; attempt < 10 && !all(); ++attempt) {
                 QVERIFY(cell().click("waypoint.routeScope"));
                 hand().tap(kDown);
@@ -61,7 +61,7 @@ private Q_SLOTS:
 
     void anotherWindowTakesTheFocus() {
         hold();
-        hand().openWindow({40, 40});
+        openAnotherWindow({40, 40});
         verifyEndedForGood();
     }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Events on a desktop while a key is held: other windows, other desktops, locked screens, frozen and ending
-// programs. In all cases the arm stops.
+// Desktop events while a key is held: other windows, other desktops, locked screens, and frozen or terminated
+// programs. In all cases, the arm must stop.
 
 #include <signal.h>
 
+#include <QScopeGuard>
 #include <QStandardPaths>
 
 #include "tests/desktop/interrupted_hold.h"
@@ -14,7 +15,7 @@ namespace tiller::test {
 class TestInterruptions : public InterruptedHold {
     Q_OBJECT
 
-    /// Holds with the key "right".
+    /// Holds the key "right".
     void hold() override {
         holdBy([&] { hand().press(kRight); }, [&] { letGo(); });
     }
@@ -27,14 +28,16 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    // The server repeats a held key; each repetition is sent as a release and a press.
+    // The server repeats a held key. Each repetition is sent as a release and a press.
     void autoRepeatIsNeitherAReleaseNorAPress() {
-        // A machine that is blocked for 100 ms ends a hold, as intended. Auto-repeat would end every hold.
+        hand().setAutoRepeat(100, 20);
+        const auto undo = qScopeGuard([this] { hand().setAutoRepeat(660, 40); });
+        // If the computer is blocked for 100 ms, a hold ends as intended. Auto-repeat would end every hold.
         constexpr int kAttempts = 12;
         bool went = false;
         for (int attempt = 0; attempt < kAttempts && !went; ++attempt) {
             hold();
-            QTest::qWait(1500);
+            QTest::qWait(400);
             went = arm().moves();
             hand().release(kRight);
             verifyStands();
@@ -44,7 +47,7 @@ private Q_SLOTS:
 
     void anotherWindowOpens() {
         hold();
-        hand().openWindow({40, 40});
+        openAnotherWindow({40, 40});
         verifyEndedForGood();
     }
 
@@ -78,8 +81,9 @@ private Q_SLOTS:
         hold();
         Child lock;
         QVERIFY(lock.start(program, {}, cell().environment()));
-        // xtrlock requires a password; an account without one, as in most containers, cannot be locked.
-        if (lock.waitForEnd(1000)) {
+        // xtrlock requires a password. An account without a password, as in most containers, cannot be
+        // locked.
+        if (lock.waitForEnd(10'000)) {
             hand().release(kRight);
             QSKIP(qPrintable("xtrlock does not lock here: " + lock.output().trimmed()));
         }
@@ -95,11 +99,12 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(1), "it moved again when the program went on");
     }
 
-    // A program sends the window a press that did not come from the keyboard; no release would ever follow.
+    // A program sends a press to the window that did not come from the keyboard. A release would never
+    // follow.
     void aKeyIsSentThatNobodyPressed() {
         const Vector6 from = arm().joints();
         hand().sendKey(cell().place("mainWindow").window, kRight, true);
-        QVERIFY2(cell().until([&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 1e-4; }, 5000),
+        QVERIFY2(cell().until([&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 1e-4; }),
                  "nothing began: this proves nothing");
         verifyStands();
     }
@@ -108,9 +113,9 @@ private Q_SLOTS:
         const Place key = cell().place("jog.X+");
         hand().moveTo(key.middle());
         hand().sendButton(key.window, key.middle(), true);
-        arm().untilMoving(kContract);  // a motion may have begun, depending on the input mechanism
+        arm().untilMoving(kContract);  // depending on the input mechanism, a motion may have begun
         verifyStands();
-        useUp();  // no release follows: for the window the button stays down
+        useUp();  // there is no release, so for the window the button remains pressed
     }
 
     void theDisplayServerIsKilled() {

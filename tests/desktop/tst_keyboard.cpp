@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Keyboard jogging with real keys on a real X server: a release stops the arm, even if layout, modifiers or
-// lock keys have changed the meaning of the key in the meantime.
+// Keyboard jogging with real keys on a real X server. A release must stop the arm, even if layout, modifiers
+// or lock keys have changed the meaning of the key in the meantime.
 
 #include "tests/desktop/desktop_test.h"
 
@@ -10,7 +10,7 @@ namespace tiller::test {
 class TestKeyboard : public DesktopTest {
     Q_OBJECT
 
-    /// Holds "1" and the key of "+" until the base joint turns.
+    /// Holds "1" and the key of "+" until the base joint moves.
     void holdJoint() {
         const std::optional<Typed> plus = hand().find('+');
         const std::optional<Typed> equal = hand().find('=');
@@ -28,8 +28,8 @@ class TestKeyboard : public DesktopTest {
     }
 
 private Q_SLOTS:
-    // A bug found in manual tests: Shift turned the release of "1" into that of "!", and the base joint kept
-    // moving.
+    // Regression test for a bug found in manual tests: Shift changed the release of "1" to that of "!", and
+    // the base joint kept moving.
     void shiftBetweenPressAndReleaseOnAGermanKeyboard() {
         QVERIFY(cell().setLayout("de"));
         holdJoint();
@@ -39,8 +39,8 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    // A keyboard map with two layouts, switched by a key of the desktop: the map is unchanged, its group
-    // changes.
+    // A keyboard map with two layouts that a desktop key switches. The map does not change, but its group
+    // does.
     void theGroupIsSwitchedWhileHeld_data() {
         QTest::addColumn<QString>("map");
         for (const char* map : {"us,fr", "us,ru", "de,us", "es,jp"}) {
@@ -58,7 +58,7 @@ private Q_SLOTS:
         QVERIFY2(arm().stays(0.3), "it moved again when the first layout came back");
     }
 
-    // The map is replaced as if another layout were selected in the settings of the desktop.
+    // The map is replaced as if the user selected another layout in the desktop settings.
     void theMapIsReplacedWhileHeld_data() {
         QTest::addColumn<QString>("before");
         QTest::addColumn<QString>("after");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A floating panel and the key that arms the keyboard, with real keys and buttons: everything that moves the
-// operator's input elsewhere ends a hold.
+// A floating panel and the button that arms the keyboard, with real keys and mouse buttons. Everything that
+// moves the operator's input elsewhere must end a hold.
 
 #include "tests/desktop/desktop_test.h"
 
@@ -11,7 +11,7 @@ class TestPanels : public DesktopTest {
     Q_OBJECT
 
     bool isInTheWindow() { return cell().place("tabsDock").window == cell().place("mainWindow").window; }
-    /// Floats the panel with the waypoints, by its menu.
+    /// Floats the panel with the waypoints through its menu.
     void takeOut() {
         const QString dock = "tabsDock";
         if (!isInTheWindow()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A pad key held with a real mouse button: everything except a steady hold ends the motion, and only a new
-// press starts another one.
+// A pad button held with a real mouse button. Everything except a steady hold ends the motion, and only a new
+// press starts another motion.
 
 #include "tests/desktop/interrupted_hold.h"
 
@@ -11,13 +11,13 @@ class TestPointer : public InterruptedHold {
     Q_OBJECT
 
     void hold() override { hold("jog.X+"); }
-    /// Holds this key with the left button until the arm is moving.
+    /// Holds this button with the left mouse button until the arm is moving.
     void hold(const QString& name) {
+        QVERIFY(beReady());
         QVERIFY2(cell().until([&] { return cell().place(name).enabled; }),
                  qPrintable(cell().place(name).toolTip));
         area_ = cell().place(name).area;
-        hand().moveTo(area_.center());
-        holdBy([&] { hand().button(1, true); }, [&] { letGo(); });
+        holdBy([&] { hand().moveTo(area_.center()), hand().button(1, true); }, [&] { letGo(); });
     }
     void letGo() override { hand().button(1, false); }
     void comeBack() override { hand().moveTo(area_.center() + QPoint(3, 3)); }
@@ -99,7 +99,7 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    // A second hand at the armed keyboard while the mouse holds a pad key, or a press of a stop key.
+    // While the mouse holds a pad button, a key is pressed on the armed keyboard, or a stop key is pressed.
     void aKeyOfTheKeyboardIsPressed_data() {
         QTest::addColumn<int>("code");
         QTest::newRow("arrow") << int(kUp);
@@ -157,7 +157,7 @@ private Q_SLOTS:
         hand().release(kControl);
         QVERIFY(cell().untilShown("commandPalette"));
         verifyStands();
-        // Shortly after a motion, Esc still means stop.
+        // Shortly after a motion, Esc still stops.
         QVERIFY(cell().until([&] {
             hand().tap(kEscape);
             return !cell().place("commandPalette").visible;
@@ -167,7 +167,7 @@ private Q_SLOTS:
 
     void anotherWindowOpens() {
         hold();
-        hand().openWindow({500, 300});
+        openAnotherWindow({500, 300});
         verifyEndedForGood();
     }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // In control, and for three seconds after control was lost, Space and Esc stop the arm from any window of the
-// application that has the keyboard focus, including the main window behind a dialog, with each window
-// manager. The arm is moved by a program of another client that has just replaced ours, because no other
-// program can move it while a dialog is open.
+// application that has the keyboard focus. This includes the main window behind a dialog, with each window
+// manager. A program of another client that has just taken control moves the arm, because no other program
+// can move it while a dialog is open.
 
 #include <QTcpSocket>
 #include <QTest>
@@ -19,11 +19,11 @@ namespace {
 constexpr int kPrimaryPort = 30002;
 constexpr const char* kWindowManagers[] = {"openbox", "xfwm4", "metacity"};
 
-/// A window, the key that opens it, and the window that then has the keyboard focus.
+/// A window, the key that opens the window, and the window that then has the keyboard focus.
 struct Opened {
     const char* name;
     const char* widget;
-    int letter;  ///< pressed with Ctrl
+    int letter;  ///< letter pressed with Ctrl
     bool isMenu = false;
 };
 constexpr int kComma = 59;
@@ -57,7 +57,7 @@ class TestStopKeysEverywhere : public QObject {
         windowManager_ = windowManager;
     }
 
-    /// Closes everything open above the window with Esc, as a user would.
+    /// Closes everything that is open above the window with Esc, as a user would.
     bool closeAll() {
         return cell().until([&] {
             for (const Opened& each : kOpened) {
@@ -87,7 +87,7 @@ class TestStopKeysEverywhere : public QObject {
         QVERIFY(what.isMenu || cell().until([&] { return cell().place(what.widget).active; }));
     }
 
-    /// A program of another client takes over the arm.
+    /// Starts a program of another client, which takes control of the arm.
     void startForeignProgram() {
         pendant_ = std::make_unique<QTcpSocket>();
         pendant_->connectToHost(cell().host(), kPrimaryPort);
@@ -102,7 +102,7 @@ class TestStopKeysEverywhere : public QObject {
         QVERIFY(pendant_->waitForBytesWritten(DesktopCell::kWaitTimeoutMs));
         QVERIFY2(cell().arm().untilMoving(kGetsGoing),
                  "the program of the other client does not move the arm");
-        // From here on the window has noticed, and Space and Esc still stop for three seconds.
+        // The window has detected the change at this point. Space and Esc still stop for three seconds.
         QVERIFY(cell().until([&] {
             return cell().place("nextStepButton").text == "Take control" &&
                    cell().place("nextStepButton").visible;
@@ -110,7 +110,7 @@ class TestStopKeysEverywhere : public QObject {
     }
 
     void verifyStands() {
-        const Standstill stop = cell().arm().standstill(kContract);
+        const Standstill stop = cell().standstill(kContract);
         qInfo("%s", words(stop).constData());
         QVERIFY2(stop.verdict == Standstill::Verdict::Stood, words(stop).constData());
         QVERIFY2(cell().arm().stays(0.5), "it stood, and moved again by itself");
@@ -151,7 +151,8 @@ private Q_SLOTS:
             hand().moveTo({window.left() + 6, window.center().y()});
             hand().button(1, true);
             hand().button(1, false);
-            // Some window managers, and Qt for some dialogs, pass the keyboard focus to the dialog at once.
+            // Some window managers, and Qt for some dialogs, pass the keyboard focus to the dialog
+            // immediately.
             (void)cell().until([&] { return cell().place("mainWindow").active; }, 1000);
         }
         QVERIFY(cell().place(kOpened[opened].widget).visible);

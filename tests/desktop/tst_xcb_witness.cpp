@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The key-state check with a real X server: it reports the state of keys and of the left button, reports
-// nothing while the server is frozen, and survives the end of the server.
+// The key-state check with a real X server. It must report the state of keys and of the left mouse button,
+// report nothing while the server is frozen, and keep working when the server exits.
 #include <QRegularExpression>
 #include <QTest>
 #include <csignal>
@@ -20,7 +20,7 @@ private:
     QByteArray display_;
     std::unique_ptr<Child> server_;
 
-    /// The reply to a query sent after this call.
+    /// Returns the reply to a query sent after this call.
     KeyStateProbe::Word fresh(const XcbKeyStateProbe& witness, int code) {
         const std::int64_t from = SteadyClock::shared().nowNs();
         const auto word = [&] {
@@ -36,7 +36,7 @@ private:
 private Q_SLOTS:
     void init() {
         server_ = std::make_unique<Child>();
-        // Xvfb prints the free number that it has chosen.
+        // Xvfb prints the display number that it has selected.
         QVERIFY(server_->start(QStringLiteral("Xvfb"),
                                {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
                                 QStringLiteral("0"), QStringLiteral("320x200x24")},
@@ -99,7 +99,7 @@ private Q_SLOTS:
             const std::int64_t said = witness.leftButton().askedNs;
             QTest::qWait(100);
             QCOMPARE(witness.leftButton().askedNs, said);
-        }  // ends with an unanswered query
+        }  // destroyed while a query has no reply
         server_->signal(SIGCONT);
     }
 
@@ -116,9 +116,9 @@ private Q_SLOTS:
     void withoutAServerThereIsNone() {
         qputenv("DISPLAY", ":4711");
         XcbKeyStateProbe witness;
-        QTest::qWait(100);
+        QVERIFY(QTest::qWaitFor([&] { return witness.description().contains(QStringLiteral("unavailable")); },
+                                kWaitTimeoutMs));
         QVERIFY(!witness.isThere());
-        QVERIFY(witness.description().contains(QStringLiteral("unavailable")));
     }
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reports the positions of widgets on the screen to the tests. A Qt plugin that the built program loads only
-// in tests (QT_QPA_GENERIC_PLUGINS), so that the tested program is the one that is shipped. It only answers
-// queries and changes nothing.
+// Reports the positions of widgets on the screen to the tests. This is a Qt plugin that the built application
+// loads only in tests (QT_QPA_GENERIC_PLUGINS), so that the tested application is the one that is shipped.
+// The plugin only replies to queries and changes nothing.
 //
-// Each query is one line on a local socket, each reply one line of JSON:
-//   widget NAME    the first widget with this objectName; visible ones have priority
-//   windows        all open windows, with the active one marked
+// Each query is one line on a local socket, and each reply is one line of JSON:
+//   widget NAME    the first widget with this objectName; visible widgets have priority
+//   windows        all open windows; the active one is marked
 
 #include <QApplication>
 #include <QComboBox>
@@ -90,7 +90,7 @@ class WindowPlacesPlugin : public QGenericPlugin {
     Q_PLUGIN_METADATA(IID QGenericPluginFactoryInterface_iid FILE "window_places.json")
 
 public:
-    /// `specification`: the socket to listen on.
+    /// specification  name of the socket to listen on
     QObject* create(const QString& key, const QString& specification) override {
         return key.compare(QLatin1String("window_places"), Qt::CaseInsensitive) == 0
                    ? new WindowPlaces(specification)

@@ -3,7 +3,8 @@
 
 #include <QSet>
 
-// Included last, and only here: these headers define None, Bool, KeyPress and others as macros.
+// Included last and only in this file, because these headers define None, Bool, KeyPress and others as
+// macros.
 #include <X11/XKBlib.h>
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
@@ -13,7 +14,7 @@
 namespace tiller::test {
 namespace {
 
-// An error for a window that has been closed in the meantime must not end the test.
+// Ignores errors for a window that has been closed in the meantime, so that they do not end the test.
 int ignoreError(Display*, XErrorEvent*) {
     return 0;
 }
@@ -68,7 +69,7 @@ XHand::XHand(const QString& display) : d_(std::make_unique<Connection>()) {
     XSetErrorHandler(ignoreError);
     d_->display = XOpenDisplay(qPrintable(display));
     if (d_->display != nullptr) {
-        // Without these handlers Xlib exits the process when the server exits.
+        // Without these handlers, Xlib exits the process when the server exits.
         XSetIOErrorHandler([](Display*) { return 0; });
         XSetIOErrorExitHandler(
             d_->display, [](Display*, void* broken) { *static_cast<bool*>(broken) = true; }, &d_->broken);
@@ -135,6 +136,13 @@ bool XHand::isDown(int code) const {
     return ((keys[code / 8] >> (code % 8)) & 1) != 0;
 }
 
+void XHand::setAutoRepeat(unsigned delayMs, unsigned intervalMs) {
+    if (d_->usable()) {
+        XkbSetAutoRepeatRate(d_->display, XkbUseCoreKbd, delayMs, intervalMs);
+        XSync(d_->display, False);
+    }
+}
+
 void XHand::letGoOfAll() {
     const QSet<int> keys = d_->keysDown;
     for (const int code : keys) {
@@ -189,7 +197,7 @@ std::optional<Typed> XHand::find(char character) const {
     if (!d_->usable()) {
         return std::nullopt;
     }
-    // Read from the server, because the map cached by Xlib is outdated after a change of the layout.
+    // Read the map from the server, because the map cached by Xlib is outdated after a change of the layout.
     XkbDescPtr map = XkbGetMap(d_->display, XkbAllClientInfoMask, XkbUseCoreKbd);
     if (map == nullptr) {
         return std::nullopt;
@@ -198,7 +206,8 @@ std::optional<Typed> XHand::find(char character) const {
     XkbGetState(d_->display, XkbUseCoreKbd, &state);
     std::optional<Typed> found;
     for (int level = 0; level < 2 && !found; ++level) {
-        for (int code = map->min_key_code; code <= 61 && !found; ++code) {  // up to AB10: the letter block
+        // Up to key AB10, the end of the letter block.
+        for (int code = map->min_key_code; code <= 61 && !found; ++code) {
             const int groups = XkbKeyNumGroups(map, code);
             const int group = groups == 0 ? 0 : std::min(int(state.group), groups - 1);
             if (groups > 0 && level < XkbKeyGroupWidth(map, code, group) &&

@@ -16,7 +16,7 @@ namespace tiller::test {
 enum PcKey : int {
     kEscape = 9,
     kLetterT = 28,
-    kDigit1 = 10,  ///< to kDigit1 + 5 for the six joints
+    kDigit1 = 10,  ///< up to kDigit1 + 5 for the six joints
     kBackspace = 22,
     kControl = 37,
     kLetterF = 41,
@@ -48,18 +48,17 @@ enum PcKey : int {
     kReturn = 36,
 };
 
-/// The key for a character on the current layout.
+/// The key that types a character with the current layout.
 struct Typed {
     int code = 0;
     bool shift = false;
 };
 
-/// One connection to the display. Every call reaches the server before it returns, unless stated otherwise.
-/// If the server exits, the test continues and later calls have no effect.
-/// Threads: one.
+/// One connection to the display. Unless stated otherwise, every call reaches the server before it returns.
+/// If the server exits, the test continues and later calls have no effect. Threads: one.
 class XHand {
 public:
-    /// `display`: for example ":93".
+    /// display  e.g. ":93"
     explicit XHand(const QString& display);
     ~XHand();
     XHand(const XHand&) = delete;
@@ -75,31 +74,34 @@ public:
     void tap(int code) { press(code), release(code); }
     void button(int number, bool down);
     void moveTo(const QPoint& place);
-    /// True if the key is down according to the server.
+    /// True if the key is pressed according to the server.
     bool isDown(int code) const;
-    /// The name of the symbol that the key produces with the current layout, modifiers and lock keys: "1",
-    /// "exclam", "KP_Left".
+    /// The name of the symbol that the key produces with the current layout, modifiers and lock keys, e.g.
+    /// "1", "exclam", "KP_Left".
     QString writes(int code) const;
+    /// Sets how the server repeats a held key. Its default is 660 ms and 40 ms.
+    void setAutoRepeat(unsigned delayMs, unsigned intervalMs);
     /// Releases all keys and buttons, and resets the lock keys and the group.
     void letGoOfAll();
 
     /// True if CapsLock or NumLock is on, according to the server.
     bool isLocked(int code) const;
-    /// True if Shift, Ctrl or Alt is down in the current layout.
+    /// True if Shift, Ctrl or Alt is pressed in the current layout.
     bool hasModifier() const;
-    /// The key of a character on the current layout; empty if it needs more than Shift. The keypad is not
-    /// searched.
+    /// Returns the key that types a character with the current layout; empty if it needs modifiers other than
+    /// Shift. The keypad is not searched.
     std::optional<Typed> find(char character) const;
-    /// Selects a layout of a map with several layouts: 0, 1...
+    /// Selects a layout of a map with several layouts.
+    /// group  0, 1 ...
     void lockGroup(int group);
 
     using WindowId = unsigned long;
-    /// Shows a window of another program; the window manager treats it as any new window.
+    /// Shows a window of another program. The window manager treats it like any new window.
     WindowId openWindow(const QPoint& place);
     void closeWindow(WindowId window);
-    /// Sets the focus without the window manager.
+    /// Sets the focus without using the window manager.
     void setFocus(WindowId window);
-    /// Asks the window manager to bring the window to the front, as a taskbar does.
+    /// Requests the window manager to bring the window to the front, as a taskbar does.
     void activate(WindowId window);
     void iconify(WindowId window);
     void switchDesktop(int number);
@@ -111,10 +113,10 @@ public:
     bool grabKeyboard();
     bool grabPointer();
     void ungrab();
-    /// Sends a press or release event to a window. The server does not count the key as down.
+    /// Sends a press or release event to a window. The server does not count the key as pressed.
     void sendKey(WindowId window, int code, bool down);
     void sendButton(WindowId window, const QPoint& place, bool down);
-    /// The server answers no other client until ungrabServer().
+    /// Makes the server ignore all other clients until ungrabServer().
     void grabServer();
     void ungrabServer();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary replies of a dashboard server, line by line, to every command of the client: the result is a value or
-// an error, not a crash or a hang. The bytes are sent through a real socket.
+// Passes arbitrary replies of a dashboard server, line by line, to every command of the client. The result
+// must be a value or an error, not a crash or a hang. The bytes are sent through a real socket.
 
 #include <QCoreApplication>
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace {
 std::mutex mutex;
 QByteArray replies;
 
-/// Sends everything at once: each command then finds its reply.
+/// Sends all replies at once, so that each command finds its reply.
 void serve(test::RawPeer::Link& link) {
     QByteArray all;
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary lines sent to the dashboard and to the gripper of one robot, with occasional control periods in
-// between. Every command gets one line as its reply, and nothing crashes.
+// Sends arbitrary lines to the dashboard and the gripper of one robot, with occasional control periods in
+// between. Every command must get one line as its reply, and nothing may crash.
 
 #include <algorithm>
 #include <cstddef>

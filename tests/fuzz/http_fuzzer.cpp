@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a stream of HTTP requests, in two pieces, and the result as an upload. Nothing may crash or
-// buffer more than its limit.
+// Parses arbitrary bytes as a stream of HTTP requests, in two pieces, and as an uploaded form. Nothing may
+// crash or buffer more than its limit.
 
 #include <cstddef>
 #include <cstdint>
@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     parser.feed(text.substr(size / 2));
     take();
     if (parser.fault() != 0 && parser.next()) {
-        std::abort();  // nothing is parsed after a fault
+        std::abort();  // nothing may be parsed after a fault
     }
     percentDecoded(text);
     fileOfForm("multipart/form-data; boundary=x", text, "file");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes on the primary interface with arbitrary segmentation: parsed or refused, without a crash and with
-// limited memory.
+// Passes arbitrary bytes with arbitrary segmentation to the parser of the primary interface. The bytes must
+// be parsed or refused, without a crash and with limited memory.
 
 #include <algorithm>
 #include <cstddef>

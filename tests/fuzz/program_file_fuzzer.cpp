@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary program files of the pendant in the programs folder: the result is URScript or an error, and this
-// URScript compiles or causes an error with its position.
+// Translates arbitrary program files of the pendant. The result must be URScript or an error, and this
+// URScript must compile or cause an error with its position.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,8 @@ using namespace tiller::simulator;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const QByteArray content(reinterpret_cast<const char*>(data), static_cast<qsizetype>(size));
-    // Every referenced program is the input itself; every referenced script or installation is a half of it.
+    // Every referenced program is the input itself. Every referenced script or installation is one half of
+    // the input.
     pendant::PendantSource source;
     source.files = [&content](const QString& name) -> std::optional<QByteArray> {
         return name.endsWith(QLatin1String(".urp"))            ? content

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Arbitrary bytes as a recording: MCAP after its first eight bytes, or text. Opening, reading the declared content,
-// and comparing it with the model of an arm must end in a short time. HDF5 is left to libhdf5.
+// Reads arbitrary bytes as a recording, either MCAP or text. Opening the recording, reading the declared
+// content, and comparing it with the model of an arm must end in a short time. HDF5 files are not covered,
+// because libhdf5 parses them.
 
 #include <QFile>
 #include <QTemporaryDir>

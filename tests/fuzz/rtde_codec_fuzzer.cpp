@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes from the network: the splitter, all readers, the data codec and the client session process them
-// without reading out of bounds or hanging, and are consistent with the writers.
+// Passes arbitrary bytes from the network to the splitter, all readers, the data codec and the client
+// session. They must not read out of bounds or hang, and must be consistent with the writers.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -22,7 +22,7 @@ void require(bool condition) {
     }
 }
 
-/// Takes numbers from the start of the input.
+/// Takes values from the start of the input.
 class Input {
 public:
     explicit Input(ByteView bytes) : bytes_(bytes) {}
@@ -45,7 +45,7 @@ private:
     ByteView bytes_;
 };
 
-/// A written value must be read as the same value.
+/// A written value must be read back unchanged.
 template <class Write, class Read>
 void comesBack(Write write, Read read) {
     Bytes out;
@@ -93,7 +93,7 @@ void readEverything(const PackageView& package) {
     (void)readInputData(payload);
 }
 
-/// The stream in pieces of any size, compared with the same stream in one piece.
+/// Passes the stream to the splitter in pieces of arbitrary size and checks the packages.
 void splitAnyhow(Input input) {
     const std::size_t limit = 3 + input.byte() * 16U;
     const std::size_t step = 1 + input.byte() % 40U;
@@ -129,7 +129,7 @@ void splitAnyhow(Input input) {
     require(packages * kHeaderSize <= taken);
 }
 
-/// Decodes arbitrary bytes with arbitrary layouts, and encodes them again.
+/// Decodes arbitrary bytes with arbitrary layouts, encodes the values, and decodes them again.
 void codeValues(Input input) {
     std::vector<DataType> types;
     for (int i = input.byte() % 12; i > 0; --i) {
@@ -146,7 +146,8 @@ void codeValues(Input input) {
     require(encodeValues(layout, values, again));
     std::vector<double> once(layout.components());
     require(decodeValues(layout, again, once));
-    // Bytes may differ (BOOL 7 becomes 1, UINT64 above 2^53 is rounded), numbers may not; NaN is excluded.
+    // The bytes may differ (BOOL 7 becomes 1, UINT64 above 2^53 is rounded), but the numbers must be equal.
+    // NaN counts as equal to NaN.
     require(std::equal(values.begin(), values.end(), once.begin(),
                        [](double a, double b) { return a == b || (a != a && b != b); }));
 }
@@ -189,7 +190,7 @@ void talkToSession(Input input) {
         }
         (void)session.awaited();
     }
-    // Its output is a stream of complete packages.
+    // The output of the session must be a stream of complete packages.
     for (ByteView rest(out); !rest.empty();) {
         const std::size_t count = splitter.feed(rest);
         rest = rest.subspan(count);

@@ -18,13 +18,13 @@ inline Limits lowLimits() {
     return limits;
 }
 
-/// Moves take two frames, popups are answered immediately.
+/// Moves take two frames, and popups are answered immediately.
 inline void hurry(FakeHost& host) {
     host.moveFrames = 2;
     host.popupAnswered = true;
 }
 
-/// Discards the results of a frame, which would grow without limit.
+/// Discards the recorded results of a frame, which would otherwise grow without limit.
 inline void forget(FakeHost& host) {
     host.messages.clear();
     host.motions.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary lines for a program in interpreter mode, with commands and frames in between: definitions, calls,
-// clears and skips must not cause a crash, a hang or an access to freed memory.
+// Submits arbitrary lines to a program in interpreter mode, with commands and frames in between. Definitions,
+// calls, clears and skips must not cause a crash, a hang or an access to freed memory.
 
 #include <algorithm>
 #include <cstddef>
@@ -42,7 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const std::size_t newline = std::min(text.find('\n'), text.size());
         const std::string_view line = text.substr(0, newline);
         text.remove_prefix(std::min(newline + 1, text.size()));
-        // A line with one byte is not a statement.
+        // A line of at most one byte is a command of this fuzzer.
         if (line == "s") {
             mode.skip();
         } else if (line == "a") {

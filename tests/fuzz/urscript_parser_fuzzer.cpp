@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary text: compiled and, if successful, run for some frames on an in-memory robot. Nothing may crash, hang
-// or grow without limit. The same bytes are passed to the stream splitter in two pieces, and to the reader of
-// XML-RPC replies.
+// Compiles arbitrary text and, if successful, runs it for some frames on an in-memory robot. Nothing may
+// crash, hang or grow without limit. The same bytes are passed to the stream splitter in two pieces, and to
+// the reader of XML-RPC replies.
 
 #include <cstddef>
 #include <cstdint>

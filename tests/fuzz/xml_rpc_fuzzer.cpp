@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary bytes as a reply of an XML-RPC server and as a call of a client: a value or an error with its reason. A value
-// that was read can be written, and is the same when it is read again.
+// Reads arbitrary bytes as a reply of an XML-RPC server and as a call of a client. The result must be a value
+// or an error with its reason. A value that was read can be written, and has the same type when it is read
+// again.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +19,7 @@ void expectTheSameAgain(const Value& value) {
     const std::string body = xml_rpc::response(value);
     const auto again = xml_rpc::reply(
         "HTTP/1.1 200 OK\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body, true);
-    // A reply has no form for numbers that are not finite and texts that XML does not permit.
+    // Numbers that are not finite and strings that XML does not permit cannot be represented in a reply.
     if (again.ok() && (!again->has_value() || (*again)->type() != value.type())) {
         std::abort();
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The demonstration works on a display without a window manager, as provided by xvfb-run."""
+"""The demonstration works on a display without a window manager, e.g. with xvfb-run."""
 import os
 import pathlib
 import shutil

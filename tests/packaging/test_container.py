@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Requirements of the container file: its entry point serves as process 1 of a PID namespace and exits cleanly on
-SIGTERM, and its health check distinguishes a serving controller from one that is not."""
+"""Requirements of the container file. Its entry point runs as process 1 of a PID namespace and exits cleanly on SIGTERM,
+and its health check detects whether the controller is serving."""
 import json
 import os
 import re
@@ -25,7 +25,7 @@ class TestContainer(unittest.TestCase):
     def start(self, *before):
         entry = json.loads(re.search(r"^ENTRYPOINT (.*)$", containerfile(), re.MULTILINE)[1])
         self.assertEqual(entry[0], "tiller-cli")
-        # Not on all addresses of this machine, because other users may run the suite too.
+        # Do not listen on all addresses of this computer, because other users may also run the suite.
         command = [PROGRAM if word == "tiller-cli" else word for word in entry]
         command[command.index("0.0.0.0")] = address()
         process = subprocess.Popen([*before, *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -101,7 +101,7 @@ class TestDesktopFiles(unittest.TestCase):
         with open(SOURCE / "packaging/dependencies", encoding="utf-8") as file:
             wanted = file.read().partition("[run]\n")[2].partition("[test]")[0].split()
         text = (SOURCE / "packaging/debian/control").read_text()
-        # Includes build dependencies and packages loaded at run time; excludes the basic build tools and optional
+        # Build dependencies and packages loaded at run time, except the basic build tools and optional
         # accelerators.
         for package in set(wanted) - {"build-essential", "ccache"}:
             self.assertRegex(text, rf"(?m)^(Build-Depends: | +|Depends: ){re.escape(package)}[ ,\n]")
@@ -116,7 +116,7 @@ class TestDesktopFiles(unittest.TestCase):
         for unit in (LINUX / "systemd").glob("*.service"):
             for line in re.findall(r"^Exec\w+=.*$", unit.read_text(), re.MULTILINE):
                 self.assertNotRegex(line, r"\b(sh|bash|env)\b", unit)
-                # A single argument that cannot be an option: after "--", or as the value of an option.
+                # The name must be a single argument that cannot be an option: after "--", or the value of an option.
                 self.assertRegex(line, r"(-- %i$|=%i( |$))", unit)
 
     def test_the_units_pass_the_check_of_systemd(self):

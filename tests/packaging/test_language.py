@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Plain English: words that the project replaces do not appear in visible texts, documents and the subjects of new
-commits, and become no more frequent in comments. A spelling checker reads the same texts."""
+"""Plain English: listed words must not appear in visible texts, documents and the subjects of new commits, and must not
+become more frequent in comments. A spelling checker checks the same texts."""
 import collections
 import os
 import pathlib
@@ -13,7 +13,7 @@ import xml.etree.ElementTree
 
 SOURCE = pathlib.Path(os.environ["TILLER_SOURCE"])
 
-# What to write instead.
+# Listed words and their replacements.
 WORDS = {
     r"mend(?:ed|s|ing)?": "fix",
     r"anew": "again",
@@ -42,21 +42,21 @@ TEXT_WORDS = {
 PATTERN = re.compile(r"\b(" + "|".join(WORDS) + r")\b", re.IGNORECASE)
 TEXT_PATTERN = re.compile(r"\b(" + "|".join([*WORDS, *TEXT_WORDS]) + r")\b", re.IGNORECASE)
 
-# Documents that follow the word list as a whole.
+# Documents that must not contain listed words.
 DOCUMENTS = ["README.md", "CHANGELOG.md", "packaging/reference/contributing.md", "packaging/reference/architecture.md",
              "robot/README.md", "robot/PROGRAMMING.md", "robot/python/README.md", "robot/simulator/README.md",
              "robot/ur_rtde/README.md", "tests/benchmarks/README.md",
              *(str(path.relative_to(SOURCE)) for path in (SOURCE / "packaging" / "manual").rglob("*.rst"))]
 
-# Documents and contexts in which a listed word is right, with the reason.
+# Documents and contexts in which a listed word is correct, with the reason.
 ALLOWED = {
     "CHANGELOG.md": {"patience"},  # the earlier name of an option
 }
 
-# Commit subjects in which a listed word is right. Commits are checked from the one after the commit that added this line.
+# Commit subjects in which a listed word is correct. Only commits after the one that added this line are checked.
 ALLOWED_SUBJECTS: set[str] = set()
 
-# Listed words in the code of each folder, comments and names. These limits only ever decrease.
+# Maximum number of listed words in the comments and names of each folder. Only decrease these limits.
 CODE_LIMITS = {"app": 33, "robot": 45, "widgets": 167, "tests": 981}
 
 SUFFIXES = {".cpp", ".h", ".py", ".script"}
@@ -79,7 +79,7 @@ def git(*arguments):
 
 
 def new_subjects():
-    """Subjects of the commits since this check exists, or the reason why they cannot be determined."""
+    """Subjects of the commits since this check was added, or the reason why they cannot be determined."""
     top = git("rev-parse", "--show-toplevel")
     if top is None or pathlib.Path(top).resolve() != SOURCE.resolve():
         return None, "the source folder is not a git repository, or git is not installed"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The manual builds without a warning, its links are valid, and its example programs run unchanged."""
+"""The manual builds without warnings, its links are valid, and its example programs run unchanged."""
 import html.parser
 import os
 import pathlib

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The portable archive for other Linux distributions contains everything that the programs load, runs from any
-folder, and lists its requirements."""
+"""The portable archive for other Linux distributions contains all files that the programs load, runs from any folder,
+and lists its requirements."""
 import os
 import pathlib
 import re
@@ -43,7 +43,7 @@ class TestPortable(unittest.TestCase):
         self.assertGreater(len(code), 50)
         wanted = 0
         for path in code:
-            # Programs find their libraries by themselves; libraries are found through the program that loads them.
+            # Programs find their libraries by their own search path. Libraries use that of the program that loads them.
             own = path.parent == self.folder / "bin"
             way = {} if own else {"LD_LIBRARY_PATH": str(self.folder / "lib")}
             loaded = subprocess.run(["ldd", str(path)], env=dict(os.environ, **way), capture_output=True, text=True, check=True).stdout

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Output of packaging/run and packaging/test during installation and build, on a terminal and in a log."""
+"""Tests the output of packaging/run and packaging/test during installation and build, on a terminal and in a log."""
 import os
 import pty
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The reference of the C++ library builds without a warning and covers all installed headers."""
+"""The reference of the C++ library builds without warnings and covers all installed headers."""
 import html
 import os
 import pathlib
@@ -23,7 +23,7 @@ class TestReference(unittest.TestCase):
             top = pathlib.Path(folder, "include/tiller")
             installed = {path.relative_to(top) for path in top.rglob("*.h")}
         self.assertGreater(len(installed), 50)
-        # The ur_rtde interface is excluded: its methods are documented by ur_rtde.
+        # The ur_rtde interface is excluded, because ur_rtde documents its methods.
         installed = {path for path in installed if "ur_rtde" not in path.parts}
         self.assertEqual(set(make_reference.headers()), installed)
 

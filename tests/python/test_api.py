@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Common mistakes and faults: wrong arguments, a lost connection, fields that are not received. Each has a clear
+"""Common mistakes and faults: wrong arguments, a lost connection, fields that are not received. Each must raise a clear
 error."""
 import time
 import traceback
@@ -12,7 +12,7 @@ LIMIT = 60.0  # only for hanging tests
 
 
 class TestArguments(unittest.TestCase):
-    """The error for a value of the wrong type names the argument; users never see a signature of the binding."""
+    """The error for a value of the wrong type names the argument and does not contain a signature of the binding."""
 
     def setUp(self):
         self.simulator = tiller.Simulator(virtual=True).start()
@@ -106,7 +106,7 @@ class TestLink(unittest.TestCase):
     def test_a_refused_connection_is_not_waited_for(self):
         self.simulator.stop()
         with self.assertRaises(errors.ConnectionRefused):
-            tiller.Robot(self.simulator.address, timeout=None)  # would hang if the refused connection were waited for
+            tiller.Robot(self.simulator.address, timeout=None)  # would hang if it waited for the refused connection
         with self.assertRaises(errors.AddressInvalid):
             tiller.Robot("no host", timeout=None)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Evaluation of the list and of program outputs by tests/benchmarks/run. Runs no benchmark."""
+"""Tests how tests/benchmarks/run evaluates its list and the output of programs. Runs no benchmark."""
 import contextlib
 import importlib.machinery
 import importlib.util

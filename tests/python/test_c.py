@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The C interface, from a program in C and from ctypes, which uses it as MATLAB and LabVIEW do: only the shared library."""
+"""The C interface, used by a program in C and by ctypes. Like MATLAB and LabVIEW, ctypes uses only the shared library."""
 import ctypes
 import os
 import pathlib
@@ -12,7 +12,7 @@ from robot import Robot
 LIBRARY = os.environ["TILLER_C_LIBRARY"]
 PROGRAM = pathlib.Path(os.environ["TILLER_HELPERS"], "tiller_c_program")
 HEADER = pathlib.Path(os.environ["TILLER_SOURCE"], "robot/c/tiller_c.h").read_text(encoding="utf-8")
-TIMEOUT = 120  # [s], only for hanging tests
+TIMEOUT = 120  # [s]; only for hanging tests
 ATTEMPTS = 5
 
 
@@ -27,7 +27,7 @@ class TestC(unittest.TestCase):
                 done = subprocess.run([PROGRAM, robot.host], capture_output=True, text=True, timeout=TIMEOUT)
             finally:
                 robot.close()
-            late = re.search("LinkLost|DataStale|no data", done.stderr)  # this computer was busy for 100 ms
+            late = re.search("LinkLost|DataStale|no data", done.stderr)  # this computer was blocked for 100 ms
             if done.returncode == 0 or not late:
                 break
         self.assertEqual((done.returncode, done.stdout.strip()), (0, "done"), done.stderr)

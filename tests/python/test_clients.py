@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""dashboard_client, script_client and robotiq_gripper."""
+"""Tests of dashboard_client, script_client and robotiq_gripper."""
 import os
 import socketserver
 import tempfile
@@ -14,7 +14,7 @@ from script_client import ScriptClient
 
 
 class Gripper(socketserver.StreamRequestHandler):
-    """The socket of the URCap: a gripper that reaches its target immediately."""
+    """The socket of the URCap, with a gripper that reaches its target immediately."""
     values = {"ACT": 0, "STA": 0, "POS": 3, "PRE": 3, "OBJ": 3, "FLT": 0, "SPE": 0, "FOR": 0, "GTO": 0}
 
     def handle(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every public function of the C++ classes that control a robot has a Python counterpart, or a stated reason why not."""
+"""Every public function of the C++ classes that control a robot has a Python counterpart, or a reason why it has none."""
 import os
 import pathlib
 import re
@@ -18,7 +18,7 @@ HEADERS = {"control/controller.h": ("Controller",), "control/motions.h": ("Motio
 
 
 class Missing(str):
-    """A function without a Python counterpart: the reason."""
+    """The reason why a function has no Python counterpart."""
 
 
 UNLISTED_MOTION = Missing("moves the arm and is not part of the table of ENDS.md for Python")
@@ -125,7 +125,7 @@ class TestCompleteness(unittest.TestCase):
         self.assertGreater(count, 80)
 
     def test_calls_that_move_the_arm_are_in_the_table_of_ends(self):
-        """A Python call for a motion is only accepted with its row in ENDS.md."""
+        """Every Python call that starts a motion must have a row in ENDS.md."""
         ends = (ROBOT / "ENDS.md").read_text(encoding="utf-8")
         rows = ends.split("### Python (`tiller.Robot`)")[1].split("### ")[0]
         for name, functions in (("Motions", TABLE["Motions"]), ("Programs", TABLE["Programs"])):

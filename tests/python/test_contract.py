@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The stop contract in Python: no motion remains after a program was killed, suspended or disconnected. The arm is at
-standstill within 250 ms of robot time, and does not move again by itself."""
+"""The stop contract in Python. After a program was killed, suspended or disconnected, the arm must stop within 250 ms of
+robot time and not move again by itself."""
 import os
 import signal
 import subprocess

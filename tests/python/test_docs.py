@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every class and method of the modules is documented: help(), inspect.signature(), repr(), units as in the
-headers."""
+"""Every class and method of the modules is documented: help(), inspect.signature() and repr(), with the same units as in
+the headers."""
 import importlib
 import inspect
 import os

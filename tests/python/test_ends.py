@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Behaviour of the arm when the process that moves it ends, for every call that moves it: robot/ENDS.md.
+"""Behaviour of the arm when the process that moves it ends, for every call that moves the arm (robot/ENDS.md).
 
 Each cell of the table is one process, in C++ or Python, that moves its own simulated arm and then ends in one way.
 The simulated controller measures how long and how far the arm moves after the last packet of that process. Without
-arguments a part of the table runs: every call with at least one end. TILLER_ALL=1 runs all cells;
+arguments, a part of the table runs that covers every call with at least one end. TILLER_ALL=1 runs all cells.
 TILLER_UPDATE_TABLES=1 runs all cells and writes the table.
 """
 import collections
@@ -22,7 +22,7 @@ from robot import Robot
 BRAKES_MS = 250
 AT_ONCE = 8
 ATTEMPTS = 3
-PATIENCE = 60  # [s], only for hanging tests
+PATIENCE = 60  # [s]; only for hanging tests
 START = [-1.57, -1.2, -2.3, -1.2, 1.57, 0.0]
 TABLE = pathlib.Path(os.environ["TILLER_SOURCE"], "robot/ENDS.md")
 HELPERS = pathlib.Path(os.environ["TILLER_HELPERS"])
@@ -30,18 +30,18 @@ BEGIN, END = "<!-- table: written by tests/python/test_ends.py -->\n", "<!-- end
 
 ENDS = ["exception", "exit", "Ctrl-C", "SIGTERM", "SIGHUP", "SIGKILL", "lost link", "object"]
 SIGNALS = {"Ctrl-C": signal.SIGINT, "SIGTERM": signal.SIGTERM, "SIGHUP": signal.SIGHUP, "SIGKILL": signal.SIGKILL}
-#: Signals on which a Python program ends itself in its main thread.
+#: Signals that make a Python program end itself in its main thread.
 ORDERS = {"exception": signal.SIGUSR1, "exit": signal.SIGUSR2, "object": signal.SIGALRM, "_exit": signal.SIGVTALRM,
           "leave": signal.SIGPROF}
 
-BRAKES, GOES_ON = "brakes", "**moves on**"
+BRAKES, GOES_ON = "brakes", "**keeps moving**"
 
-#: call: as written by users. program: for the helper, or lines of Python. fast: TCP speed at the end [m/s].
+#: call: the call as users write it. program: argument of the helper, or lines of Python. fast: TCP speed at the end [m/s].
 #: turning: joint speed at the end, if not 0 [rad/s].
 Row = collections.namedtuple("Row", "api call program fast hand robot unattended turning",
                              defaults=(0.05, False, (), (), 0))
 
-SCRIPT_ENDS = tuple(end for end in ENDS if end != "object")  # an unattended script continues after these
+SCRIPT_ENDS = tuple(end for end in ENDS if end != "object")  # ends after which an unattended script continues
 
 NATIVE = [
     Row("C++", "Motions::moveJ", "free moveJ"),
@@ -262,18 +262,18 @@ PYTHON_NATIVE = [
 
 ROWS = NATIVE + C + PYTHON_NATIVE + FACE + PYTHON_FACE
 
-#: Further ends, each tested with a move and with a script. "leave" is the request to let a move continue.
+#: Additional ends, each tested with a move and with a script. "leave" requests that a move continues.
 FURTHER = [
     ("C++", "`leave(Supervision::Unattended)`", "leave", ("free moveJ", "script")),
     ("C++", "`std::abort`", "abort", ("free moveJ", "script")),
     ("C++", "`_exit`", "_exit", ("free moveJ", "script")),
     ("C++", "write to a closed pipe (SIGPIPE)", "closed pipe", ("free moveJ", "script")),
-    ("C++", "killed while a forked child lives on", "fork", ("free moveJ", "script")),
+    ("C++", "killed while a forked child runs", "fork", ("free moveJ", "script")),
     ("ur_rtde C++", "`disconnect(true)`", "leave", ("moveJ", "script")),
     ("ur_rtde C++", "`std::abort`", "abort", ("moveJ", "script")),
     ("ur_rtde C++", "`_exit`", "_exit", ("moveJ", "script")),
     ("ur_rtde C++", "write to a closed pipe (SIGPIPE)", "closed pipe", ("moveJ", "script")),
-    ("ur_rtde C++", "killed while a forked child lives on", "fork", ("moveJ", "script")),
+    ("ur_rtde C++", "killed while a forked child runs", "fork", ("moveJ", "script")),
     ("Python", "`os._exit`", "_exit", ("move = robot.move_j(turned(1.5), 0.4)", "robot.run_script(SCRIPT)")),
     ("Python", "main thread ends, a daemon thread moves the arm", "exit",
      tuple(f"def work():\n    {call}\nthreading.Thread(target=work, daemon=True).start()" for call in
@@ -286,7 +286,7 @@ FURTHER = [
            ("c.moveJ(turned(1.5), 0.4)", "c.sendCustomScript(SCRIPT)"))),
 ]
 
-#: milliseconds, radians: motion after the last packet. late: how long after the command the arm still moved [ms].
+#: milliseconds, radians: motion after the last packet. late: time for which the arm still moved after the command [ms].
 Seen = collections.namedtuple("Seen", "what milliseconds radians late", defaults=(0,))
 
 
@@ -334,7 +334,7 @@ class Mover:
 
     def close(self):
         self.process.kill()
-        # A forked child may hold the pipes for longer.
+        # A forked child may keep the pipes open for longer.
         for pipe in (self.process.stdin, self.process.stdout, self.process.stderr):
             pipe.close()
         self.process.wait()
@@ -351,7 +351,7 @@ def attempt(row, end):
             if time.monotonic() > patience or mover.process.poll() is not None:
                 return None
             if row.hand:
-                # Not earlier: an external force at the start of freedrive causes a protective stop.
+                # Not earlier, because an external force at the start of freedrive causes a protective stop.
                 moving_since = moving_since or time.monotonic()
                 if time.monotonic() > moving_since + 1.5:
                     robot.tell("push")
@@ -366,7 +366,7 @@ def attempt(row, end):
 
 
 def run(row, end):
-    """The behaviour of the arm. On a busy machine the process may be late, and its motion may end before the
+    """Returns the behaviour of the arm. On a busy computer, the process may be late, and its motion may end before the
     process."""
     for _ in range(ATTEMPTS):
         seen = attempt(row, end)
@@ -380,7 +380,7 @@ def expected(row, end):
 
 
 def cells():
-    """The cells to run: in a partial run each call once, with the ends distributed evenly."""
+    """The cells to run. A partial run contains each call once, with the ends distributed evenly."""
     everything = [(row, end) for row in ROWS for end in ENDS]
     if {"TILLER_ALL", "TILLER_UPDATE_TABLES"} & os.environ.keys():
         return everything
@@ -415,7 +415,7 @@ def table(seen, further):
             lines.append(f"| {name_of(row)} | " + " | ".join(cell.what for cell in here)
                          + f" | {longest.milliseconds:.0f} ms, {max(cell.radians for cell in braked):.2f} rad |")
         lines.append("")
-    lines += ["### Further ends", "", "| API | end | move | script |", "|---|---|---|---|"]
+    lines += ["### Other ways to end", "", "| API | end | move | script |", "|---|---|---|---|"]
     for entry in FURTHER:
         api, name, end, _ = entry
         lines.append(f"| {titles[api]} | {name} | " + " | ".join(further[row, end].what for row in further_rows(entry)) + " |")
@@ -449,8 +449,8 @@ class TestEnds(unittest.TestCase):
             TABLE.write_text(before + BEGIN + table(seen, further) + END + after, encoding="utf-8")
 
     def test_the_table_is_up_to_date(self):
-        """Each cell equals the expectation of its row, which the other test compares with the behaviour of the
-        arm."""
+        """Each cell of the table must equal the expectation of its row. The other test compares the expectation with the
+        behaviour of the arm."""
         rows = {(row, end): Seen(expected(row, end), 0, 0) for row in ROWS for end in ENDS}
         further = {(row, end): Seen(expected(row, end), 0, 0) for row, end in further_cells()}
         text = TABLE.read_text(encoding="utf-8").split(BEGIN)[1].split(END)[0]

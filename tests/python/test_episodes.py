@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A demonstration is recorded, split and learned from, as described in the example robot/examples/python/episodes."""
+"""A demonstration is recorded, split and used for learning, as described in robot/examples/python/episodes."""
 import importlib.util
 import os
 import subprocess
@@ -28,7 +28,7 @@ class TestEpisodes(unittest.TestCase):
         return module
 
     def test_the_primitive_takes_the_demonstrated_way(self):
-        """A path that goes there and half the way back, which a spring alone cannot produce."""
+        """Uses a path to the goal and half the way back, which a spring alone cannot produce."""
         primitive = self.example().MovementPrimitive()
         t = np.linspace(0, 1, 501)[:, None]
         bend = np.sin(np.pi * t ** 2) ** 4 * [0.5, 0, 0, 0.2, 0, -0.1]
@@ -36,7 +36,7 @@ class TestEpisodes(unittest.TestCase):
         primitive.learn([demo], 0.01)
         way = primitive.way_from(demo[0], 0.01, settle=0)
         self.assertLess(np.abs(way - demo[1:]).max(), 0.03)
-        # From another start it reaches the same end.
+        # From another start, the path must reach the same end.
         other = primitive.way_from(demo[0] + 0.2, 0.01, settle=2)
         self.assertLess(np.abs(other[-1] - demo[-1]).max(), 0.01)
 

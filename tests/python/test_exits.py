@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Programs that exit while the library is in use, each in a separate process, several times (TILLER_EXIT_RUNS, for
-example 100). None crashes or hangs, each has the expected exit status, and the arm is at standstill afterwards."""
+"""Programs that exit while the library is in use, each in a separate process, several times (TILLER_EXIT_RUNS, e.g.
+100). No program may crash or hang, each must have the expected exit status, and the arm must be at standstill."""
 import os
 import signal
 import subprocess
@@ -14,7 +14,7 @@ import tiller
 
 RUNS = int(os.environ.get("TILLER_EXIT_RUNS", "1"))
 HANG = 60.0  # [s]; only for hanging tests
-# A machine that is blocked for 100 ms ends a motion, as intended; such a run does not test the exit.
+# If the computer is blocked for 100 ms, a motion ends as intended. Such a run does not test the exit.
 LATE = ("too late", "LinkLost", "DataStale", "EventLoopStalled", "did not come in time")
 ATTEMPTS = 5
 CRASHES = ("Fatal Python error", "terminate called", "exception not rethrown", "Segmentation fault", "Aborted")
@@ -263,7 +263,7 @@ class TestExits(unittest.TestCase):
             try:
                 said, complaint = process.communicate(timeout=HANG)
             except subprocess.TimeoutExpired:
-                os.killpg(process.pid, signal.SIGKILL)  # child processes hold the pipes too
+                os.killpg(process.pid, signal.SIGKILL)  # child processes also keep the pipes open
                 said, complaint = process.communicate()
                 self.fail(f"hangs\n{said}{complaint}")
             recorded = ""

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Listings 2, 4 and 5 of the ur_rtde paper as printed; only the address of the robot is replaced. Packages they
-import that are not installed are replaced by small ones in listings/."""
+"""Listings 2, 4 and 5 of the ur_rtde paper as printed, except for the address of the robot. Packages that they import
+but are not installed are replaced by small ones in listings/."""
 import os
 import runpy
 import sys
@@ -43,7 +43,7 @@ class TestListings(unittest.TestCase):
 
     def test_listing_2(self):
         self.run_listing(2)
-        # A separate connection, whose data may be older than those of the one that moved the arm.
+        # This is a separate connection. Its data may be older than those of the connection that moved the arm.
         self.assertTrue(until(lambda: near(self.receive.getActualQ(), [0, 0.5, -0.5, 0.5, -0.5, 0.5])))
 
     def test_listing_4(self):

@@ -28,8 +28,8 @@ class TestReadme(unittest.TestCase):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         pose = [float(number) for number in ran.stdout.strip().strip("[]").split(",")]
         self.assertEqual(len(pose), 6)
-        self.assertLess(sum(x * x for x in pose[:3]), 1.5 ** 2)  # [m], within the reach of the arm
-        # Both are contained literally in the examples (tests/integration/examples); test_examples runs the other one.
+        self.assertLess(sum(x * x for x in pose[:3]), 1.5 ** 2)  # [m]; within the reach of the arm
+        # Both examples are contained literally in tests/integration/examples. test_examples runs the other one.
 
 
 if __name__ == "__main__":

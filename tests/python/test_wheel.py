@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The wheels contain what their metadata list, and work where they are unpacked, with no system library except the
-C++ runtime."""
+"""The wheels contain the files listed in their metadata, and work where they are unpacked without any system library
+except the C++ runtime."""
 import base64
 import glob
 import hashlib
@@ -156,7 +156,7 @@ class TestWheel(unittest.TestCase):
             self.assertTrue(os.path.exists(os.path.join(folder, "rtde_control-stubs", "__init__.pyi")))
 
     def test_pytest_finds_the_fixtures(self):
-        """Only through the entry point, as after an installation: tests of a user's program with these fixtures."""
+        """Tests of a user's program with these fixtures, which pytest finds only through the entry point, as after an installation."""
         with tempfile.TemporaryDirectory() as folder:
             unpacked(self.wheel, folder)
             result = run_pytest(folder, MINE)

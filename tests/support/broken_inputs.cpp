@@ -8,7 +8,7 @@ namespace tiller::test {
 namespace {
 
 QByteArray dashboardInput(Chances& in) {
-    // `shutdown` would end the server.
+    // Without `shutdown`, which would end the server.
     static const QList<QByteArray> words{"load ",
                                          "play",
                                          "stop",

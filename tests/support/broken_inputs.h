@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Invalid input for the services of a robot: commands of each protocol in random order, truncated, duplicated, with
-// random bytes in between. The same seed generates the same input.
+// Invalid input for the services of a robot: commands of each protocol in random order, truncated or
+// duplicated, with random bytes in between. The same seed generates the same input.
 
 #include <QByteArray>
 #include <QList>
@@ -26,7 +26,7 @@ public:
         }
         return out;
     }
-    /// Words in random order, occasionally damaged.
+    /// Returns words in random order, some of which are damaged.
     QByteArray soup(const QList<QByteArray>& words, int most) {
         QByteArray out;
         for (int i = upTo(most); i >= 0; --i) {
@@ -58,7 +58,7 @@ private:
     std::mt19937_64 random_;
 };
 
-/// A service with one invalid input.
+/// A service of the robot and one invalid input for it.
 struct AttackedService {
     const char* name;
     std::uint16_t simulator::Ports::*port;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common parts of the tests of ur_rtde's control interface: for each test function a simulated robot, and an
-// interface in control.
+// Common parts of the tests of ur_rtde's control interface. For each test function, there is a simulated
+// robot and an interface in control.
 
 #include <ur_rtde/rtde_control_interface.h>
 

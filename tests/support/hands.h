@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All inputs that can hold a motion, with an arm that only measures time: the jog column, the armed keyboard, a
-// stick, "Go to", with common hold rules and a key-state check that knows the real key states. In virtual time.
+// All inputs that can hold a motion, with an arm that only measures time: the jog column, the armed keyboard,
+// a stick and "Go to". They share the hold rules, and a key-state check that returns the actual key states.
+// In virtual time.
 
 #include <QLineEdit>
 #include <QPointingDevice>
@@ -23,7 +24,7 @@
 
 namespace tiller::test {
 
-/// A display server: pressed keys, and whether it responds.
+/// Simulates a display server: stores the pressed keys and whether the server responds.
 class FakeWitness : public KeyStateProbe {
 public:
     explicit FakeWitness(const Clock& clock) : clock_(clock) {}
@@ -32,7 +33,7 @@ public:
     bool leftDown = false;
     QSet<KeyCode> keysDown;
 
-    /// While frozen, no query is answered.
+    /// While frozen, no query gets a reply.
     void freeze(bool frozen) {
         look();
         frozenNs_ = frozen ? clock_.nowNs() : 0;
@@ -71,8 +72,8 @@ private:
     mutable QHash<KeyCode, std::int64_t> keys_;
 };
 
-/// An arm that follows the contract: one command slot; a motion ends 100 ms after its last refresh, a move at its
-/// target.
+/// An arm that follows the contract. It has one command slot. A motion ends 100 ms after its last refresh,
+/// and a move ends at its target.
 struct TimedArm {
     explicit TimedArm(const Clock& clock_) : clock(clock_) {}
 
@@ -82,10 +83,10 @@ struct TimedArm {
     std::int64_t refreshedNs = 0;
     std::int64_t arrivesNs = 0;
     std::int64_t moveNs = 3600 * kNsPerSecond;  ///< duration of a move
-    std::int64_t movedNs = 0;                   ///< time of the last motion
+    std::int64_t movedNs = 0;                   ///< time of the last motion [ns]
     QList<control::StopCause> ends;
     QSet<std::uint64_t> over;
-    bool broken = false;  ///< an ended motion was treated as active
+    bool broken = false;  ///< true if an ended motion was treated as active
 
     bool moves() const {
         return running != 0 && clock.nowNs() - refreshedNs <= 100 * kNsPerMs && clock.nowNs() < arrivesNs;
@@ -186,8 +187,8 @@ struct Hands {
         column->addHoldKeys(keyboard);
         window.show();
         activate();
-        // Moves the arm for some time, so that "Back" has a path, and teaches a waypoint away from the
-        // current position.
+        // Move the arm for some time, so that "Back" has a path. Then teach a waypoint away from the current
+        // position.
         SessionState state = readyState();
         for (int i = 0; i < 20; ++i) {
             state.q[0] += 0.05;
@@ -234,7 +235,8 @@ struct Hands {
         }
         return nullptr;
     }
-    /// Advances time and runs the timers: every 10 ms devices are read, every 20 ms motions are refreshed.
+    /// Advances time and runs the timers. Devices are read every 10 ms, and motions are refreshed every 20
+    /// ms.
     void advance(int ms) {
         for (int t = 0; t < ms; t += 10) {
             clock.advanceNs(10 * kNsPerMs);
@@ -262,7 +264,8 @@ struct Hands {
                });
     }
 
-    // Each function simulates a user action: the display server knows it, and the window receives the event.
+    // Each function simulates a user action. The display server stores the new state, and the window receives
+    // the event.
     void mouse(QWidget& on, QEvent::Type type, Qt::MouseButton button = Qt::LeftButton, bool heard = true) {
         if (button == Qt::LeftButton && type != QEvent::MouseMove) {
             witness.leftDown = type != QEvent::MouseButtonRelease;

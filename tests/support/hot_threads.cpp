@@ -50,7 +50,7 @@ void operator delete[](void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
-// A thread calls realtime::nameThread() first, for itself.
+// Each thread first calls realtime::nameThread() for itself.
 extern "C" int pthread_setname_np(pthread_t, const char* name) noexcept {
     hot = std::strcmp(name, "control") == 0 || std::strcmp(name, "tiller-receive") == 0;
     threads += hot ? 1 : 0;

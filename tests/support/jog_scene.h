@@ -12,7 +12,7 @@
 
 namespace tiller::test {
 
-/// The ports of a session, which only record the calls.
+/// The ports of a session. They only record the calls.
 struct FakeSession {
     std::uint64_t next = 0;
     std::uint64_t running = 0;
@@ -63,7 +63,7 @@ inline SessionState readyState() {
     return state;
 }
 
-/// The column in an active window, with its own clock.
+/// A jog column in an active window with its own clock.
 struct JogScene {
     FakeSession session;
     VirtualClock clock;

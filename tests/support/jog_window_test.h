@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Common parts of the tests of jogging: for each test function the real window in control of a simulated robot, its
-// buttons, its keyboard and a stick.
+// Common parts of the jog tests. For each test function, they provide the real window in control of a
+// simulated robot, its buttons, its keyboard and a stick.
 
 #include <QTest>
 #include <memory>
@@ -18,11 +18,11 @@ class JogWindowTest : public QObject {
     Q_OBJECT
 
 protected:
-    /// Bounds of the jog contract.
+    /// Limits of the jog contract.
     static constexpr int kReleaseToStandstillMs = 100;
 
     struct Bench : WindowBench {
-        // Input of a gamepad while it is held; empty without a gamepad.
+        // Input of a gamepad that is held; empty without a gamepad.
         std::optional<Deflection> device;
     };
     std::unique_ptr<Bench> bench_;
@@ -32,7 +32,7 @@ protected:
     HoldToRunButton& key(const char* name) { return bench_->find<HoldToRunButton>(name); }
     KeyboardJog& keyboard() { return *window().findChild<KeyboardJog*>(); }
 
-    /// A stick pushed upwards.
+    /// The input of a stick that is pushed upwards.
     static Deflection tilted() {
         Deflection stick;
         stick.deadMan = true;

@@ -22,14 +22,15 @@ inline SessionState liveState(const JointPositions& q = kReadyJoints) {
     return state;
 }
 
-/// The same with another TCP position, for code that only reads the pose.
+/// The same state with another TCP position, for code that only reads the pose.
 inline SessionState liveAt(const Pose& tcpPose) {
     SessionState state = liveState();
     state.tcpPose = tcpPose;
     return state;
 }
 
-/// The ready joint positions with one joint rotated [rad].
+/// The joint positions of that state with one joint rotated.
+/// by  [rad]
 inline JointPositions moved(int joint, double by) {
     JointPositions q = kReadyJoints;
     q[joint] += by;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// For tests that end the process that moves the arm: this process, and the arm as observed by another client. All
-// times are robot time, so that a slow machine does not look like a slow stop.
+// For tests that end the process that moves the arm. Provides this process, and observes the arm with another
+// client. All times are robot times, so that a slow computer does not look like a slow stop.
 
 #include <QProcess>
 #include <QTest>
@@ -21,7 +21,7 @@ namespace tiller::test {
 /// RTDE data of the robot, package by package.
 class ArmWatcher {
 public:
-    /// `registers`: range used by the moving process.
+    /// registers  register range used by the moving process
     ArmWatcher(const simulator::Simulator& robot, control::RegisterRange registers) {
         rtde::ConnectionOptions options;
         options.host = robot.listenAddress();
@@ -38,7 +38,7 @@ public:
         values_.resize(connection_->outputs().size());
     }
 
-    /// Reads the next package; false if none arrived.
+    /// Reads the next package. Returns false if none arrived.
     bool look() {
         if (connection_->readPackage(values_, kPatience) != rtde::Connection::Read::Package) {
             return false;
@@ -49,7 +49,7 @@ public:
         stands = speed < 0.001 && std::max(-*turning.first, *turning.second) < 0.002;
         lastMoved = stands ? lastMoved : time;
         position = {values_[15], values_[16], values_[17]};
-        // Negative: the time without a client, after the last state.
+        // A negative value is the time without a client since the last state.
         if (values_[14] >= 0) {
             state = static_cast<control::ScriptState>(static_cast<std::int32_t>(values_[14]));
         }
@@ -75,9 +75,9 @@ public:
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the TCP [m]
     bool stands = true;
     double lastMoved = 0;  ///< [s]
-    double heardAt = 0;    ///< time of the last heartbeat received by the control program [s]
+    double heardAt = 0;    ///< robot time of the last heartbeat that the control program received [s]
     control::ScriptState state = control::ScriptState::Ready;
-    control::ScriptState heardIn = control::ScriptState::Ready;  ///< the state at this time
+    control::ScriptState heardIn = control::ScriptState::Ready;  ///< state of the script at this time
 
 private:
     static constexpr std::chrono::seconds kPatience{20};
@@ -86,8 +86,8 @@ private:
     double heard_ = 0;
 };
 
-/// For use without any data connection: queries the robot itself until this time [s]. Returns the duration of
-/// the motion observed after `since`, or after the last heartbeat [s].
+/// For use without any data connection. Queries the robot itself until the time `until` [s]. Returns the
+/// duration of the motion [s] observed after `since` or after the last heartbeat.
 inline double movesOn(const simulator::Simulator& robot, double since, double until) {
     double moved = since;
     std::uint64_t heard = robot.inputPackages();
@@ -103,7 +103,7 @@ inline double movesOn(const simulator::Simulator& robot, double since, double un
     return std::max(moved - since, 0.0);
 }
 
-/// A program that moves the arm. It is killed by the destructor at the latest.
+/// A process that moves the arm. The destructor kills it if it is still running.
 class MovingProcess {
 public:
     MovingProcess(const QString& program, const QStringList& arguments) {
@@ -115,18 +115,20 @@ public:
     }
     ~MovingProcess() { kill(); }
 
-    /// Sends one line to its standard input. Time may have to advance before it has an effect.
+    /// Sends one line to the standard input of the process. Time may have to advance before the line has an
+    /// effect.
     void tell(const char* line) {
         process_.write(QByteArray(line) + "\n");
         process_.waitForBytesWritten(kWaitTimeoutMs);
     }
-    /// Whether it has printed this since the last call.
+    /// True if the process has printed these words since the last call.
     bool hasSaid(const QByteArray& words) {
-        process_.waitForReadyRead(0);  // keep reading, or the robot would disconnect the observer
+        // Keep reading, because the robot would otherwise disconnect the observer.
+        process_.waitForReadyRead(0);
         return process_.readAll().contains(words);
     }
     void signal(int number) const { ::kill(static_cast<pid_t>(process_.processId()), number); }
-    /// SIGKILL, also after SIGSTOP.
+    /// Sends SIGKILL, which also works after SIGSTOP.
     void kill() {
         process_.kill();
         process_.waitForFinished(kWaitTimeoutMs);

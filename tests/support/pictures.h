@@ -10,7 +10,7 @@
 
 namespace tiller::test {
 
-/// Saves a screenshot as TILLER_SCREENSHOTS/<name>.png; no effect without this variable.
+/// Saves a screenshot as TILLER_SCREENSHOTS/<name>.png. Has no effect without this environment variable.
 inline void keepPicture(QWidget& widget, const QString& name) {
     const QString folder = qEnvironmentVariable("TILLER_SCREENSHOTS");
     if (!folder.isEmpty()) {

@@ -20,7 +20,7 @@ enum MessageKind {
     kException = 10
 };
 
-/// KEY messages as "STARTED name".
+/// Returns the KEY messages in the form "STARTED name".
 inline QByteArrayList keysOf(const std::vector<QByteArray>& messages) {
     QByteArrayList keys;
     for (const QByteArray& body : messages) {
@@ -30,7 +30,7 @@ inline QByteArrayList keysOf(const std::vector<QByteArray>& messages) {
     return keys;
 }
 
-/// The relevant content of a section of the primary stream.
+/// The relevant content of a part of the primary stream.
 struct Heard {
     QByteArrayList keys, texts;
     std::vector<QByteArray> errors, exceptions, safetyModes;
@@ -44,7 +44,7 @@ struct Heard {
                 continue;
             }
             if (package[4] != 20) {
-                continue;  // variables of a program
+                continue;  // skip the variables of a program
             }
             const QByteArray body = package.mid(15);
             switch (package[14]) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The ways in which a program that moves the arm can end without an external signal. Uses the standard library
-// only, because the programs for ur_rtde include it.
+// The ways in which a program that moves the arm can end without an external signal. Uses only the standard
+// library, because the programs for ur_rtde include this header.
 
 #include <unistd.h>
 
@@ -13,7 +13,7 @@
 
 namespace tiller::test {
 
-/// Does not return for known names; "fork" leaves a child process with all connections.
+/// Does not return for known names. "fork" leaves a child process that keeps all connections open.
 inline void endProcess(const std::string& how) {
     if (how == "exception") {
         throw std::runtime_error("the end that the test asked for");

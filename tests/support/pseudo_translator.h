@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A pseudo language: all texts remain legible, have accented letters, and are about 40 % longer. Unchanged texts
-// are not passed to tr(); texts that do not fit would not fit in some real language.
+// A pseudo language. All texts remain legible, contain accented letters, and are about 40 % longer. Unchanged
+// texts show that tr() was not called. A text that does not fit would also not fit in some real language.
 
 #include <QHash>
 #include <QTranslator>
@@ -46,7 +46,7 @@ public:
     bool isEmpty() const override { return false; }
     QString translate(const char* context, const char* source, const char* /*comment*/,
                       int /*n*/) const override {
-        // Texts of Qt are unchanged.
+        // Qt's own texts are not changed.
         return context == nullptr || context[0] == 'Q' ? QString() : pseudoText(QString::fromUtf8(source));
     }
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Clients at byte level, written from the protocol documents only: they share no code with the backend, so that a
-// misreading in one is not confirmed by the other.
+// Clients at byte level, written only from the protocol documents. They share no code with the backend, so
+// that the same misunderstanding cannot be in both.
 
 #include <QByteArray>
 #include <QElapsedTimer>
@@ -16,7 +16,7 @@
 
 namespace tiller::test {
 
-/// Longer than any reply on a working machine: reaching this limit is a failure.
+/// Longer than any reply takes on a working computer. Reaching this limit is a failure.
 inline constexpr int kWaitTimeoutMs = 20'000;
 
 template <class Number>
@@ -50,7 +50,7 @@ public:
     RawClient(const QString& host, quint16 port) {
         socket_.connectToHost(host, port);
         socket_.waitForConnected(kWaitTimeoutMs);
-        // Otherwise a second small package waits for the acknowledgement of the first one.
+        // Otherwise, a second small package would wait for the acknowledgement of the first package.
         socket_.setSocketOption(QAbstractSocket::LowDelayOption, 1);
     }
     virtual ~RawClient() = default;
@@ -61,7 +61,8 @@ public:
         while (socket_.bytesToWrite() > 0 && socket_.waitForBytesWritten(kWaitTimeoutMs)) {
         }
     }
-    /// Waits for this number of bytes; returns fewer only if the connection ended or timed out.
+    /// Waits for this number of bytes. Returns fewer bytes only if the connection ended or the wait timed
+    /// out.
     QByteArray take(qsizetype count) {
         while (buffer_.size() < count && receive(kWaitTimeoutMs)) {
         }
@@ -77,7 +78,7 @@ public:
         buffer_.remove(0, end);
         return taken;
     }
-    /// Returns the available bytes, including data in transit on this machine.
+    /// Returns the available bytes, including data still in transit on this computer.
     QByteArray takeAll() {
         while (receive(20)) {
         }
@@ -127,7 +128,7 @@ public:
     }
     void sendPackage(char type, const QByteArray& payload = {}) { send(package(type, payload)); }
 
-    /// The next package; type 0 if there is none.
+    /// Returns the next package; type 0 if there is none.
     Package next() {
         const QByteArray head = take(3);
         if (head.size() < 3) {
@@ -139,7 +140,7 @@ public:
         sendPackage(type, payload);
         return next();
     }
-    /// All available packages.
+    /// Returns all available packages.
     std::vector<Package> packages() {
         QByteArray bytes = takeAll();
         std::vector<Package> all;
@@ -166,12 +167,12 @@ class RawPrimary : public RawClient {
 public:
     using RawClient::RawClient;
 
-    /// The next package, including the length field.
+    /// Returns the next package, including the length field.
     QByteArray next() {
         const QByteArray head = take(4);
         return head.size() < 4 ? QByteArray() : head + take(intAt(head, 0) - 4);
     }
-    /// All available packages.
+    /// Returns all available packages.
     std::vector<QByteArray> packages() {
         QByteArray bytes = takeAll();
         std::vector<QByteArray> all;
@@ -182,7 +183,7 @@ public:
         buffer_ = bytes;
         return all;
     }
-    /// Robot messages of one type among the available ones, starting after the message type.
+    /// Returns the available robot messages of one type. The content starts after the message type.
     std::vector<QByteArray> messages(int kind) {
         std::vector<QByteArray> found;
         for (const QByteArray& package : packages()) {
@@ -204,7 +205,7 @@ public:
     const QByteArray greeting;
 };
 
-/// A controller in virtual time on free ports, powered and running.
+/// A controller in virtual time on free ports, with the arm powered and running.
 struct VirtualRobot {
     static simulator::SimulatorOptions options() {
         simulator::SimulatorOptions options;
@@ -226,7 +227,7 @@ struct VirtualRobot {
     RawPrimary primary() const { return RawPrimary(host(), controller.ports().primary); }
     RawDashboard dashboard() const { return RawDashboard(host(), controller.ports().dashboard); }
 
-    /// Steps until the condition is true, for at most this virtual time.
+    /// Steps until the condition is true, but at most for this virtual time.
     template <class Condition>
     bool stepUntil(Condition condition, double atMostSeconds = 10) {
         const int ticks = static_cast<int>(atMostSeconds / controller.stepTime());
@@ -235,7 +236,7 @@ struct VirtualRobot {
         }
         return condition();
     }
-    /// Steps until the dashboard reports this mode, for five seconds at most.
+    /// Steps until the dashboard reports this mode, but at most for five seconds.
     bool untilMode(RawDashboard& dashboard, const QByteArray& robotMode) {
         return stepUntil([&] { return dashboard.ask("robotmode") == "Robotmode: " + robotMode + '\n'; }, 5);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The server side of a connection for text and byte protocols: a thread that runs the script of the test for each
+// The server side of a connection for text and byte protocols. A thread runs the script of the test for each
 // client.
 
 #include <QByteArray>
@@ -20,7 +20,7 @@ namespace tiller::test {
 
 class RawPeer {
 public:
-    /// One client. Closed when the script returns.
+    /// The connection of one client. It is closed when the script returns.
     class Link {
     public:
         Link(native_socket::Descriptor socket, const std::atomic<bool>& over) : socket_(socket), over_(over) {
@@ -35,7 +35,7 @@ public:
         Link& operator=(const Link&) = delete;
 
         bool isOver() const { return over_ || closed_; }
-        /// The client has closed the connection in an orderly way, without a reset.
+        /// True if the client has closed the connection properly, without a reset.
         bool endedInOrder() const { return inOrder_; }
         void send(const QByteArray& bytes) {
             std::span<const std::uint8_t> left(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
@@ -49,7 +49,7 @@ public:
                 }
             }
         }
-        /// The next line without its end; null if the client has disconnected or the test is over.
+        /// Returns the next line without its end; null if the client has disconnected or the test is over.
         QByteArray readLine() {
             while (!received_.contains('\n')) {
                 if (isOver()) {
@@ -69,7 +69,7 @@ public:
             }
             return received_;
         }
-        /// Keeps the connection open without a reader: half open. The caller closes the descriptor.
+        /// Keeps the connection open without a reader (half open). The caller closes the descriptor.
         native_socket::Descriptor forget() {
             closed_ = true;
             return std::exchange(socket_, -1);

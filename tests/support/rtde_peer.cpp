@@ -135,7 +135,7 @@ struct RtdePeer::Conversation {
                 take(package.payload);
                 break;
             case PackageType::TextMessage:
-            case PackageType::ReadProperties:  // not sent by our clients
+            case PackageType::ReadProperties:  // Tiller's clients do not send this type
                 break;
         }
         link.send(out);

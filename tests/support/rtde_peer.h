@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A minimal RTDE server: enough of the controller's side to test clients, with configurable behaviour. It has no
-// arm; the test defines the content of the packages.
+// A minimal RTDE server that provides enough of the controller's side to test clients, with configurable
+// behaviour. It has no arm. The test defines the content of the packages.
 
 #include <map>
 #include <mutex>
@@ -18,14 +18,14 @@ namespace tiller::test {
 struct RtdePeerOptions {
     int highestProtocol = 2;
     SoftwareVersion version{5, 22, 1, 0};
-    std::set<std::string> missing;  ///< outputs and inputs that this robot does not have
-    std::set<std::string> inUse;    ///< inputs used by other clients
+    std::set<std::string> missing;  ///< outputs and inputs that the robot does not have
+    std::set<std::string> inUse;    ///< inputs that other clients use
     bool textBeforeEveryReply = false;
     bool acceptStart = true;
     std::uint16_t port = 0;
 };
 
-/// Threads: the functions are called by the test; the peer serves in its own thread.
+/// Threads: the test calls the functions, and the peer serves in its own thread.
 class RtdePeer {
 public:
     explicit RtdePeer(RtdePeerOptions options = {});
@@ -34,18 +34,18 @@ public:
     int connections() const { return peer_->connections(); }
     bool isStarted() const { return started_; }
 
-    /// Sets a value of all later packages; 0 for values that are not set.
+    /// Sets a value in all later packages. Values that are not set are 0.
     void set(const std::string& field, std::vector<double> values);
-    /// Sends one package with this time stamp when the client has started.
+    /// Sends one package with this time stamp after the client has started.
     void send(double timestamp);
     /// Closes the connection.
     void closeConnection() { closeWanted_ = true; }
     /// Sends arbitrary bytes instead of a package.
     void sendRaw(rtde::Bytes bytes);
 
-    /// Names and frequency of the last output setup.
+    /// Names and frequency of the last output setup request.
     rtde::SetupOutputsRequest outputs() const;
-    /// The last values received for an input; empty if there were none.
+    /// The last values received for an input; empty if none were received.
     std::vector<double> input(const std::string& field) const;
     int inputPackages() const { return inputPackages_; }
 
@@ -63,7 +63,7 @@ private:
     std::atomic<bool> started_{false};
     std::atomic<bool> closeWanted_{false};
     std::atomic<int> inputPackages_{0};
-    std::unique_ptr<ScriptedPeer> peer_;  // last member: its thread uses all others
+    std::unique_ptr<ScriptedPeer> peer_;  // last member, because its thread uses all others
 };
 
 }  // namespace tiller::test

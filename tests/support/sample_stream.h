@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Samples like those of a receiver, created by a test and passed on frame by frame.
+// Samples like those of a receiver. A test creates them and passes them on frame by frame.
 
 #include <cstdint>
 #include <limits>
@@ -21,8 +21,8 @@ struct SampleStream {
     std::vector<receive::Sample> samples;
     std::uint64_t lost = 0;
 
-    /// `time`: time stamp of the controller [s].
-    /// `sequence`: packet number, from 1.
+    /// time      controller time stamp [s]
+    /// sequence  packet number, from 1
     receive::Sample& add(double time, std::uint64_t sequence) {
         receive::Sample& sample = samples.emplace_back(layout);
         sample.sequence = sequence;
@@ -30,11 +30,11 @@ struct SampleStream {
         set(sample, "timestamp", time);
         return sample;
     }
-    /// `component`: name as in recordings, e.g. "actual_current_0".
+    /// component  name as in recordings, e.g. "actual_current_0"
     void set(receive::Sample& sample, const char* component, double value) const {
         sample.values.at(layout->indexOfComponent(component).value()) = value;
     }
-    /// Passes the samples since the last frame to `take`, and discards them.
+    /// Passes the samples since the last frame to `take` and discards them afterwards.
     template <class Take>
     auto frame(Take take) {
         const std::vector<receive::Sample> gone = std::exchange(samples, {});

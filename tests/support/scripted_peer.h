@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The server side of a connection in a separate thread, controlled by the test: answer, send nothing, truncate a
-// package, disconnect.
+// The server side of a connection in a separate thread. The test controls what it does: reply, send nothing,
+// truncate a package, or disconnect.
 
 #include <QHostAddress>
 #include <QTcpServer>
@@ -22,7 +22,7 @@ namespace tiller::test {
 /// Owns the thread that listens on a free loopback port and serves one connection after the other.
 class ScriptedPeer {
 public:
-    /// One connection, passed to the script. Closed when the script returns.
+    /// One connection, which is passed to the script. It is closed when the script returns.
     class Link {
     public:
         Link(native_socket::Descriptor socket, const std::atomic<bool>& stopping)
@@ -33,7 +33,7 @@ public:
         Link(const Link&) = delete;
         Link& operator=(const Link&) = delete;
 
-        /// True if the test is over or the client has disconnected: the script should return.
+        /// True if the test is over or the client has disconnected. The script should then return.
         bool isOver() const { return stopping_ || closed_; }
         bool isClosed() const { return closed_; }
 
@@ -49,7 +49,7 @@ public:
                 }
             }
         }
-        /// Waits briefly for the next package of the client; its payload is valid until the next call.
+        /// Waits briefly for the next package of the client. Its payload is valid until the next call.
         std::optional<rtde::PackageView> nextPackage(
             std::chrono::milliseconds atMost = std::chrono::milliseconds(10)) {
             if (auto package = splitter_.next()) {
@@ -58,7 +58,7 @@ public:
             read(atMost);
             return splitter_.next();
         }
-        /// Waits until the client disconnects or the test ends, without sending.
+        /// Sends nothing and waits until the client disconnects or the test ends.
         void beMute() {
             while (!isOver()) {
                 splitter_.reset();
@@ -91,8 +91,8 @@ public:
 
     using Script = std::function<void(Link&)>;
 
-    /// `script`: runs in the peer's thread for every connection.
-    /// `port`: 0 for a free port.
+    /// script  runs in the peer's thread for every connection
+    /// port    0 for a free port
     explicit ScriptedPeer(Script script, std::uint16_t port = 0) {
         std::promise<std::uint16_t> listening;
         auto portKnown = listening.get_future();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A small file system that a test can fill to the last byte. Mounting requires privileges: without them, tests skip
-// with problem().
+// A small file system that a test can fill completely. Mounting requires privileges. Without them, tests are
+// skipped with problem().
 
 #include <QDir>
 #include <QFile>
@@ -22,7 +22,7 @@ class SmallDisk {
 public:
     enum class Kind { Tmpfs, Ext4 };
 
-    /// The mount is visible to this thread, and to threads and processes started by it afterwards.
+    /// The mount is visible to this thread, and to threads and processes that it starts afterwards.
     SmallDisk(Kind kind, int kilobytes) {
 #ifdef __linux__
         mountPoint_ = directory_.filePath("disk");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A client in virtual time: each wait advances the controller.
+// A client in virtual time. Each wait advances the controller.
 
 #include <array>
 
@@ -16,9 +16,9 @@ public:
     explicit SteppedClient(VirtualRobot& robot) : robot_(robot) {}
     virtual ~SteppedClient() = default;
 
-    /// Advances by control periods and reads the robot's data in each.
+    /// Advances by control periods and reads the data of the robot in each period.
     virtual void step(int ticks = 1) = 0;
-    /// Steps until the condition is true, for at most this virtual time.
+    /// Steps until the condition is true, but at most for this virtual time.
     template <class Condition>
     bool until(Condition condition, double seconds) {
         for (int n = static_cast<int>(seconds / robot_.controller.stepTime()); n > 0; --n) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A gamepad that is connected once, always returns the same reading and is never disconnected.
+// A gamepad that is connected once, always returns the same reading, and is never disconnected.
 
 #include <memory>
 #include <optional>
@@ -14,8 +14,8 @@ namespace tiller::test {
 
 class TestPad : public DeviceSource {
 public:
-    /// `name`, `directions`: as displayed.
-    /// `reading`: state of the gamepad, neutral by default.
+    /// name, directions  displayed texts
+    /// reading           state of the gamepad; neutral by default
     explicit TestPad(QString name = QStringLiteral("Test pad"), QString directions = {},
                      const DeviceReading& reading = {})
         : made_(std::make_unique<Pad>(std::move(name), std::move(directions), reading)) {}

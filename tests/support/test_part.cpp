@@ -10,7 +10,7 @@
 
 namespace {
 
-/// The tests of the program, in the form of its command line: "function" or "function:row".
+/// Returns the tests of the program in the form of its command line: "function" or "function:row".
 QStringList testsOf(const QString& program) {
     QProcess lister;
     lister.start(program, {QStringLiteral("-datatags")});

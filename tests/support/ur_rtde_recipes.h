@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The RTDE recipes of ur_rtde 1.5.8, each list of names with a trailing comma.
-// Source: the network traffic of ur_rtde 1.5.8
+// The RTDE recipes of ur_rtde 1.5.8. Each list of names has a trailing comma. Source: the network traffic of
+// ur_rtde 1.5.8
 
 #include <QByteArray>
 #include <vector>
@@ -23,7 +23,8 @@ inline QByteArray inputDoubles(int first, int count) {
     return registerNames("input_double_register_", first, count);
 }
 
-/// Outputs of the control interface. `offset`: 0, or 24 for the upper registers.
+/// Outputs of the control interface.
+/// offset  0, or 24 for the upper registers
 inline QByteArray urRtdeControlOutputs(int offset = 0) {
     return "robot_status_bits,safety_status_bits,runtime_state," +
            registerNames("output_int_register_", offset, 3) +

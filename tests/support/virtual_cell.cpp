@@ -16,9 +16,10 @@ namespace {
 constexpr int kTickMs = 2;
 constexpr int kRefreshMs = 16;
 constexpr int kPumpMs = 20;
-/// Windows repaint in every fifth refresh, as on a slow machine: painting takes most of a test's processor time.
+/// Windows repaint in every fifth refresh, as on a slow computer, because painting takes most of a test's
+/// processor time.
 constexpr int kRefreshesPerPaint = 5;
-/// Real time that a peer thread may take before the test fails. Never reached on a working machine.
+/// Real time that a peer thread may take before the test fails. A working computer never reaches this limit.
 constexpr std::chrono::seconds kPatience{20};
 
 }  // namespace
@@ -28,7 +29,7 @@ class VirtualCell::PaintDelay : public QObject {
 public:
     PaintDelay() { QCoreApplication::instance()->installEventFilter(this); }
 
-    /// Processes events; windows repaint in every kRefreshesPerPaint-th call.
+    /// Processes events. Windows repaint in every kRefreshesPerPaint-th call.
     void processEvents() {
         isDelaying_ = ++refreshes_ % kRefreshesPerPaint != 0;
         if (!isDelaying_) {
@@ -37,7 +38,7 @@ public:
         QCoreApplication::processEvents();
         isDelaying_ = false;
     }
-    /// Delivers the delayed repaints with the next event processing.
+    /// Delivers the delayed repaints when events are processed next.
     void release() {
         for (const QPointer<QObject>& window : std::exchange(waiting_, {})) {
             if (window) {
@@ -63,7 +64,7 @@ private:
 
 simulator::SimulatorOptions VirtualCell::options() {
     simulator::SimulatorOptions options;
-    // A separate loopback address, so that tests can run in parallel.
+    // Each process has its own loopback address, so that tests can run in parallel.
     const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
     options.listenAddress = QStringLiteral("127.%1.%2.1").arg(10 + pid % 200).arg((pid / 200) % 250);
     options.time = simulator::Time::Virtual;
@@ -142,7 +143,7 @@ void VirtualCell::tick() {
         receiver->latest(newest_);
         sequence = newest_.sequence;
     }
-    // Checked in all places where it is visible, because they are written one after the other.
+    // Check all places where the package is visible, because they are updated one after the other.
     const auto isTakenIn = [&] {
         receiver->latest(newest_);
         return ring.pending() > 0 && newest_.sequence != sequence && receiver->counters().packets != packets;
@@ -157,7 +158,7 @@ void VirtualCell::tick() {
         std::this_thread::yield();
     }
     awaitFirstAnswers(inputs);
-    // The controller answers each data package with one input package, unless it has lost control.
+    // The controller replies to each data package with one input package, unless it has lost control.
     while (session.state().control == ControlState::InControl && stillPatient()) {
         if (robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
             break;
@@ -166,17 +167,19 @@ void VirtualCell::tick() {
     }
 }
 
-// The program's watchdog uses robot time, which must not advance faster than the answering thread runs, even
-// before the session knows that it is in control.
-// `inputs`: packages from the client up to the robot's last step.
+// The watchdog of the program uses robot time. Robot time must not advance faster than the replying thread
+// runs, even before the session has detected that it is in control.
+// inputs  packages received from the client until the last step of the robot
 void VirtualCell::awaitFirstAnswers(std::uint64_t inputs) {
     if (session.state().control != ControlState::Taking) {
         inputsBeforeTaking_ = inputs;
         return;
     }
     const bool answers = inputs > inputsBeforeTaking_;
-    if (answers && !robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::milliseconds(200)))) {
-        inputsBeforeTaking_ = inputs;  // it has ended: there is nothing to wait for until it starts again
+    // Much longer than a busy machine keeps the thread waiting: otherwise the program would end, and taking control
+    // would fail.
+    if (answers && !robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(2)))) {
+        inputsBeforeTaking_ = inputs;  // the program has ended; do not wait until it starts again
     }
 }
 

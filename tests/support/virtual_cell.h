@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A robot and a session with a common virtual clock: real sockets, real threads, no real time. Robot and session
-// advance in lock-step, so that the result of a test does not depend on the speed of the machine.
+// A robot and a session with a common virtual clock, with real sockets and real threads, but not in real
+// time. Robot and session advance in lock-step, so that the result of a test does not depend on the speed of
+// the computer.
 
 #include <QObject>
 #include <functional>
@@ -17,28 +18,28 @@ namespace tiller::test {
 
 class VirtualCell {
 public:
-    /// Both arguments must outlive the cell; the session must have been created with the clock.
-    /// `robot`: simulator options, based on options().
+    /// clock, session  must outlive the cell; the session must have been created with the clock
+    /// robot           simulator options, based on options()
     VirtualCell(VirtualClock& clock, RobotSession& session,
                 const simulator::SimulatorOptions& robot = options());
-    /// A UR5e, powered, brakes released, in virtual time, at a loopback address of this process.
+    /// Options for a UR5e in virtual time that is powered with released brakes, at a loopback address of this
+    /// process.
     static simulator::SimulatorOptions options();
     ~VirtualCell();
 
-    /// Starts the robot and connects to it.
-    /// Returns false without data; what() contains the reason.
+    /// Starts the robot and connects to it. Returns false if no data arrive; what() then returns the reason.
     bool connect();
-    /// As connect(), and takes control.
-    /// Returns false on failure; what() contains the failed step.
+    /// As connect(), and takes control. Returns false on failure; what() then returns the failed step.
     bool bringUp();
     QString what() const { return what_; }
 
-    /// Advances robot, clock and session. Every control period the robot sends, receiver and controller answer;
-    /// every 16 ms the session refreshes; every 20 ms `everyRefresh` runs, like a timer of the user interface.
+    /// Advances robot, clock and session. In every control period, the robot sends, and receiver and
+    /// controller reply. The session refreshes every 16 ms. `everyRefresh` runs every 20 ms, like a timer of
+    /// the user interface.
     void advanceMs(int ms);
-    /// Advances until the condition is true, for at most this virtual time.
+    /// Advances until the condition is true, but at most for this virtual time.
     bool advanceUntil(const std::function<bool()>& condition, int atMostMs);
-    /// As advanceMs(), but without processing the user interface, as if the window were hanging.
+    /// As advanceMs(), but without processing user interface events, as if the window were hanging.
     void advanceWithFrozenInterface(int ms);
 
     std::function<void()> everyRefresh;

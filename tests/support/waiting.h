@@ -10,12 +10,12 @@
 
 namespace tiller::test {
 
-/// Longer than any operation on a working machine: reaching this limit is a failure.
+/// Longer than any operation takes on a working computer. Reaching this limit is a failure.
 inline Deadline patience() {
     return Deadline::after(std::chrono::seconds(60));
 }
 
-/// Returns the text of the error of a result.
+/// Returns the error text of a result.
 template <class Result>
 QByteArray why(const Result& result) {
     return result.error().toString().toUtf8();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The real window with separate settings and a simulated robot, all on one virtual clock.
+// The real window with its own settings and a simulated robot, all on one virtual clock.
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -22,7 +22,7 @@ struct WindowBench {
     explicit WindowBench(const simulator::SimulatorOptions& robot = VirtualCell::options())
         : cell(clock, window.session(), robot) {}
 
-    /// Shows and activates the window, with its default size unless one is given.
+    /// Shows and activates the window. The default size is used if no size is given.
     void show(std::optional<QSize> size = {}) {
         if (size) {
             window.resize(*size);

@@ -3,12 +3,13 @@
 """Removes each rule that ends a held motion, one after the other, and prints which tests fail.
 
 A rule is a row of the tables in hold_rules.cpp, or a line of the files below that ends in "// rule: NAME". The source
-file without that line is compiled separately and linked before the libraries when the test is linked again; neither
-the source tree nor the build tree is changed. The script fails if no test fails without a rule.
+file without that line is compiled separately. It is linked before the libraries when the test is linked again. Neither
+the source tree nor the build tree is changed. The script fails if there is a rule without which no test fails.
 
     tests/support/without_rules.py [BUILD_FOLDER] [NAME_CONTAINS]
 
-Requires a build of the tests named below in BUILD_FOLDER (build/dev): a preset that compiles each file separately.
+Requires a build of the tests named below in BUILD_FOLDER (default build/dev), with a preset that compiles each file
+separately.
 """
 import json
 import os
@@ -20,7 +21,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# Files with rules, and the test that must fail without them. Functions that only read the list of rules do not count.
+# Files with rules, and the test that must fail without a rule. Functions that only read the list of rules do not count.
 PLACES = [
     ("widgets/hold/hold_rules.cpp", "tst_hold_rules"),
     ("widgets/hold/hold_guard.cpp", "tst_hold_rules"),
@@ -55,7 +56,7 @@ def link_command(build, test):
 
 
 def listing(binary, option, environment):
-    """The list printed by Qt Test, on either output stream."""
+    """The list that Qt Test prints on either output stream."""
     done = subprocess.run([binary, option], capture_output=True, text=True, env=environment)
     return (done.stdout + done.stderr).splitlines()
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A motion port that only records the calls: one jog at a time, each with a unique number.
+// A motion port that only records the calls. It allows one jog at a time, and each jog has a unique number.
 
 #include <QList>
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace tiller::test {
 struct WrittenPort {
     std::uint64_t running = 0;  ///< 0: no motion
     std::uint64_t next = 0;
-    QList<control::JogTarget> targets;  ///< of the start and of every refresh
+    QList<control::JogTarget> targets;  ///< targets of the start and of every refresh
     QList<control::StopCause> ends;
     MotionPort port{
         .beginJog = [this](const control::JogTarget& target) -> Result<MotionPort::Id> {

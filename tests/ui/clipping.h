@@ -22,6 +22,7 @@
 #include <QStyleOptionComboBox>
 #include <QStyleOptionFrame>
 #include <QTabBar>
+#include <QTest>
 #include <QTextDocument>
 #include <QToolButton>
 #include <algorithm>
@@ -83,7 +84,7 @@ inline QString problemOfLabel(const QLabel& label) {
 }
 
 inline QString problemOfButton(const QAbstractButton& button) {
-    // Custom-painted buttons report their own minimum size.
+    // Custom-painted buttons return their own minimum size.
     const bool ordinary = button.inherits("QPushButton") || button.inherits("QToolButton") ||
                           button.inherits("QCheckBox") || button.inherits("QRadioButton");
     const QSize needed = ordinary ? button.sizeHint() : button.minimumSizeHint();
@@ -104,7 +105,7 @@ inline QString problemOfField(const QString& text, const QWidget& field, int roo
                : QString();
 }
 
-/// The width for text inside the border, padding and margins of a line edit [px].
+/// The width available for text inside the border, padding and margins of a line edit [px].
 inline int roomIn(const QLineEdit& field) {
     QStyleOptionFrame option;
     option.initFrom(&field);
@@ -156,7 +157,7 @@ inline QString problemOfList(const QListWidget& list) {
     return {};
 }
 
-/// The problem of this widget; empty if there is none.
+/// Describes the problem of this widget; empty if there is none.
 inline QString problemOf(const QWidget& widget) {
     if (const auto* chip = qobject_cast<const StateChip*>(&widget)) {
         return chip->width() < chip->sizeHint().width() && !chip->toolTip().contains(chip->text())
@@ -199,7 +200,7 @@ inline QString problemOf(const QWidget& widget) {
     return {};
 }
 
-/// Internal parts of Qt widgets, which Qt lays out itself.
+/// True for internal parts of Qt widgets, which Qt lays out itself.
 inline bool isInner(const QWidget& widget) {
     const QWidget* parent = widget.parentWidget();
     return (widget.objectName().startsWith(QLatin1String("qt_")) &&
@@ -215,7 +216,7 @@ inline bool isViewport(const QWidget& widget) {
     return area != nullptr && area->viewport() == &widget;
 }
 
-/// Widgets of one box layout whose rectangles overlap, because the layout has less height than they need.
+/// Finds widgets of one box layout whose rectangles overlap because the layout has too little height.
 inline QStringList overlaps(const QWidget& parent) {
     QStringList found;
     for (const QBoxLayout* layout : parent.findChildren<QBoxLayout*>(Qt::FindDirectChildrenOnly)) {
@@ -236,7 +237,7 @@ inline QStringList overlaps(const QWidget& parent) {
 
 }  // namespace clipping
 
-/// All problems in a visible window.
+/// Returns all problems in a visible window.
 inline QStringList clipped(const QWidget& window) {
     if (!window.isWindow()) {
         return {clipping::nameOf(window) + QStringLiteral(" is no window: nothing in it was looked at")};
@@ -247,7 +248,7 @@ inline QStringList clipped(const QWidget& window) {
             continue;
         }
         const QWidget* parent = widget->parentWidget();
-        // The content of a scroll area may be higher than its viewport, but not wider.
+        // The content of a scroll area may be taller than its viewport, but not wider.
         const QRect place = clipping::isViewport(*parent)
                                 ? QRect(widget->x(), 0, widget->width(), std::min(1, parent->height()))
                                 : widget->geometry();
@@ -269,6 +270,19 @@ inline QStringList clipped(const QWidget& window) {
         }
         found << clipping::overlaps(*widget);
     }
+    return found;
+}
+
+/// The problems that remain when the layouts of a visible window have settled. A search takes long, and QTRY_VERIFY2
+/// would repeat it five times.
+inline QStringList stillClipped(const QWidget& window) {
+    QStringList found;
+    (void)QTest::qWaitFor(
+        [&] {
+            found = clipped(window);
+            return found.isEmpty();
+        },
+        60'000);
     return found;
 }
 

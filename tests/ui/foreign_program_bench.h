@@ -21,7 +21,8 @@
 
 namespace tiller::test {
 
-/// Robot time until the robot has read the stop and starts to decelerate; the rest is deceleration [ms].
+/// Maximum robot time until the robot has read the stop command and starts to decelerate [ms]. Excludes the
+/// deceleration.
 inline constexpr int kAtOnceMs = 20;
 inline constexpr int kBrakingMs = 1000;
 inline constexpr int kForeignPatienceMs = 20'000;
@@ -52,7 +53,8 @@ inline constexpr const char* kWays[] = {"STOP", "Esc", "Space", "device"};
 
 struct ForeignProgramBench : WindowBench {
     DeviceReading pad;
-    std::shared_ptr<QStringList> said = std::make_shared<QStringList>();  ///< the window outlives this object
+    /// Shared, because the window outlives this object.
+    std::shared_ptr<QStringList> said = std::make_shared<QStringList>();
     QStringList& errors = *said;
     std::unique_ptr<script::ScriptClient> pendant;
 
@@ -71,7 +73,7 @@ struct ForeignProgramBench : WindowBench {
     const SessionState& state() { return window.session().state(); }
     bool runs() const { return cell.truth().runtimeState == RuntimeState::Playing; }
 
-    /// Starts a program of another client: the base rotates back and forth.
+    /// Starts a program of another client that rotates the base back and forth.
     bool startProgram(const char* body =
                           "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
                           "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n") {
@@ -91,7 +93,8 @@ struct ForeignProgramBench : WindowBench {
                           window.session().services().stopsForeignProgramsAtOnce();
                });
     }
-    /// Advances robot and window together until the condition is true; in real time, because of other clients.
+    /// Advances robot and window together until the condition is true. Real time also passes, because of the
+    /// other clients.
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
@@ -100,7 +103,7 @@ struct ForeignProgramBench : WindowBench {
         }
         return condition();
     }
-    /// The command is sent on release; the robot reads it in its next periods.
+    /// The command is sent on release. The robot reads it within kAtOnceMs.
     bool stopsAtOnce() {
         for (int ms = 0; ms < kAtOnceMs && runs(); ms += 2) {
             cell.robot.drainSockets();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Common parts of the jog tests: buttons of the real widgets, driven in virtual time.
+// Common parts of the jog tests. The buttons of the real widgets are driven in virtual time.
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -14,9 +14,9 @@
 
 namespace tiller::test {
 
-/// Makes the hold-to-run buttons use the clock of the cell: they are refreshed in virtual time instead of
-/// real time.
-/// `devices`: for jogging without a button on the screen; may be null.
+/// Makes the hold-to-run buttons use the clock of the cell, so that they are refreshed in virtual time
+/// instead of real time.
+/// devices  for jogging without an on-screen button; may be null
 inline void driveKeys(VirtualCell& cell, const QVector<HoldToRunButton*>& keys, AxisJog* devices = nullptr) {
     for (HoldToRunButton* key : keys) {
         key->guard().setClock(cell.clock);
@@ -64,7 +64,7 @@ inline bool standsStill(const VirtualCell& cell) {
     return truth.tcpSpeed.linear.norm() < 0.001 && truth.qd.values.cwiseAbs().maxCoeff() < 0.002;
 }
 
-/// Virtual time until standstill [ms], or -1 if there is none within a second.
+/// Virtual time until standstill [ms]; -1 if the arm does not stop within a second.
 inline int timeToStandstill(VirtualCell& cell) {
     for (int ms = 0; ms <= 1000; ms += 2) {
         if (standsStill(cell)) {

@@ -17,19 +17,19 @@
 namespace tiller::test {
 namespace {
 
-/// Controls whose purpose is to change the layout around them: the name of the control, or of the control it
-/// is part of, and the name of the widget whose layout it changes.
+/// A control whose purpose is to change the layout around it. Contains the name of the control, or of the
+/// control that contains it, and the name of the widget whose layout it changes.
 struct ShapingKey {
     const char* key;
     const char* shapes;
 };
 constexpr ShapingKey kShapingKeys[] = {
-    {"jogDetail", "jogColumn"},            // pose or joints, in small windows
-    {"settings.density", "settingsPage"},  // the size of all buttons and rows
-    {"frame.fromTcp", "frames"},           // the list is replaced by the guide
+    {"jogDetail", "jogColumn"},            // selects pose or joints in small windows
+    {"settings.density", "settingsPage"},  // changes the size of all buttons and rows
+    {"frame.fromTcp", "frames"},           // replaces the list by the guide
     {"frame.threePoints", "frames"},       //
     {"frame.touchUp", "frames"},           //
-    {"frame.teacher.make", "frames"},      // and shown again
+    {"frame.teacher.make", "frames"},      // shows the list again
     {"frame.teacher.cancel", "frames"},    //
 };
 
@@ -75,7 +75,7 @@ QString nameOf(const QWidget& widget) {
 
 namespace {
 
-/// Chips that open a menu or the recovery; the others are read-only.
+/// True for chips that open a menu or the recovery page. All other chips are read-only.
 bool isPressed(const StateChip* chip) {
     return chip != nullptr &&
            (chip->focusPolicy() != Qt::NoFocus || chip->objectName() == QLatin1String("safetyChip"));
@@ -84,7 +84,7 @@ bool isPressed(const StateChip* chip) {
 }  // namespace
 
 bool PlacesWatch::isControl(const QWidget& widget) {
-    // Internal parts of Qt's controls do not count separately.
+    // Internal parts of Qt's controls are not checked separately.
     if (widget.objectName().startsWith(QLatin1String("qt_")) ||
         qobject_cast<const QScrollBar*>(&widget) != nullptr) {
         return false;
@@ -115,7 +115,7 @@ const QWidget* PlacesWatch::containerOf(const QWidget& clicked) {
         const QWidget* parent = at->parentWidget();
         if (qobject_cast<const QAbstractButton*>(at) != nullptr &&
             qobject_cast<const QLineEdit*>(parent) != nullptr) {
-            return parent->parentWidget();  // the button that clears a search: all rows appear again
+            return parent->parentWidget();  // the button that clears a search makes all rows appear again
         }
     }
     return nullptr;

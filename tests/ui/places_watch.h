@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Checks that nothing moves under the pointer: for half a second after a click, no control near the pointer moves
-// and none moves there. A second click must not hit another control.
+// Checks that nothing moves under the pointer. For half a second after a click, no control near the pointer
+// may move, and no control may move to a position near the pointer, so that a second click cannot hit another
+// control.
 //
 // The rule in detail:
-// - All controls (buttons, fields, sliders, boxes, chips) of the clicked window are checked that were visible and
-//   enabled just before the press.
-// - A control has moved if its position or size in the window differs from before the press.
-// - It counts if its old position was visible within 40 px of the pointer, or if its new one is. Controls that
+// - All controls (buttons, fields, sliders, boxes, chips) of the clicked window are checked if they were
+//   visible and enabled just before the press.
+// - A control has moved if an edge of its rectangle in the window has moved by more than kUnnoticed.
+// - A moved control counts if its old or new position is visible within kReach of the pointer. Controls that
 //   disappear or appear have not moved.
-// - Effects of the click itself are allowed: the watch ends when the clicked window closes, or when a dialog or
-//   menu opens or closes. A click on a button that folds, scrolls, filters or resizes its surroundings allows
-//   changes in this part of the window only; see the list in containerOf(). Tabs are not in the list: the content
-//   of another page is new, and everything else must not move.
-// - Other actions (keys, mouse wheel, dragging, resizing the window) end the watch by end(). A moved pointer, a
-//   lost connection and any behaviour of the robot do not.
+// - Effects of the click itself are allowed: the watch ends when the clicked window closes, or when a dialog
+//   or menu opens or closes. A click on a button that folds, scrolls, filters or resizes its surroundings
+//   allows changes only in this part of the window (see the list in containerOf()). Tabs are not in the list.
+//   The new page has different content, and everything else must not move.
+// - Other actions (keys, mouse wheel, dragging, resizing the window) end the watch by end(). A moved pointer,
+//   a lost connection and any behaviour of the robot do not end it.
 
 #include <QElapsedTimer>
 #include <QList>
@@ -28,30 +29,33 @@
 
 namespace tiller::test {
 
-/// e.g. "jog.X+ (JogKey)"; the parent's name if it has none.
+/// E.g. "jog.X+ (JogKey)"; the name of the parent if the widget has no name.
 QString nameOf(const QWidget& widget);
 
 class PlacesWatch {
 public:
-    /// Radius around the pointer that counts, horizontally and vertically: the accuracy of a hand [px].
+    /// Half size of the checked area around the pointer, horizontally and vertically: the accuracy of a hand
+    /// [px].
     static constexpr int kReach = 4;
-    /// Smaller movements and changes are permitted, e.g. a selected segment or an appearing scroll bar [px].
+    /// Smaller movements and size changes are permitted, e.g. of a selected segment or due to an appearing
+    /// scroll bar [px].
     static constexpr int kUnnoticed = 12;
-    /// The contract requires 500 ms. Timers of the window for this purpose may be 5 % early.
+    /// The contract requires 500 ms. The timers of the window may expire 5 % early.
     static constexpr int kKeepMs = 470;
 
-    /// True for widgets that a user can press, turn or edit.
+    /// True for widgets that a user can press, rotate or edit.
     static bool isControl(const QWidget& widget);
-    /// The part of the window that a click on this widget opens, closes, scrolls or changes; null: none.
+    /// The part of the window that a click on this widget opens, closes, scrolls or changes; null if there is
+    /// none.
     static const QWidget* containerOf(const QWidget& clicked);
 
-    /// Call just before the press.
-    /// `at`: position in the window [px].
+    /// Call this just before the press.
+    /// at  position in the window [px]
     void begin(const QWidget& window, QPoint at);
     void end() { places_.clear(); }
     /// True while the watch is active.
     bool isOn();
-    /// The moved controls so far, as text; empty: none.
+    /// Descriptions of the controls that have moved so far; empty if none has moved.
     QStringList moved() const;
     /// Number of controls near the pointer. If it is 0, the watch checks nothing.
     int controlsAtPointer() const;
@@ -60,7 +64,7 @@ private:
     struct Place {
         QPointer<const QWidget> control;
         QRect rect;         ///< in window coordinates
-        bool seen = false;  ///< near the pointer
+        bool seen = false;  ///< true if near the pointer
     };
 
     bool isNear(const QRect& rect) const;
@@ -71,7 +75,7 @@ private:
     bool hadModal_ = false;
     bool hadPopup_ = false;
     QPoint at_;
-    QSize size_;  ///< of the window at the start: after a resize everything may move
+    QSize size_;  ///< size of the window at the start; after a resize all controls may move
     QList<Place> places_;
     QElapsedTimer sincePress_;
 };

@@ -25,17 +25,18 @@
 namespace tiller::test {
 namespace {
 
-constexpr int kQuietEvery = 40;  // steps
-/// In percent of the clicks: the pointer stays for the whole time in which nothing may move, or briefly.
+constexpr int kQuietEvery = 40;  // number of steps
+/// Percentage of clicks after which the pointer stays for the whole time in which nothing may move. The next
+/// value is for a shorter time.
 constexpr int kLongWatch = 1;
 constexpr int kShortWatch = 15;
-/// Steps per hundred that are painted: painting is most of the cost of a step.
+/// Percentage of steps after which the window is painted. Painting causes most of the cost of a step.
 constexpr int kPaintedOfHundred = 10;
-/// Time from release to standstill [ms]; the contract's bounds are tested in virtual time.
+/// Maximum time from release to standstill [ms]. The limits of the contract are tested in virtual time.
 constexpr int kStandstillMs = 1000;
-/// Apparent motion of an arm at standstill due to the noise of its encoders [rad].
+/// Apparent motion of an arm at standstill due to encoder noise [rad].
 constexpr double kRestTolerance = 0.0015;
-/// Time until a requested robot is connected [ms].
+/// Maximum time until a requested robot is connected [ms].
 constexpr double kConnectMs = 30'000;
 constexpr qint64 kHopelessMs = 90'000;
 
@@ -44,7 +45,7 @@ constexpr QSize kLargest{1920, 1080};
 
 struct Fault {
     const char* words;
-    const char* cure;  ///< empty: it ends by itself, or must be ended by the operator
+    const char* cure;  ///< command that ends the fault; empty: it ends by itself or the operator must end it
     int weight;
     bool link = false;
 };
@@ -127,7 +128,7 @@ const KeyStroke kStrokes[] = {
     {Qt::Key_Control, {}, ""},
 };
 
-/// Keys of the armed keyboard, and modifiers.
+/// Keys of the armed keyboard with their modifiers.
 const KeyStroke kHeldStrokes[] = {
     {Qt::Key_Left, {}, ""},
     {Qt::Key_Right, {}, ""},
@@ -195,7 +196,7 @@ void Patience::wait() {
 }
 
 double Patience::ms() const {
-    constexpr double kTurnMs = 10;  // in a longer iteration the CPU was shared with other processes
+    constexpr double kTurnMs = 10;  // in a longer iteration, other processes used the CPU
     const double robot = (robot_.truth().timestamp - began_) * 1000;
     return std::min({static_cast<double>(real_.elapsed()), robot, turns_ * kTurnMs});
 }
@@ -213,7 +214,7 @@ RandomUser::RandomUser(quint32 seed, int place)
     , hand_(window_)
     , truth_(window_) {
     window_.installEventFilter(this);
-    // An animated dock would still move in the next steps.
+    // An animated dock would still be moving during the next steps.
     window_.setAnimated(false);
     connect(&visitor_, &QTimer::timeout, this, &RandomUser::visit);
 }
@@ -230,7 +231,7 @@ bool RandomUser::begin() {
         fail(started.error().toString());
         return false;
     }
-    // A second simulated robot would be unknown to the checks.
+    // The checks do not cover a second simulated robot.
     if (QAction* another = window_.actions().find(QStringLiteral("robot.simulator"))) {
         another->setEnabled(false);
     }
@@ -315,7 +316,7 @@ void RandomUser::fail(const QString& what) {
     }
 }
 
-/// The random user does not quit the program.
+/// Prevents the random user from quitting the application.
 bool RandomUser::eventFilter(QObject* watched, QEvent* event) {
     if (watched == &window_ && event->type() == QEvent::Close) {
         event->ignore();
@@ -411,7 +412,7 @@ void RandomUser::bringWindowBack() {
     if (!window_.isVisible()) {
         window_.show();
     }
-    // Activates a window, as a window manager does after the active window was closed.
+    // Activate a window, as a window manager does after the active window was closed.
     if (QApplication::activeWindow() == nullptr && QApplication::activePopupWidget() == nullptr) {
         QWidget* modal = QApplication::activeModalWidget();
         (modal != nullptr ? modal : &window_)->activateWindow();
@@ -429,7 +430,7 @@ QList<QWidget*> RandomUser::windowsInReach() const {
     QList<QWidget*> found;
     for (QWidget* top : QApplication::topLevelWidgets()) {
         const bool stop = top->objectName() == QLatin1String("stopAboveDialog");
-        // Files could be deleted in a file dialog; see endFileDialog().
+        // The user could delete files in a file dialog; see endFileDialog().
         if (!top->isVisible() || top->windowHandle() == nullptr ||
             qobject_cast<QFileDialog*>(top) != nullptr || (top->windowType() == Qt::ToolTip && !stop) ||
             (modal != nullptr && top != modal && !stop)) {
@@ -452,7 +453,7 @@ std::optional<RandomUser::Target> RandomUser::someControl() {
     }
     QList<QWidget*> controls;
     for (QWidget* widget : window->findChildren<QWidget*>()) {
-        // "startSimulator" would connect to a robot whose state is not known here.
+        // "startSimulator" would connect to a robot whose state is unknown to the checks.
         if (PlacesWatch::isControl(*widget) && widget->isVisible() && widget->window() == window &&
             widget->objectName() != QLatin1String("startSimulator")) {
             controls.append(widget);
@@ -534,7 +535,7 @@ void RandomUser::clickPixel() {
     }
 }
 
-/// A second click at the same position.
+/// Clicks a second time at the same position.
 void RandomUser::clickAgain() {
     if (last_ && last_->window && windowsInReach().contains(last_->window.data())) {
         Target again = *last_;
@@ -635,7 +636,7 @@ void RandomUser::typeText() {
     const QWidget* field = QApplication::focusWidget();
     QStringList choice = texts();
     if (field != nullptr && field->objectName() == QLatin1String("robotHost")) {
-        // Only known robots: a name would be looked up in the network.
+        // Use only known robots, because a name would be looked up in the network.
         choice = {robot_.listenAddress(), QStringLiteral("127.0.0.254"), QStringLiteral("my robot")};
         hand_.keyClick(Qt::Key_A, Qt::ControlModifier);
     } else if (chance(40)) {
@@ -728,7 +729,7 @@ void RandomUser::faultOrCure() {
     }
 }
 
-/// Fixes the first problem, as a person at the robot would, without the window.
+/// Fixes the first problem directly at the robot, without using the window.
 void RandomUser::care() {
     RobotSession& session = window_.session();
     const SessionState& state = session.state();
@@ -810,8 +811,8 @@ void RandomUser::closeAllDialogs() {
     }
 }
 
-/// Runs outside the timer event: a timer does not fire recursively, and the action may open the next dialog
-/// with its own event loop.
+/// Not called by the timer event itself, because a timer does not fire recursively and the action may open
+/// the next dialog with its own event loop.
 void RandomUser::visit() {
     if (QThread::currentThread()->loopLevel() == 0) {
         stuck_ = 0;
@@ -820,10 +821,11 @@ void RandomUser::visit() {
     QMetaObject::invokeMethod(this, &RandomUser::endNestedLoop, Qt::QueuedConnection);
 }
 
-/// Nested event loops (file dialog, some menus, dragging a row) block the step: a timer ends them from inside.
+/// Nested event loops (file dialog, some menus, dragging a row) block the step. A timer ends them from inside
+/// the loop.
 void RandomUser::endNestedLoop() {
     if (QThread::currentThread()->loopLevel() == 0) {
-        return;  // it has ended meanwhile
+        return;  // the nested loop has ended in the meantime
     }
     places_.end();
     ++stuck_;
@@ -915,7 +917,7 @@ bool RandomUser::comesToRest() {
     const JogSelection selection = window_.jogColumn().selection();
     if ((stepRuns || window_.jogColumn().isHolding()) &&
         (stepRunsToEnd(selection, false) || stepRunsToEnd(selection, true))) {
-        // A short step is not held: it runs to its end, or until it is stopped.
+        // A short step is not held. It runs to its end or until it is stopped.
         note(QStringLiteral("ends a short step by Esc"));
         hand_.keyClick(Qt::Key_Escape, {}, QStringLiteral("\x1b"));
     }
@@ -941,7 +943,7 @@ void RandomUser::judgeTruth() {
     Patience patience(robot_);
     while (isFine()) {
         const simulator::SimulatedState truth = robot_.truth();
-        // The window of another robot is not checked.
+        // A window that is connected to another robot is not checked.
         const SessionState& state = window_.session().state();
         if (state.link != LinkState::Disconnected && state.address != robot_.listenAddress()) {
             return;

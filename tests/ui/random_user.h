@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A random user: clicks, keys, mouse wheel, dragging, resizing of the window, while connections are cut and stops
-// are triggered on the simulated robot. Occasionally a "care" function corrects problems, so that a usable robot
-// exists. Everything in real time, from one seed.
+// A random user: clicks, presses keys, uses the mouse wheel, drags and resizes the window, while connections
+// are cut and stops are triggered on the simulated robot. A "care" function occasionally corrects problems,
+// so that a usable robot exists. Everything runs in real time, with one seed.
 //
-// Checks, continuously or after each quiet moment:
+// Checks, made continuously or after each quiet period:
 // - places: nothing moves under the pointer after a click (PlacesWatch);
 // - truth: the displayed state is correct, or marked as unknown (TruthCheck);
-// - rest: without operator input the arm stops, and remains stopped until the next press.
+// - rest: without operator input the arm stops, and it does not move before the next press.
 
 #include <QObject>
 #include <QRandomGenerator>
@@ -26,26 +26,27 @@
 
 namespace tiller::test {
 
-/// Time available to the window: neither a busy CPU nor stopped robot time count.
+/// Measures the time that was available to the window. Time in which the CPU was busy or robot time did not
+/// advance does not count.
 class Patience {
 public:
     explicit Patience(const simulator::Simulator& robot);
     /// Processes events for a moment.
     void wait();
-    double ms() const;  ///< so far
-    /// True if the time is so long that something must hang.
+    double ms() const;  ///< time so far
+    /// True after a time so long that something must be hanging.
     bool isHopeless() const;
 
 private:
     const simulator::Simulator& robot_;
-    double began_;  ///< robot time [s]
+    double began_;  ///< robot time at the start [s]
     QElapsedTimer real_;
     int turns_ = 0;
 };
 
 class RandomUser : public QObject {
 public:
-    /// `place`: index of the robot in this process, for a separate address.
+    /// place  index of the robot in this process, used for a separate address
     RandomUser(quint32 seed, int place);
     ~RandomUser() override;
 
@@ -54,14 +55,14 @@ public:
     bool begin();
     /// Performs this number of steps, or fewer if a check fails.
     void play(int steps);
-    /// Corrects all problems and checks whether the window works normally.
+    /// Corrects all problems and checks that the window works normally.
     void finish();
 
-    /// The failed check; empty: none.
+    /// The description of the failed check; empty if none has failed.
     QString failure() const { return failure_; }
     int steps() const { return number_; }
 
-    // Statistics of the actions. A user who never moves an arm would find nothing.
+    // Statistics of the actions. A user who never moves the arm would not find any errors.
     int stepsInMotion() const { return stepsInMotion_; }
     int watchedClicks() const { return watchedClicks_; }
     int comparedValues() const { return truth_.compared(); }
@@ -78,9 +79,9 @@ private:
     struct Act {
         int weight;
         void (RandomUser::*run)();
-        bool whileHeld = false;   ///< also while a mouse button is down
-        bool keepsWatch = false;  ///< does not permit controls to move
-        bool mayMoveArm = true;   ///< an arm at rest may move from now on
+        bool whileHeld = false;   ///< true if the action is also possible while a mouse button is pressed
+        bool keepsWatch = false;  ///< true if controls must not move during the action
+        bool mayMoveArm = true;   ///< true if the action may move an arm at standstill
     };
     static const QList<Act>& acts();
 
@@ -125,7 +126,7 @@ private:
     void cureAll();
     void tellPendant(const QByteArray& line);
 
-    // Clean-up before and after the steps.
+    // Clean-up functions that are called before and after the steps.
     void bringWindowBack();
     void endOldDialogs();
     void closeAllDialogs();
@@ -156,12 +157,12 @@ private:
     int stepsInMotion_ = 0;
     int watchedClicks_ = 0;
     int dialogAge_ = 0;  ///< steps since a dialog was opened
-    int stuck_ = 0;      ///< ticks in an event loop inside a step
+    int stuck_ = 0;      ///< number of ticks in an event loop inside a step
     std::optional<Target> last_;
     QStringList cures_;  ///< commands that end the active faults
     bool linkTouched_ = false;
     QElapsedTimer sinceLinkTouched_;
-    std::optional<JointPositions> resting_;  ///< position of the arm after the release
+    std::optional<JointPositions> resting_;  ///< position of the arm after it has stopped
 };
 
 }  // namespace tiller::test

@@ -15,7 +15,7 @@
 namespace tiller::test {
 namespace {
 
-// Preallocated memory: nothing may be allocated after a crash.
+// Preallocated memory, because no memory can be allocated after a crash.
 constexpr std::size_t kLength = 240;
 using Line = std::array<char, kLength>;
 Line titleLine{};
@@ -49,7 +49,7 @@ void onCrash(int number) {
             return;
         }
     });
-    // Restores the previous handlers: the crash occurs again and is reported as before.
+    // Restore the previous handlers, so that the crash occurs again and is reported as before.
     for (std::size_t i = 0; i < std::size(kSignals); ++i) {
         if (kSignals[i] == number) {
             ::sigaction(number, &before[i], nullptr);

@@ -16,10 +16,10 @@
 namespace tiller::test {
 namespace {
 
-/// Half of the last digit with one decimal, plus the noise of the encoders [deg].
+/// Half of the last displayed digit (one decimal) plus the encoder noise [deg].
 constexpr double kJointTolerance = 0.07;
 
-/// The angle displayed in a joint row [deg]; empty for "–".
+/// Returns the angle displayed in a joint row [deg]; empty for "–".
 std::optional<double> angleIn(QString text) {
     text.replace(QChar(0x2212), QLatin1Char('-'));
     QString figure;
@@ -115,7 +115,7 @@ void TruthCheck::checkOutputs(const simulator::SimulatedState& truth, QList<Lie>
         const IoChannel* output = tab->output(number);
         const bool on = output->state() == IoChannel::State::On;
         if (output->isStale() || (!on && output->state() != IoChannel::State::Off)) {
-            continue;  // old, unknown or pending, and displayed as such
+            continue;  // outdated, unknown or pending, and displayed accordingly
         }
         ++compared_;
         if (on != ((truth.digitalOutputs >> number & 1U) != 0)) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Checks that the window displays the real state: header (robot mode, safety mode, speed slider), joints and
-// outputs are compared with the state of the simulated controller. A value may be missing or old if the window
-// marks it: grey "NO DATA", "–", "pending…", or late data in the connection chip.
+// Checks that the window displays the actual state. Header (robot mode, safety mode, speed slider), joints
+// and outputs are compared with the state of the simulated controller. A value may be missing or outdated if
+// the window indicates it by a grey "NO DATA", "–", "pending…", or late data in the connection chip.
 
 #include <QList>
 #include <QString>
@@ -14,26 +14,26 @@
 namespace tiller::test {
 
 struct Lie {
-    QString text;     ///< displayed and actual value
-    int graceMs = 0;  ///< minimum duration of an error [ms]
+    QString text;     ///< displayed value and actual value
+    int graceMs = 0;  ///< duration after which the difference counts as an error [ms]
 };
 
 class TruthCheck {
 public:
-    /// Time from a change on the robot until it is displayed [ms].
+    /// Maximum time from a change on the robot until the change is displayed [ms].
     static constexpr int kGraceMs = 300;
-    /// The speed slider keeps the user's value until the robot had time to follow [ms].
+    /// Time for which the speed slider keeps the user's value, so that the robot can follow [ms].
     static constexpr int kSliderSettlesMs = 800;
     /// Time from a disconnection until data count as late [ms].
     static constexpr int kStaleMs = 300;
 
-    /// `window`: has the header, joints and outputs; must outlive the check.
+    /// window  contains the header, joints and outputs; must outlive the check
     explicit TruthCheck(const QWidget& window) : window_(window) {}
 
-    /// `standing`: the arm has come to rest, so the header must not show motion any more.
+    /// standing  true after the arm has stopped; the header must then not show motion
     QList<Lie> lies(const simulator::SimulatedState& truth, bool standing);
-    /// Number of displayed values that were compared so far: a window that marks everything as unknown would pass
-    /// otherwise.
+    /// Number of displayed values compared so far. Otherwise, a window that marks every value as unknown
+    /// would pass.
     int compared() const { return compared_; }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Use without a mouse and with a screen reader: every control has a name, is reached by Tab or by a command, and
-// shows the focus.
+// Use without a mouse and with a screen reader: every control has a name, can be reached by Tab or a command,
+// and shows the focus.
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -37,7 +37,7 @@ struct Bench : WindowBench {
     Bench() { show(QSize(1280, 720)); }
 };
 
-/// The viewport of a scroll area, which has the area's name and focus.
+/// True for the viewport of a scroll area, which uses the name and focus of the area.
 bool isViewport(const QWidget& widget) {
     const auto* area = qobject_cast<const QAbstractScrollArea*>(widget.parentWidget());
     return area != nullptr && area->viewport() == &widget;
@@ -113,7 +113,7 @@ private Q_SLOTS:
             action->setEnabled(true);
             action->trigger();
             QCoreApplication::processEvents();
-            // Children of a dialog are destroyed with it.
+            // QPointer, because the children of a dialog are destroyed with it.
             QList<QPointer<QWidget>> tops;
             for (QWidget* top : QApplication::topLevelWidgets()) {
                 tops.append(top);
@@ -122,7 +122,7 @@ private Q_SLOTS:
                 if (top != nullptr && top != &bench.window && top->isVisible() &&
                     qobject_cast<QDialog*>(top) != nullptr) {
                     ++dialogs;
-                    // QInputDialog names its field by its label.
+                    // The label of a QInputDialog is the name of its field.
                     if (!top->inherits("QInputDialog")) {
                         const QStringList without = nameless(*top);
                         QVERIFY2(without.isEmpty(),
@@ -156,7 +156,8 @@ private Q_SLOTS:
             if (!visible || !isControl(*widget) || isQtsOwn(*widget) || reached.contains(widget)) {
                 continue;
             }
-            // In a group of exclusive buttons Tab reaches one, the arrow keys the others.
+            // In a group of exclusive buttons, Tab reaches one button and the arrow keys reach the other
+            // buttons.
             if (widget->parentWidget() != nullptr &&
                 widget->parentWidget()->inherits("tiller::SegmentedControl")) {
                 const QList<QAbstractButton*> row = widget->parentWidget()->findChildren<QAbstractButton*>();
@@ -164,7 +165,7 @@ private Q_SLOTS:
                     continue;
                 }
             }
-            // Hold-to-run buttons have the armed keyboard, STOP has Space and Esc.
+            // The armed keyboard replaces hold-to-run buttons, and Space and Esc replace STOP.
             if (qobject_cast<HoldToRunButton*>(widget) != nullptr || widget->objectName() == "stopButton" ||
                 widget->focusPolicy() == Qt::NoFocus) {
                 if (qobject_cast<HoldToRunButton*>(widget) != nullptr ||
@@ -232,7 +233,7 @@ private Q_SLOTS:
                     continue;
                 }
                 ++looked;
-                // With or without a selection, the frame has to show the focus.
+                // The frame must show the focus with and without a selection.
                 view->clearSelection();
                 view->setCurrentIndex({});
                 view->clearFocus();
@@ -299,13 +300,13 @@ private Q_SLOTS:
     void thePaletteFindsAndRunsByKeyboardAlone() {
         Bench bench;
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(bench.window.findChild<app::CommandPalette*>() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::CommandPalette*>() != nullptr, 60'000);
         auto* palette = bench.window.findChild<app::CommandPalette*>();
         auto* words = palette->findChild<QLineEdit*>("paletteWords");
         QTest::keyClicks(words, "show log");
         QCOMPARE(palette->listed().first()->objectName(), QString("view.log"));
         QTest::keyClick(words, Qt::Key_Return);
-        QTRY_VERIFY(bench.window.findChild<app::CommandPalette*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::CommandPalette*>() == nullptr, 60'000);
         auto* tabs = bench.window.findChild<QTabBar*>("tabs");
         QCOMPARE(tabs->tabData(tabs->currentIndex()).toString(), QString("log"));
     }

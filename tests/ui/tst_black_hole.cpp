@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All sockets of the robot accept data and send nothing, and the user triggers every function of the window: the
-// event loop never blocks.
+// All sockets of the robot accept data and send nothing. The user triggers every function of the window. The
+// event loop must never block.
 
 #include <QAbstractButton>
 #include <QAbstractEventDispatcher>
@@ -25,11 +25,12 @@ using namespace tiller::test;
 namespace {
 
 constexpr double kMaxWaitMs = 50;
-/// A hypervisor or a busy disk can delay single steps; waiting for the robot would occur in every attempt.
+/// A hypervisor or a busy disk can delay single steps. A step that waits for the robot would be slow in every
+/// attempt.
 constexpr int kAttempts = 3;
 
-/// Time of a thread divided into computing, waiting for a CPU, and being blocked. The first two depend on the
-/// machine; the last one is caused by sockets, locks or disks.
+/// Divides the time of a thread into computing, waiting for a CPU, and being blocked. The first two depend on
+/// the computer. The last one is caused by sockets, locks or disks.
 class Stretch {
 public:
     Stretch() { restart(); }
@@ -43,7 +44,7 @@ public:
 
 private:
     static double now() { return static_cast<double>(SteadyClock::shared().nowNs()); }
-    /// CPU time and time waiting for a CPU [ns].
+    /// Returns CPU time and time waiting for a CPU [ns].
     static double schedule() {
         QFile file(QStringLiteral("/proc/thread-self/schedstat"));
         if (!file.open(QIODevice::ReadOnly)) {
@@ -56,8 +57,8 @@ private:
     double busy_ = 0;
 };
 
-/// The longest time that the event loop was blocked inside one iteration. Waiting between iterations, e.g. in a
-/// dialog's event loop, does not count.
+/// Measures the longest time that the event loop was blocked inside one iteration. Waiting between
+/// iterations, e.g. in the event loop of a dialog, does not count.
 class TurnWatch : public QObject {
 public:
     TurnWatch() {
@@ -84,7 +85,7 @@ using Bench = WindowBench;
 using Waits = QMap<QString, double>;
 
 void closeWhatOpened(const QWidget& window) {
-    // Closing a dialog may close others.
+    // Closing one dialog may close others.
     const QWidgetList all = QApplication::topLevelWidgets();
     const QList<QPointer<QWidget>> still(all.begin(), all.end());
     for (const QPointer<QWidget>& top : still) {
@@ -174,7 +175,7 @@ void TestBlackHole::askForEverything(Waits& waits) {
         }
         waits[what] = std::max(waits.value(what), watch.longestMs());
     };
-    // A file dialog has its own event loop: it is closed from inside.
+    // A file dialog has its own event loop, so it must be closed from inside that loop.
     QTimer closer;
     connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
         if (QApplication::activeModalWidget() != nullptr) {
@@ -184,12 +185,13 @@ void TestBlackHole::askForEverything(Waits& waits) {
     closer.start(5);
     int actions = 0;
     for (QAction* action : bench.window.actions().all()) {
-        // These end the window or the connection, or start another robot: they are tested below.
+        // These actions close the window, end the connection, or start another robot. They are tested below.
         if (QStringList{"app.quit", "robot.disconnect", "robot.simulator"}.contains(action->objectName())) {
             continue;
         }
         measure(action->objectName(), [action] {
-            action->setEnabled(true);  // including disabled functions: none may wait for the robot
+            // Also triggers disabled functions, because no function may wait for the robot.
+            action->setEnabled(true);
             action->trigger();
         });
         measure(action->objectName() + " closed", [&bench] { closeWhatOpened(bench.window); });

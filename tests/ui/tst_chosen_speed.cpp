@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The selected TCP speed limits all hold-to-run motions: joint jogs, joint steps, Home, Align and Back. Measured on
-// the simulated arm in virtual time, at the TCP and, for joint motions, at the elbow.
+// The selected TCP speed limits all hold-to-run motions: joint jogs, joint steps, Home, Align and Back. The
+// speed of the simulated arm is measured in virtual time at the TCP and, for joint motions, at the elbow.
 
 #include <QTest>
 #include <deque>
@@ -18,8 +18,8 @@ using namespace tiller::test;
 namespace {
 
 constexpr double kDeg = 3.14159265358979323846 / 180;
-/// Averaging time: the speed of a single control period has a noise of 0.3 mm/s, also at standstill. With
-/// averaging, the noise of the joint sensors is 0.2 mm/s at the tip of a stretched arm.
+/// Averaging time [ms]. The speed of a single control period has a noise of 0.3 mm/s, also at standstill.
+/// With averaging, the noise of the joint sensors is 0.2 mm/s at the tip of a stretched arm.
 constexpr int kWindowMs = 100;
 constexpr double kRelative = 1.005;
 constexpr double kAbsolute = 2e-4;  // [m/s]
@@ -63,7 +63,7 @@ private:
         Eigen::Vector3d tcp;
         Eigen::Vector3d elbow;
     };
-    std::deque<Place> places_;  ///< one per control period, within the averaging time
+    std::deque<Place> places_;  ///< one position per control period within the averaging time
 
     void measure() {
         const simulator::SimulatedState truth = cell().truth();
@@ -76,7 +76,7 @@ private:
             places_.pop_front();
         }
     }
-    /// Holds the button for this time, and measures until standstill.
+    /// Holds the button for this time, and measures until the arm has stopped.
     void hold(const QString& name, int ms) {
         tcp_ = elbow_ = 0;
         places_.clear();
@@ -131,7 +131,7 @@ private Q_SLOTS:
                 fastest = std::max({fastest, tcp_, elbow_});
             }
         }
-        // The cap is reached: base and shoulder cause the largest speeds of TCP and elbow.
+        // The limit is reached, because base and shoulder cause the largest speeds of TCP and elbow.
         QVERIFY2(fastest > 0.95 * chosen(speedClass), qPrintable(QString::number(1e3 * fastest)));
     }
 
@@ -166,7 +166,7 @@ private Q_SLOTS:
         }
     }
 
-    // The rows display the speeds of their buttons.
+    // The rows display the joint speeds of their buttons.
     void theRowsShowTheSpeedOfTheirKeys() {
         const JointPositions q = kPostures[1].q;
         bringUp(q, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arm does not move into known obstacles: every bounded motion of the window is refused with the reason, and a
-// jog ends at the distance displayed on its button.
+// The arm does not move into known obstacles. Every bounded motion of the window is rejected with the reason,
+// and a jog ends at the distance that its button displays.
 
 #include <QAction>
 #include <QLabel>
@@ -36,7 +36,7 @@ private:
     const SessionState& state() { return window().session().state(); }
     const DhParameters& dh() { return state().dh; }
 
-    /// A cube in the base frame.
+    /// Adds a cube in the base frame.
     void addCrate(const Eigen::Vector3d& centre, double edge) {
         project::CellBox box;
         box.id = QUuid::createUuid();
@@ -48,7 +48,7 @@ private:
         document().changeCell(cell, QStringLiteral("crate"));
         cell_->advanceMs(40);
     }
-    /// Below the wrist, at this distance from its lowest body [m].
+    /// Adds a table below the wrist, at this distance from the lowest body of the wrist [m].
     void addTable(double gap) {
         double low = 1e9;
         const auto bodies =
@@ -98,7 +98,7 @@ private:
         const auto* line = window().findChild<LimiterLine*>();
         return (line->limiter().what + line->limiter().advice).contains(text);
     }
-    /// 0 hold, 1 ... 3 steps of 0.1, 1 and 10 mm.
+    /// segment  0: hold; 1 ... 3: steps of 0.1, 1 and 10 mm
     void chooseMotion(int segment) {
         window().findChild<SegmentedControl*>(QStringLiteral("jogMotion"))->setCurrentIndex(segment);
     }
@@ -111,7 +111,7 @@ private:
         driveKeys(*cell_, keys, &window().jogColumn().axisJog());
         cell_->advanceMs(40);
     }
-    /// A press without motion, which shows the reason.
+    /// Presses a button and verifies that there is no motion and that the reason is shown.
     void verifyRefused(const char* name, const QString& reason) {
         const JointPositions before = cell_->truth().q;
         press(key(name));
@@ -135,13 +135,13 @@ private Q_SLOTS:
         addWaypoint("far", turned(0, 0.8), linear ? project::MoveKind::Linear : project::MoveKind::Joint);
         window().waypoints().selectWaypoint(document().waypoints().at(0).id);
         cell_->advanceMs(100);
-        QTRY_COMPARE(reachText(0), QStringLiteral("✓"));
+        QTRY_COMPARE_WITH_TIMEOUT(reachText(0), QStringLiteral("✓"), 60'000);
         const Pose target = kinematics::forwardTcp(dh(), turned(0, 0.8), state().tcpOffset);
         const Eigen::Vector3d between =
             linear ? Eigen::Vector3d((state().tcpPose.position + target.position) / 2)
                    : kinematics::forwardTcp(dh(), turned(0, 0.4), state().tcpOffset).position;
         addCrate(between, 0.06);
-        QTRY_VERIFY2(reachText(0) == QStringLiteral("✕ path"), qPrintable(reachText(0)));
+        QTRY_VERIFY2_WITH_TIMEOUT(reachText(0) == QStringLiteral("✕ path"), qPrintable(reachText(0)), 60'000);
         drive();
         verifyRefused("waypoint.goTo", QStringLiteral("Move refused: "));
         verifyRefused("waypoint.goTo", QStringLiteral("collides with “crate” after"));
@@ -149,10 +149,10 @@ private Q_SLOTS:
         verifyRefused("waypoint.stepOn", QStringLiteral("collides with “crate” after"));
         keepPicture(window(), QStringLiteral("collision-refused"));
 
-        // Possible without the crate.
+        // The motion is possible without the crate.
         document().undoStack().undo();
         cell_->advanceMs(100);
-        QTRY_COMPARE(reachText(0), QStringLiteral("✓"));
+        QTRY_COMPARE_WITH_TIMEOUT(reachText(0), QStringLiteral("✓"), 60'000);
         const Eigen::Vector3d from = cell_->truth().tcpPose.position;
         press(key("waypoint.goTo"));
         cell_->advanceMs(600);
@@ -160,7 +160,7 @@ private Q_SLOTS:
         QVERIFY((cell_->truth().tcpPose.position - from).norm() > 0.005);
     }
 
-    // Its position is unknown: nothing can be checked against it.
+    // The position of the object is unknown, so nothing can be checked against it.
     void anObjectWithAMissingFrameEndsMovesUntilItIsResolved() {
         cell_ = &cell();
         addWaypoint("far", turned(0, 0.8), project::MoveKind::Joint);
@@ -194,7 +194,7 @@ private Q_SLOTS:
         }
         const JointPositions path = turned(0, 0.1);
         QVERIFY(!window().session().permitsPath({&path, 1}).ok());
-        // A jog is under the operator's eyes; it may be needed to teach the position again.
+        // A jog is allowed, because the operator watches the arm and may need it to teach the position again.
         const Eigen::Vector3d from = cell_->truth().tcpPose.position;
         press(key("jog.Z+"));
         cell_->advanceMs(600);
@@ -225,14 +225,14 @@ private Q_SLOTS:
         addWaypoint("folded", turned(2, -0.9), project::MoveKind::Joint);
         window().waypoints().selectWaypoint(document().waypoints().at(0).id);
         cell_->advanceMs(100);
-        QTRY_COMPARE(reachText(0), QStringLiteral("✕ path"));
+        QTRY_COMPARE_WITH_TIMEOUT(reachText(0), QStringLiteral("✕ path"), 60'000);
         drive();
         verifyRefused("waypoint.goTo", QStringLiteral("% of the path"));
     }
 
     void homeStepsAndBackAreRefusedWithTheReason() {
         cell_ = &cell();
-        // The Home position is upright.
+        // In the Home position, the arm is upright.
         const Pose home =
             kinematics::forwardTcp(dh(), JointPositions(0, -1.5707963, 0, -1.5707963, 0, 0), {});
         addCrate(home.position, 0.08);
@@ -261,7 +261,7 @@ private Q_SLOTS:
         verifyRefused("backKey", QStringLiteral("“crate”"));
     }
 
-    // From inside the safety distance the arm may be moved away, but not closer.
+    // If the arm is inside the safety distance, it may move away from the obstacle, but not closer.
     void motionOutOfTheSafetyDistanceIsAllowed() {
         cell_ = &cell();
         addTable(0.004);
@@ -313,7 +313,7 @@ private Q_SLOTS:
         keepPicture(window(), QStringLiteral("collision-limiter"));
     }
 
-    // The arm is at standstill all the time.
+    // The arm remains at standstill.
     void theLimiterLineFollowsAnEditOfTheCell() {
         cell_ = &cell();
         cell_->advanceMs(300);
@@ -326,8 +326,8 @@ private Q_SLOTS:
         cell_->advanceMs(200);
         QVERIFY2(!isShown(QStringLiteral("table")), qPrintable(line->limiter().what));
     }
-    // The display is never empty in between: it shows the old number, marked, or a sign that a new one is
-    // being calculated.
+    // The display is never empty during the calculation. It shows the marked old number, or a symbol that a
+    // new number is being calculated.
     void aNumberOnAKeyIsMarkedWhileItIsCalculatedAgain() {
         cell_ = &cell();
         addTable(0.08);
@@ -351,7 +351,7 @@ private Q_SLOTS:
         QCOMPARE(down.travel(), QStringLiteral("40 mm"));
         QVERIFY(std::none_of(keys.begin(), keys.end(),
                              [](const JogKey* any) { return any->isTravelOutdated(); }));
-        travel.reset();  // other units
+        travel.reset();  // after a change of units
         QVERIFY2(!down.travel().isEmpty(), "the distances are still known");
         cell_->robot.protectiveStop();
         cell_->advanceMs(200);
@@ -388,7 +388,7 @@ private Q_SLOTS:
         QCOMPARE(state().check->surroundings().obstacles.size(), std::size_t(1));
         QVERIFY(std::abs(state().check->surroundings().obstacles[0].size.z() - 0.25) < 1e-9);
 
-        // A disabled object is neither checked nor displayed; after undo it is again.
+        // A disabled object is neither checked nor displayed. After undo it is checked and displayed again.
         trigger("enable");
         cell_->advanceMs(40);
         QVERIFY(state().check->surroundings().obstacles.empty());
@@ -396,7 +396,7 @@ private Q_SLOTS:
         cell_->advanceMs(40);
         QCOMPARE(state().check->surroundings().obstacles.size(), std::size_t(1));
 
-        // A plane through the TCP, normal to the tool, with the arm on its side.
+        // Add a plane through the TCP, normal to the tool, with the arm on the permitted side.
         trigger("plane");
         QCOMPARE(document().cell().planes.size(), std::size_t(1));
         const Pose plane = document().cell().planes.at(0).pose;
@@ -408,7 +408,7 @@ private Q_SLOTS:
         trigger("delete");
         QVERIFY(document().cell().planes.isEmpty());
 
-        // A box from two corners.
+        // Add a box from two corners.
         const Eigen::Vector3d first = state().tcpPose.position;
         trigger("corner");
         for (const char* name : {"jog.X+", "jog.Y+", "jog.Z+"}) {
@@ -430,7 +430,7 @@ private Q_SLOTS:
         cell_->advanceMs(40);
         QVERIFY(std::abs(state().check->safetyDistance() - 0.025) < 1e-9);
         keepPicture(window(), QStringLiteral("cell-page"));
-        // Each edit is an undo step with a name.
+        // Each edit is an undo step with its own name.
         QVERIFY(document().undoStack().undoText().contains(QStringLiteral("safety distance")));
         while (document().undoStack().canUndo()) {
             document().undoStack().undo();

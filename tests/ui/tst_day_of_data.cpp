@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A day of data through all components that store some of it: plots, stop records, the log. All of them are
-// limited, so the memory in use after a day equals that of the morning. Without a robot and in a short time: the
-// samples are generated here.
+// A day of data through all components that store data: plots, stop records and the log. All of them have a
+// limit, so the memory in use at the end of the day equals that of the morning. The test needs no robot and
+// little time, because it generates the samples itself.
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -19,10 +19,10 @@ using namespace tiller::test;
 namespace {
 
 constexpr int kDay = 24 * 3600;     // [s]
-constexpr int kMorning = 8 * 3600;  // everything has its final size by now [s]
+constexpr int kMorning = 8 * 3600;  // all components have their final size at this time [s]
 constexpr double kGrowth = 1.05;
-/// Sample rate [Hz]. The default is sufficient to fill every history by the morning; TILLER_SAMPLE_RATE=500 uses
-/// the real rate.
+/// Sample rate [Hz]. The default fills every history by the morning. TILLER_SAMPLE_RATE=500 selects the real
+/// rate.
 constexpr int kRate = 50;
 
 /// Resident memory of this process [MB].

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Connections that failed without a notification: the controller has dropped them or lost power. The window
-// must not rely on them: STOP, Esc, Space and a device's stop button still stop the arm, even if another
-// client moves it. The real window, real events, real sockets, the simulated robot in virtual time.
+// Connections that failed without a notification, because the controller dropped them or lost power. The
+// window must not rely on them. STOP, Esc, Space and the stop button of a device must still stop the arm,
+// even if another client moves it. Uses the real window, real events and real sockets, with the simulated
+// robot in virtual time.
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -26,7 +27,7 @@ namespace {
 constexpr int kWaitTimeoutMs = 60'000;
 constexpr int kPeriodMs = 2;
 constexpr int kFrameMs = 16;
-constexpr int kLimitMs = 250;  ///< from the press to standstill
+constexpr int kLimitMs = 250;  ///< maximum time from the press to standstill [ms]
 
 struct TestPad : InputDevice {
     explicit TestPad(DeviceReading& r) : reading(r) {}
@@ -57,7 +58,7 @@ constexpr const char* kFaults[] = {"half-open", "power cut"};
 struct DeadLinkBench : WindowBench {
     DeviceReading pad;
     std::shared_ptr<QStringList> said =
-        std::make_shared<QStringList>();  ///< the window outlives the members of the bench
+        std::make_shared<QStringList>();  ///< shared, because the window outlives the members of the bench
     std::unique_ptr<script::ScriptClient> pendant;
 
     DeadLinkBench() {
@@ -71,7 +72,7 @@ struct DeadLinkBench : WindowBench {
     bool hasSaid(const char* words) const { return said->join('\n').contains(QLatin1String(words)); }
 
     /// Advances time for robot and window, independent of the communication threads.
-    /// `pauseMs`: real time for these threads in each period.
+    /// pauseMs  real time for these threads in each period
     void goOn(int ms, int pauseMs = 0) {
         for (int t = 0; t < ms; t += kPeriodMs) {
             clock.advanceNs(kPeriodMs * kNsPerMs);
@@ -93,7 +94,7 @@ struct DeadLinkBench : WindowBench {
         QCoreApplication::processEvents();
         window.session().refresh();
     }
-    /// Waits for the threads while time does not advance.
+    /// Waits for the threads without advancing time.
     bool waitStill(const std::function<bool()>& condition) {
         QElapsedTimer patience;
         patience.start();
@@ -123,7 +124,7 @@ struct DeadLinkBench : WindowBench {
     }
     void inject(const char* words) { cell.robot.inject(QString::fromLatin1(words)).value(); }
 
-    /// Another client rotates the base back and forth.
+    /// Starts a program of another client that rotates the base back and forth.
     bool startForeignProgram() {
         pendant = std::make_unique<script::ScriptClient>(cell.robot.listenAddress(), script::kPrimaryPort);
         return pendant->connect(patience()).ok() &&
@@ -168,7 +169,8 @@ struct DeadLinkBench : WindowBench {
                 break;
         }
     }
-    /// Robot time until standstill, with ten times as much real time for the threads [ms]; -1: not within a second.
+    /// Robot time until standstill [ms]; -1 if the arm does not stop within a second. The threads get ten
+    /// times as much real time.
     int msToStandstill() {
         for (int ms = 0; ms <= 1000; ms += kPeriodMs) {
             if (standsStill(cell)) {
@@ -218,7 +220,7 @@ private Q_SLOTS:
         QVERIFY2(bench.waitStill([&] { return bench.hasSaid("Control was given up"); }),
                  qPrintable(bench.said->join('\n')));
         QVERIFY(bench.waitStill([&] { return !bench.state().controlReason.isEmpty(); }));
-        // Data resume automatically, control does not.
+        // Data resume automatically. Control must be taken again.
         QVERIFY(bench.within([&] { return bench.state().isFresh(); }));
         QVERIFY(bench.state().control == ControlState::None);
         QVERIFY(bench.state().keysStop());
@@ -292,7 +294,7 @@ private Q_SLOTS:
         checkStop(bench, key);
     }
 
-    // The program of another client moves the arm when the connections fail.
+    // A program of another client moves the arm when the connections fail.
     void stopReachesAProgramThatRanBefore_data() {
         QTest::addColumn<Key>("key");
         for (const Key key : {Key::Stop, Key::Device}) {
@@ -346,7 +348,8 @@ private Q_SLOTS:
         release(key);
     }
 
-    // The control connection works, but the motion of the arm is unknown: even our own program is ended.
+    // The control connection works, but the motion of the arm is unknown. The stop then also ends the
+    // window's own program.
     void aStopThatTheReceiverCannotConfirmUsesEveryRoute() {
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -357,7 +360,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == RuntimeState::Stopped; }));
     }
 
-    // In control with data, STOP ends the motion and keeps control.
+    // If the window is in control and receives data, STOP ends the motion and keeps control.
     void aStopInControlKeepsTheControl_data() {
         QTest::addColumn<Key>("key");
         for (const Key key : {Key::Stop, Key::Escape, Key::Space, Key::Device}) {
@@ -379,7 +382,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());
         QVERIFY(!bench.hasSaid("program on the robot"));
-        // A stop at standstill keeps control as well.
+        // A stop at standstill also keeps control.
         bench.stop(key);
         bench.cell.advanceMs(1500);
         QVERIFY(bench.state().canMove());

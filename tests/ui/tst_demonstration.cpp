@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The scripted demonstration, as run by a new user without a display: the real program in a separate process.
+// The scripted demonstration, run by a new user without a display: the real application in a separate
+// process.
 
 #include <QFile>
 #include <QImage>
@@ -17,23 +18,25 @@ class TestDemonstration : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void walkthroughDoesEveryStepAndWritesItsFiles() {
-        QTemporaryDir folder;
+    void initTestCase() {
         QProcess program;
-        program.start(TILLER_PROGRAM, {"--simulator", "--demo", folder.path()});
+        program.start(TILLER_PROGRAM, {"--simulator", "--demo", folder_.path()});
         QVERIFY(program.waitForFinished(150'000));
-        const QByteArray output = program.readAllStandardOutput();
+        output_ = program.readAllStandardOutput();
         QVERIFY2(program.exitStatus() == QProcess::NormalExit && program.exitCode() == 0,
-                 (output + program.readAllStandardError()).constData());
-        QVERIFY(!output.contains("FAILED"));
+                 (output_ + program.readAllStandardError()).constData());
+    }
+
+    void walkthroughDoesEveryStepAndWritesItsFiles() {
+        QVERIFY(!output_.contains("FAILED"));
         for (const char* line : {"jogged", "release to standstill", "packets", "recorded"}) {
-            QVERIFY2(output.contains(line), line);
+            QVERIFY2(output_.contains(line), line);
         }
 
         for (const char* name : {"screenshot-light.png", "screenshot-dark.png"}) {
-            const QImage picture(folder.filePath(name));
+            const QImage picture(folder_.filePath(name));
             QCOMPARE(picture.size(), QSize(1920, 1080));
-            // An image with a single colour would be an empty window.
+            // An image with a single colour means an empty window.
             QSet<QRgb> colours;
             for (int y = 0; y < picture.height(); y += 7) {
                 for (int x = 0; x < picture.width(); x += 7) {
@@ -43,12 +46,12 @@ private Q_SLOTS:
             QVERIFY(colours.size() > 50);
         }
 
-        const Result<recording::CsvTable> table = recording::readCsv(folder.filePath("recording.csv"));
+        const Result<recording::CsvTable> table = recording::readCsv(folder_.filePath("recording.csv"));
         QVERIFY2(table.ok(), qPrintable(table.error().toString()));
         QCOMPARE(QString::fromStdString(table->columns.front()), QString("timestamp"));
         QVERIFY(table->indexOf("actual_q_5").has_value() && table->indexOf("actual_TCP_force_0").has_value());
         QVERIFY(table->rows() > 500);
-        QVERIFY(QFile::exists(folder.filePath("summary.txt")));
+        QVERIFY(QFile::exists(folder_.filePath("summary.txt")));
 
         const std::vector<double>& x = *table->column("actual_TCP_pose_0");
         const auto [low, high] = std::minmax_element(x.begin(), x.end());
@@ -62,12 +65,7 @@ private Q_SLOTS:
         if (!probe.waitForFinished(60'000) || probe.exitCode() != 0) {
             QSKIP("pandas is not installed");
         }
-        QTemporaryDir folder;
-        QProcess program;
-        program.start(TILLER_PROGRAM, {"--simulator", "--demo", folder.path()});
-        QVERIFY(program.waitForFinished(150'000));
-        QCOMPARE(program.exitCode(), 0);
-        // The lines of listing 4 in the publication that read the file.
+        // The lines of listing 4 in the publication, which read the file.
         const char* script = R"(
 import sys, pandas as pd
 demo = pd.read_csv(sys.argv[1])
@@ -79,7 +77,7 @@ assert tau > 1.0 and (time.diff().dropna() > 0).all()
 print(len(demo), tau)
 )";
         QProcess reader;
-        reader.start(python, {"-c", script, folder.filePath("recording.csv")});
+        reader.start(python, {"-c", script, folder_.filePath("recording.csv")});
         QVERIFY(reader.waitForFinished(60'000));
         QVERIFY2(reader.exitCode() == 0, reader.readAllStandardError().constData());
     }
@@ -91,6 +89,10 @@ print(len(demo), tau)
         QVERIFY(program.exitCode() != 0);
         QVERIFY2(program.readAllStandardOutput().contains("/proc/no/such/place"), "the folder is named");
     }
+
+private:
+    const QTemporaryDir folder_;  ///< of the walkthrough
+    QByteArray output_;
 };
 
 QTEST_GUILESS_MAIN(TestDemonstration)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The first start: try the simulator, connect a robot, or open a project; and later starts, with the previous
-// robots.
+// The first start, with the choices simulator, robot and project, and later starts with remembered robots.
 
 #include <QDir>
 #include <QFileInfo>
@@ -34,7 +33,7 @@ using app::ConnectDialog;
 
 namespace {
 
-/// The user's folders inside `folder`, for the lifetime of the object.
+/// Replaces the user's folders by folders inside `folder` for the lifetime of the object.
 class Home {
 public:
     explicit Home(const QString& folder) {
@@ -136,7 +135,7 @@ private Q_SLOTS:
         auto* name = dialog.findChild<QLineEdit*>("robotName");
         QSignalSpy accepted(&dialog, &QDialog::accepted);
         QCOMPARE(dialog.focusWidget(), host);
-        // A name is being entered: the simulator is not the default, and there is no address yet.
+        // While a name is entered, the simulator is not the default, and there is no address yet.
         QTest::keyClicks(name, "Left arm");
         QTest::keyClick(name, Qt::Key_Return);
         QCOMPARE(accepted.size(), 0);
@@ -179,7 +178,7 @@ private Q_SLOTS:
         enter("192.168.0.77");
         QCOMPARE(dialog.address().name, QStringLiteral("192.168.0.77"));
         QCOMPARE(dialog.address().portOffset, 0);
-        // A remembered robot has its name and ports.
+        // A remembered robot keeps its name and ports.
         enter("192.168.0.11");
         QCOMPARE(dialog.address().name, QStringLiteral("Right arm"));
         QCOMPARE(dialog.address().portOffset, 100);
@@ -228,7 +227,7 @@ private Q_SLOTS:
         QVERIFY(app::Settings(file()).rememberedRobots().isEmpty());
         window.connectRobot({"Bench", "127.0.0.62", 0, false});
         QTRY_COMPARE_WITH_TIMEOUT(window.session().state().link, LinkState::Live, 30'000);
-        QTRY_COMPARE(app::Settings(file()).rememberedRobots().size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(app::Settings(file()).rememberedRobots().size(), 1, 60'000);
         QCOMPARE(app::Settings(file()).rememberedRobots().first().name, QStringLiteral("Bench"));
     }
 
@@ -286,7 +285,7 @@ private Q_SLOTS:
         const QString folder = folder_.path();
         const Home home(folder);
         const app::Settings settings(file());
-        // No project yet: a file in the documents folder, where the user finds it.
+        // Without a project, a file in the documents folder is used, where the user can find it.
         const QString first = app::startProject(settings).path;
         QCOMPARE(first, folder + "/Documents/Tiller/cell.tiller");
         QVERIFY(QFileInfo(first).absoluteDir().exists());
@@ -299,7 +298,7 @@ private Q_SLOTS:
         }
         QCOMPARE(app::startProject(settings).path, mine);
         QVERIFY(app::startProject(settings).missing.isEmpty());
-        // The file is missing: the previous one or a new one is used, and the user is informed.
+        // If the file is missing, the previous file or a new one is used, and the user is informed.
         QVERIFY(QFile::rename(mine, mine + ".away"));
         QCOMPARE(app::startProject(settings).path, first);
         QCOMPARE(app::startProject(settings).missing, mine);
@@ -327,7 +326,7 @@ private Q_SLOTS:
         }
         auto* menu = window.findChild<QMenu*>("menu.project.recent");
         QVERIFY(menu != nullptr && menu->isEnabled());
-        QCOMPARE(menu->actions().size(), 2);  // the open project is not offered
+        QCOMPARE(menu->actions().size(), 2);  // the menu does not offer the open project
         QVERIFY(menu->actions().first()->text().contains("cell-1.tiller"));
         menu->actions().first()->trigger();
         QCOMPARE(window.files().store().path(), paths[1]);

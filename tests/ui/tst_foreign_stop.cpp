@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A program of another client moves the arm while this window only monitors. STOP and a device's stop button stop
-// it immediately, independent of the focus and of the robot's dashboard. Space and Esc belong to the focus widget,
-// and taking control requires a confirmation. The real window, real events, real sockets, the simulated robot in
-// virtual time.
+// A program of another client moves the arm while this window only monitors. STOP and the stop button of a
+// device stop the arm immediately, independent of the focus and of the robot's dashboard. The focus widget
+// receives Space and Esc, and taking control requires a confirmation. Uses the real window, real events and
+// real sockets, with the simulated robot in virtual time.
 
 #include <QAbstractButton>
 #include <QDialog>
@@ -34,7 +34,7 @@ constexpr const char* kFocuses[] = {"window", "text field", "table", "dialog", "
 enum class Path { Header, Command, Recovery };
 constexpr const char* kPaths[] = {"header", "command", "recovery page"};
 
-/// The dashboard port is used by a peer that sends nothing: PolyScope X has no dashboard.
+/// The process at the dashboard port sends nothing, because PolyScope X has no dashboard.
 simulator::SimulatorOptions withoutDashboard() {
     simulator::SimulatorOptions options = VirtualCell::options();
     options.software = {10, 12, 0, 0};
@@ -114,7 +114,7 @@ private Q_SLOTS:
             bench.cell.advanceMs(500);
             QVERIFY2(bench.runs(), "a key of the focused control ended the program");
             QVERIFY(way == Way::Escape || typed == nullptr || typed->text() == QStringLiteral(" "));
-            QTRY_VERIFY(way == Way::Space || open == nullptr || !open->isVisible());
+            QTRY_VERIFY_WITH_TIMEOUT(way == Way::Space || open == nullptr || !open->isVisible(), 60'000);
             return;
         }
         QVERIFY2(bench.stopsAtOnce(), "the program goes on");
@@ -130,7 +130,8 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.isEmpty(), qPrintable(bench.errors.join('\n')));
     }
 
-    // Space typed in a name must not end the program of the client that replaced us, however much later.
+    // Space typed in a name must not end the program of the client that has taken control, regardless of the
+    // time since then.
     void theKeysBelongToTheFocusAfterControlWasReplaced() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -138,7 +139,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
         QVERIFY(bench.startMoving());
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
-        bench.cell.advanceMs(5000);  // longer than the stop keys keep their function
+        bench.cell.advanceMs(5000);  // longer than the stop keys keep their stop function
         QVERIFY(!bench.state().keysStop());
         auto& search = bench.find<QLineEdit>("log.search");
         bench.window.showTab(QStringLiteral("log"));
@@ -159,7 +160,7 @@ private Q_SLOTS:
         button.setFocus();
         const QString before = button.text();
         QTest::keyClick(&button, Qt::Key_Space);
-        QTRY_VERIFY(button.text() != before);
+        QTRY_VERIFY_WITH_TIMEOUT(button.text() != before, 60'000);
         bench.cell.robot.drainSockets();
         bench.cell.advanceMs(500);
         QVERIFY(bench.runs());
@@ -176,7 +177,8 @@ private Q_SLOTS:
         bench.window.session().takeControl(RobotSession::ForeignProgram::Stop);
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
         QVERIFY(stop.keysStop());
-        QVERIFY2(stop.toolTip().contains(QStringLiteral("Space and Esc stop")), qPrintable(stop.toolTip()));
+        QVERIFY2(stop.toolTip().contains(QStringLiteral("Space and Esc also stop")),
+                 qPrintable(stop.toolTip()));
         bench.window.session().releaseControl();
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
         QVERIFY(!stop.keysStop());
@@ -199,7 +201,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         RecoveryPage* recovery = nullptr;
         if (path == Path::Recovery) {
-            // Open since an earlier stop.
+            // The page is still open from an earlier stop.
             bench.window.actions().find("power.recover")->setEnabled(true);
             bench.window.actions().find("power.recover")->trigger();
             recovery = bench.window.findChild<RecoveryPage*>();
@@ -232,7 +234,7 @@ private Q_SLOTS:
             }
             return nullptr;
         };
-        // Return, Space and Esc all answer No.
+        // Return, Space and Esc all select No.
         for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Space, Qt::Key_Escape}) {
             QVERIFY(bench.within([&] { return bench.find<QPushButton>("nextStepButton").isEnabled(); }));
             take();
@@ -242,7 +244,7 @@ private Q_SLOTS:
                 qPrintable(question()->text()));
             QVERIFY(QTest::qWaitForWindowActive(question()));
             QTest::keyClick(question()->focusWidget(), key);
-            QTRY_VERIFY(question() == nullptr);
+            QTRY_VERIFY_WITH_TIMEOUT(question() == nullptr, 60'000);
             bench.cell.robot.drainSockets();
             bench.cell.advanceMs(500);
             QCOMPARE(bench.cell.truth().runtimeState, before);
@@ -265,7 +267,7 @@ private Q_SLOTS:
         QVERIFY2(question() != nullptr, "the arm is powered off without a question");
         QVERIFY(QTest::qWaitForWindowActive(question()));
         QTest::keyClick(question()->focusWidget(), Qt::Key_Return);
-        QTRY_VERIFY(question() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(question() == nullptr, 60'000);
         bench.cell.advanceMs(300);
         QCOMPARE(bench.cell.truth().runtimeState, RuntimeState::Playing);
         QCOMPARE(bench.cell.truth().robotMode, RobotMode::Running);
@@ -281,7 +283,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::InControl; }));
     }
 
-    // A dialog blocks the window behind it; STOP is available at its usual position nevertheless.
+    // A dialog blocks the window behind it. STOP is still available at its usual position.
     void stopIsReachedByMouseWhileADialogIsOpen() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -290,10 +292,10 @@ private Q_SLOTS:
         dialog.open();
         QVERIFY(QTest::qWaitForWindowActive(&dialog));
         QVERIFY(bench.startMoving());
-        // Sends the click to the topmost window at this position, as the display server does.
+        // Sends the click to the topmost window at this position, like the display server.
         const auto& stop = bench.find<StopButton>("stopButton");
         const QPoint place = stop.mapToGlobal(stop.rect().center());
-        QWindow* under = nullptr;  // the window shown last is on top
+        QWindow* under = nullptr;  // the most recently shown window is on top
         for (QWindow* each : QGuiApplication::topLevelWindows()) {
             under = each->isVisible() && each->geometry().contains(place) ? each : under;
         }
@@ -304,10 +306,10 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
         QVERIFY(dialog.isVisible() && dialog.isActiveWindow());
         dialog.close();
-        QTRY_VERIFY(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<StopButton*>("stopAboveDialog") == nullptr, 60'000);
     }
 
-    // The dashboard accepts the connection and sends nothing; a query is in progress.
+    // The dashboard accepts the connection and sends nothing while a query is in progress.
     void silentDashboardDoesNotDelayTheStop_data() {
         QTest::addColumn<Way>("way");
         for (const Way way : {Way::StopButton, Way::Device}) {
@@ -327,7 +329,7 @@ private Q_SLOTS:
         QVERIFY(bench.comesToRest());
     }
 
-    // The pendant's program is running, control is being taken, and the operator cancels.
+    // The program of the pendant is running. The operator cancels while control is being taken.
     void stopsWhileControlIsBeingTaken_data() {
         QTest::addColumn<Way>("way");
         QTest::addColumn<int>("afterMs");
@@ -348,7 +350,7 @@ private Q_SLOTS:
         bench.stop(way);
         QVERIFY(bench.within([&] { return standsStill(bench.cell); }));
         QVERIFY(bench.within([&] { return bench.state().control != ControlState::Taking; }));
-        // In all cases: the arm is at standstill, and no program of another client is running.
+        // In all cases, the arm must stop, and no program of another client may be running.
         QVERIFY(bench.within([&] {
             return bench.state().control == ControlState::InControl || !bench.state().foreignProgramRuns();
         }));
@@ -356,7 +358,8 @@ private Q_SLOTS:
         QVERIFY(standsStill(bench.cell));
     }
 
-    // Another program has just replaced ours, which is not known yet.
+    // The program of another client has just replaced that of the window, and the window has not detected it
+    // yet.
     void stopsDirectlyAfterATakeover() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -409,7 +412,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return bench.state().runtimeState == RuntimeState::Stopped; }));
     }
 
-    // An unnecessary stop would end a program that is started a moment later.
+    // An unnecessary stop would end a program that is started immediately afterwards.
     void nothingIsSentWhenNothingRuns() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -423,7 +426,7 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.isEmpty(), qPrintable(bench.errors.join('\n')));
     }
 
-    // Other stops only apply to our own motions.
+    // All other stops apply only to the window's own motions.
     void changingTheTabStopsNoProgramOfOthers() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -449,7 +452,7 @@ private Q_SLOTS:
         QVERIFY2(bench.errors.first().contains(QStringLiteral("teach pendant")),
                  qPrintable(bench.errors.first()));
         QVERIFY(bench.runs());
-        // After the switch back the connections work again.
+        // After remote control is enabled again, the connections work.
         bench.cell.robot.setRemoteControl(true);
         bench.cell.advanceMs(100);
         bench.stop(Way::StopButton);

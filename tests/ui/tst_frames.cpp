@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A frame from three points of the simulated arm, in the real window: taught while jogging, used for jogging,
-// undone, saved and loaded. The jog ends when its frame changes.
+// A frame taught from three points of the simulated arm in the real window: taught while jogging, used for
+// jogging, undone, saved and loaded. A jog ends when its frame changes.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -40,7 +40,7 @@ private:
         return bench_->find<Widget>(name);
     }
 
-    /// Holds a jog button until the TCP has moved by this distance, and waits for standstill.
+    /// Holds a jog button until the TCP has moved by this distance, and waits until the arm has stopped.
     void jog(const char* key, double mm) {
         const Pose from = cell().truth().tcpPose;
         press(find<HoldToRunButton>(key));
@@ -68,7 +68,7 @@ private:
             }
         }
     }
-    /// X along the base's +Y, Y along its -X, taught with the arm.
+    /// Teaches a frame with X along +Y of the base and Y along -X of the base.
     void teachThreePoints() {
         command("frame.action.threePoints").trigger();
         take();
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(axes.col(1).dot(-Eigen::Vector3d::UnitX()) > 0.999);
         QCOMPARE(window().findChild<SceneView*>()->frames().size(), std::size_t(1));
 
-        // Selected in the jog column by mouse.
+        // Select the frame in the jog column by mouse.
         auto& key = find<QAbstractButton>("jogFrame.3");
         QVERIFY(key.isEnabled());
         QTest::mouseClick(&key, Qt::LeftButton);
@@ -164,7 +164,7 @@ private Q_SLOTS:
         QVERIFY(cell().advanceUntil([&] { return standsStill(cell()); }, 300));
         cell().advanceMs(100);
         QCOMPARE(window().session().state().lastStop.cause, control::StopCause::SelectionChanged);
-        // The jog does not continue by itself; a new press moves along the new axis.
+        // The jog does not resume automatically. A new press moves along the new axis.
         const Pose at = cell().truth().tcpPose;
         cell().advanceMs(300);
         QVERIFY(distanceMm(at, cell().truth().tcpPose) < 0.05);

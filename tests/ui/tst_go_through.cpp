@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// "Run route" in the real window: the waypoints one after the other while the button is held, pause, step
-// forward and back, and all events that must end the motion, in every stage: during a motion without a blend,
-// during a blended path, and while the path is being sent.
+// "Run route" in the real window: runs the waypoints one after the other while the button is held, with pause
+// and steps forward and back. Also tests all events that must end the motion, in every stage: during a motion
+// without a blend, during a blended path, and while the path is being sent.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -83,7 +83,8 @@ private:
     double apart(int row) { return (cell().truth().q.values - q(row).values).cwiseAbs().maxCoeff(); }
     bool isAt(int row) { return apart(row) < 1e-3; }
 
-    /// Teaches waypoints around the current position, with the base joint turned by these angles [rad].
+    /// Teaches waypoints around the current position.
+    /// turns  rotation of the base joint for each waypoint [rad]
     void teach(const std::vector<double>& turns, double blend,
                project::MoveKind move = project::MoveKind::Joint) {
         std::vector<project::Waypoint> points;
@@ -191,7 +192,8 @@ private:
                 window().showMinimized();
                 break;
             case End::WindowClosed: {
-                // The taught waypoints are not saved, so closing asks first. The stop does not wait for the answer.
+                // The taught waypoints are not saved, so closing asks for confirmation. The stop does not
+                // wait for the answer.
                 const QuestionAnswer answer("unsavedCopy.drop");
                 QVERIFY(window().close());
                 QVERIFY(answer.wasAsked());
@@ -228,7 +230,7 @@ private:
                 break;
         }
     }
-    /// Only robot and controller continue, as after a crash or hang of the client.
+    /// Advances only robot and controller, as after a crash or hang of the client.
     int robotAlone(int ms) {
         int stood = -1;
         for (int t = 0; t < ms; t += 2) {
@@ -244,8 +246,8 @@ private:
     }
 
 private Q_SLOTS:
-    // On a low screen there is space either for the buttons or for the values of the waypoint; a button
-    // switches between them.
+    // On a low screen, there is space either for the route buttons or for the values of the waypoint. A
+    // button switches between them.
     void onALowScreenItsKeysTakeThePlaceOfTheFigures() {
         window().setTheme("light");
         teach({0.2, 0.4}, 0);
@@ -271,7 +273,7 @@ private Q_SLOTS:
         QTest::mouseClick(&place, Qt::LeftButton);
         cell().advanceMs(40);
         QVERIFY(figures.isVisible() && !through().isVisible());
-        // On a higher screen there is space for both, and no switch.
+        // On a higher screen, there is space for both, and the switch is hidden.
         window().resize(1920, 1080);
         cell().advanceMs(40);
         QVERIFY(!place.isVisible() && figures.isVisible() && through().isVisible());
@@ -308,7 +310,7 @@ private Q_SLOTS:
         for (int row = 0; row < 3; ++row) {
             QVERIFY(!isMarked(row));
         }
-        // The next press begins at the first.
+        // The next press begins at the first waypoint.
         hold(through());
         QVERIFY(until([&] { return isAt(0); }));
         release(through());
@@ -372,7 +374,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    // The arm would reach the waypoint and then wait for as long as the button is held.
+    // After reaching the waypoint, the arm would only wait while the button is held.
     void aLoopOfOneIsNotBegun() {
         teach({0.1}, 0);
         QVERIFY(through().isEnabled());
@@ -411,8 +413,8 @@ private Q_SLOTS:
         release(through());
     }
 
-    // With blends the arm does not stop on the way, does not reach the corner itself, and ends at the last
-    // point.
+    // With blends, the arm does not stop along the path. It does not reach the corner itself, and it ends at
+    // the last point.
     void blendedWaypointsAreOnePath() {
         teach({0.3, 0.6, 0.9}, 0.03);
         project::Waypoint corner = document().waypoints().at(1);
@@ -445,7 +447,7 @@ private Q_SLOTS:
         QVERIFY(window().session().state().canMove());
     }
 
-    // The chosen speed limits every motion, at TCP and elbow, blended or not.
+    // The selected speed limits every motion, at TCP and elbow, with and without blends.
     void noWayIsFasterThanTheChosenSpeed_data() {
         QTest::addColumn<double>("blend");
         QTest::addColumn<project::MoveKind>("move");
@@ -506,7 +508,7 @@ private Q_SLOTS:
                 ms = robotAlone(600);
                 break;
             case End::ProcessKilled:
-                // The operating system closes the sockets of an ended process; nothing else is sent.
+                // The operating system closes the sockets of a terminated process. Nothing else is sent.
                 cell().robot.closeClients();
                 ms = robotAlone(600);
                 break;
@@ -521,7 +523,7 @@ private Q_SLOTS:
                 break;
         }
         QVERIFY2(ms >= 0 && ms <= bound, qPrintable(QString::number(ms)));
-        // The button is still held, and the path may still arrive: nothing moves before a new press.
+        // The button is still held, and the path may still arrive. The arm must not move before a new press.
         const Pose rest = cell().truth().tcpPose;
         if (how == End::SilentLink || how == End::ProcessKilled || how == End::WindowClosed) {
             robotAlone(1000);
@@ -533,14 +535,14 @@ private Q_SLOTS:
         }
         QVERIFY2(distanceMm(rest, cell().truth().tcpPose) < 0.05,
                  qPrintable(QString::number(distanceMm(rest, cell().truth().tcpPose))));
-        // When only the robot has advanced, the button has not been notified yet.
+        // If only the robot has advanced, the button has not been notified yet.
         if (how != End::WindowClosed && how != End::SilentLink && how != End::ProcessKilled) {
             QVERIFY(!keyOf(which).isHolding());
         }
     }
 
-    // Released while the path is being sent, then pressed again: the new press moves the arm, the old one
-    // does not.
+    // The button is released while the path is being sent, and then pressed again. The path of the new press
+    // moves the arm, and the old path does not.
     void aNewPressAfterOneThatWasGivenUp() {
         teach({0.2, 0.4}, 0.02);
         for (int i = 0; i < 3; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gripper page in the real window, with real sockets and the simulated gripper, which may also stop
+// The gripper page in the real window, with real sockets and a simulated gripper. The gripper may also stop
 // responding or disconnect.
 
 #include <QComboBox>
@@ -13,6 +13,7 @@
 #include "resources/resources.h"
 #include "robot/io/outputs.h"
 #include "robot/station/link/robotiq_link.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
@@ -28,10 +29,10 @@ using namespace tiller::test;
 
 namespace {
 
-/// Indexes in the list of grippers, which starts with "None".
+/// Indices in the list of grippers, which starts with "None".
 enum Choice { kTwoF85 = 1, kTwoF140, kHandE, kOneOutput, kTwoOutputs };
 
-/// An active gripper that holds an object; it can be made to stop responding.
+/// An active gripper that holds an object. It can be made to stop responding.
 struct HoldingGripper {
     std::atomic<bool> mute{false};
 
@@ -65,18 +66,9 @@ private:
     bool wasSaid(const QString& words) {
         return std::any_of(said_.begin(), said_.end(), [&](const QString& s) { return s.contains(words); });
     }
-    /// Real time also passes: the gripper is queried in a separate thread.
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 5000; ++i) {
-            if (condition()) {
-                return true;
-            }
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
-    /// Waits in real time; robot time does not advance.
+    /// Real time also passes, because a separate thread queries the gripper.
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
+    /// Waits in real time. Robot time does not advance.
     bool untilReal(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 20'000); }
     void begin(const simulator::SimulatorOptions& robot = VirtualCell::options()) {
         bench_ = std::make_unique<WindowBench>(robot);
@@ -168,7 +160,7 @@ private Q_SLOTS:
         cell().advanceMs(500);
         QTest::qWait(300);
         QVERIFY(text("gripper.holds").contains("object"));
-        // The gripper can still be opened, just as an output can be switched.
+        // The gripper can still be opened, like an output can still be switched.
         click("gripper.open");
         QVERIFY(until([this] { return text("gripper.opening") == "85.0 mm"; }));
         QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));
@@ -235,7 +227,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.remedy").contains("URCap"); }));
         QVERIFY(!key("gripper.open").isEnabled());
         QCOMPARE(key("gripper.open").toolTip(), text("gripper.remedy"));
-        QVERIFY(wasSaid("No gripper service answers"));
+        QVERIFY(wasSaid("No gripper service responds"));
     }
 
     void silentGripperIsShownAsUnknownWithoutDelay() {
@@ -246,15 +238,15 @@ private Q_SLOTS:
         QVERIFY(until([this] { return key("gripper.open").isEnabled(); }));
         gripper.mute = true;
         QVERIFY(until([this] { return text("gripper.state") == "unknown"; }));
-        QVERIFY2(text("gripper.remedy").contains("does not answer"), qPrintable(text("gripper.remedy")));
+        QVERIFY2(text("gripper.remedy").contains("does not respond"), qPrintable(text("gripper.remedy")));
         QVERIFY(!key("gripper.close").isEnabled());
-        // Outputs are independent.
+        // Outputs are independent of the gripper.
         auto* tab = bench_->window.findChild<IoTab*>();
         tab->output(3)->click();
         QVERIFY(until([this] { return output(3); }));
         gripper.mute = false;
         QVERIFY(until([this] { return text("gripper.holds").contains("object"); }));
-        QVERIFY(until([this] { return wasSaid("The gripper answers again"); }));
+        QVERIFY(until([this] { return wasSaid("The gripper responds again"); }));
     }
 
     void anActivationWhosePlaceWasTakenIsNotReported() {
@@ -299,7 +291,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return !output(16) && output(17); }));
         QVERIFY(until([this] { return text("gripper.state") == "open requested"; }));
         QVERIFY(until([this] { return wasSaid("Gripper: open (TO 0: off, TO 1: on)"); }));
-        // The display shows the state reported by the robot, independent of its cause.
+        // The display shows the state reported by the robot, regardless of its cause.
         bench_->window.session().outputs().setDigitalOutput(16, true);
         QVERIFY(until([this] { return text("gripper.state") == "both outputs on"; }));
     }
@@ -344,13 +336,11 @@ private Q_SLOTS:
         io::OutputsOptions options;
         options.host = cell().robot.listenAddress();
         io::Outputs other(options, io::OutputFeedback{[] { return io::Report(); }});
-        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::seconds(10))); });
-        for (int i = 0; i < 2000 && !other.isConnected(); ++i) {
-            cell().robot.step();
-            QTest::qWait(1);
-        }
+        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::minutes(1))); });
+        const bool connected =
+            QTest::qWaitFor([&] { return cell().robot.step(), other.isConnected(); }, 60'000);
         connecting.join();
-        QVERIFY(other.isConnected());
+        QVERIFY(connected);
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         choose(kTwoOutputs);
         QVERIFY(until([this] { return key("gripper.close").toolTip().contains("another RTDE client"); }));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// F1 opens the manual at the page of the focus widget, also in dialogs, and stops any motion. Without a manual it
-// explains how to get it. Uses the manual of the build tree; tests that need it are skipped if it was not built.
+// F1 opens the manual at the page for the focus widget, also in dialogs, and stops any motion. Without a
+// manual, the help explains how to get it. The tests use the manual in the build tree. Tests that need it are
+// skipped if it was not built.
 
 #include <QApplication>
 #include <QDialog>
@@ -52,7 +53,7 @@ struct Bench : WindowBench {
     QTextBrowser* shown() {
         return help() == nullptr ? nullptr : help()->findChild<QTextBrowser*>("help.manual");
     }
-    /// The displayed page, as named in the table.
+    /// The displayed page, as in the table.
     QString page() {
         const QTextBrowser* browser = shown();
         if (browser == nullptr) {
@@ -69,7 +70,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// F1 for the focus widget.
+/// Presses F1 in the focus widget.
 void pressF1() {
     QWidget* focus = QApplication::focusWidget();
     QTest::keyClick(focus != nullptr ? focus : QApplication::activeWindow(), Qt::Key_F1);
@@ -118,7 +119,8 @@ private Q_SLOTS:
             QCoreApplication::processEvents();
         }
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
-        // These two appear with a robot problem and with a file; the dialogs are tested in everyDialogHasItsPage.
+        // The first two appear only with a robot problem and with a file. The dialogs are tested in
+        // everyDialogHasItsPage.
         const QStringList elsewhere{
             "recoveryPage",   "importSettings",    "waypoint.actions", "waypoint.properties",
             "waypoint.shift", "waypoint.history",  "pattern",          "programDialog",
@@ -130,8 +132,8 @@ private Q_SLOTS:
         }
     }
 
-    // For a command with a dialog, the dialog has a specific page, not only the contents. Commands that move, end
-    // or close something, and native dialogs, are not run.
+    // The dialog of a command must have a specific page instead of the table of contents. Commands that move,
+    // end or close something, and native dialogs, are not run.
     void everyDialogHasItsPage() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -151,7 +153,7 @@ private Q_SLOTS:
                                "waypoint.action.export"};
         QMap<QString, QString> pages;
         QString now;
-        // Some have their own event loop.
+        // Some dialogs have their own event loop.
         QTimer look;
         const auto closeWhatIsOpen = [&] {
             QList<QPointer<QDialog>> open;
@@ -171,7 +173,7 @@ private Q_SLOTS:
         look.start(20);
         const QList<QAction*> all = bench.window.actions().all();
         for (QAction* action : all) {
-            // The ellipsis announces a dialog.
+            // An ellipsis in the text means that the command opens a dialog.
             const bool asks =
                 action->text().contains(QStringLiteral("…")) ||
                 QStringList{"robot.connect", "app.settings", "app.palette", "power.recover"}.contains(
@@ -272,7 +274,7 @@ private Q_SLOTS:
         QVERIFY(focus.hasFocus());
         pressF1();
         QCOMPARE(bench.page(), page);
-        // F1 inside the help window: the page does not change.
+        // F1 inside the help window does not change the page.
         pressF1();
         QCOMPARE(bench.page(), page);
         QCOMPARE(bench.window.findChildren<app::HelpPage*>().size(), 1);
@@ -287,10 +289,10 @@ private Q_SLOTS:
         QCOMPARE(bench.page(), QStringLiteral("window/log.html"));
         bench.window.activateWindow();
         bench.find<QWidget>("scene").setFocus();
-        QTRY_VERIFY(bench.find<QWidget>("scene").hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QWidget>("scene").hasFocus(), 60'000);
         pressF1();
         QCOMPARE(bench.page(), QStringLiteral("window/view.html"));
-        QTRY_COMPARE(bench.window.findChildren<app::HelpPage*>().size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.window.findChildren<app::HelpPage*>().size(), 1, 60'000);
     }
 
     void dialogsHaveTheKeyToo() {
@@ -305,7 +307,7 @@ private Q_SLOTS:
         QTest::mouseClick(bench.help()->findChild<QPushButton*>("help.contents"), Qt::LeftButton);
         QCOMPARE(bench.page(), QStringLiteral("index.html"));
         QTest::keyClick(bench.help(), Qt::Key_Escape);
-        QTRY_VERIFY(bench.help() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.help() == nullptr, 60'000);
         QVERIFY(settings->isVisible());
         settings->close();
     }
@@ -316,7 +318,7 @@ private Q_SLOTS:
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
         auto* checks = bench.window.findChild<PreflightPage*>();
         checks->activateWindow();
-        QTRY_VERIFY(checks->isActiveWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(checks->isActiveWindow(), 60'000);
         pressF1();
         QCOMPARE(bench.page(), QStringLiteral("window/connecting.html#before-you-connect"));
     }
@@ -331,7 +333,7 @@ private Q_SLOTS:
         pressF1();
         QVERIFY(bench.help() == nullptr);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_H, Qt::ControlModifier);
-        QTRY_COMPARE(bench.page(), QStringLiteral("window/settings.html"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.page(), QStringLiteral("window/settings.html"), 60'000);
         settings->close();
     }
 
@@ -371,7 +373,7 @@ private Q_SLOTS:
         auto* back = bench.help()->findChild<QPushButton*>("help.back");
         bench.help()->showManual("window/header.html");
         browser->setFocus();
-        QTest::keyClick(browser, Qt::Key_Tab);  // to the first link
+        QTest::keyClick(browser, Qt::Key_Tab);  // moves the focus to the first link
         QTest::keyClick(browser, Qt::Key_Return);
         QCOMPARE(bench.page(), QStringLiteral("window/recovery.html"));
         QVERIFY(back->isEnabled());
@@ -388,7 +390,7 @@ private Q_SLOTS:
         QVERIFY2(bench.shown()->toPlainText().contains("python3-sphinx"),
                  qPrintable(bench.shown()->toPlainText()));
         QVERIFY(!bench.help()->findChild<QPushButton*>("help.contents")->isEnabled());
-        // Built-in information is available nevertheless.
+        // Built-in information is available even without the manual.
         QVERIFY(bench.help()->findChild<QTextBrowser*>("helpText")->toPlainText().contains("emergency stop"));
     }
 
@@ -400,7 +402,7 @@ private Q_SLOTS:
             bench.window.setTheme(QLatin1String(theme));
             bench.window.activateWindow();
             bench.find<QWidget>("scene").setFocus();
-            QTRY_VERIFY(bench.find<QWidget>("scene").hasFocus());
+            QTRY_VERIFY_WITH_TIMEOUT(bench.find<QWidget>("scene").hasFocus(), 60'000);
             pressF1();
             bench.help()->showManual("window/plots.html");
             QCoreApplication::processEvents();

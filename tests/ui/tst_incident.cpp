@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A protective stop, opened with one click from its line in the log, and replay: plots, view, inputs and outputs,
-// and log show the same time while live data and a recording continue. The real window, real events, real sockets,
-// the simulated robot in virtual time.
+// A protective stop is opened with one click on its row in the log, and replayed: plots, view, inputs and
+// outputs, and log show the same time while live data and a recording continue. Uses the real window, real
+// events and real sockets, with the simulated robot in virtual time.
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -69,7 +69,8 @@ struct Bench : WindowBench {
         }
         return condition();
     }
-    /// Advances until the black box has received this number of packets: its thread is slower than virtual time.
+    /// Advances until the black box has received this number of packets, because its thread is slower than
+    /// virtual time.
     bool hasKept(std::uint64_t packets) {
         QElapsedTimer patience;
         patience.start();
@@ -108,7 +109,8 @@ struct Bench : WindowBench {
         QTest::mouseMove(viewport, at(to));
         QTest::mouseRelease(viewport, Qt::LeftButton, {}, at(to));
     }
-    /// The value of a signal of the recording, or without a name of the history, at cursor A.
+    /// The value of a signal at cursor A.
+    /// recording  name of the recording; empty: the history
     double valueAtA(const QString& recording, const char* component) {
         const double time = plots().view().cursor(PlotView::Cursor::A).value();
         const receive::Sample sample = plots().store().sampleAt(recording, time);
@@ -142,7 +144,7 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
     bench.cell.robot.protectiveStop();
     QVERIFY(bench.within([&] { return bench.state().safetyMode == SafetyMode::ProtectiveStop; }));
     bench.cell.robot.setDigitalInput(3, false);
-    QVERIFY(bench.hasKept(bench.watch().packets() + 5200));  // later packets belong to it
+    QVERIFY(bench.hasKept(bench.watch().packets() + 5200));  // the incident also includes later packets
     bench.window.showTab("log");
     QTableView& table = bench.logTable();
     int row = -1;
@@ -163,7 +165,7 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(open).center());
     QVERIFY(bench.within([&] { return bench.plots().replay().has_value(); }));
 
-    // The plots: the recording, with cursor A exactly at the packet of the stop.
+    // The plots show the recording, with cursor A exactly at the packet of the stop.
     PlotView& view = bench.plots().view();
     QCOMPARE(view.page().name, name);
     const double stop = view.cursor(PlotView::Cursor::A).value();
@@ -175,22 +177,22 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
             .sampleAt(name, stop - 0.001)
             .at(*bench.plots().store().sampleAt(name, stop).layout->indexOfComponent("safety_mode"));
     QCOMPARE(before, 1.0);
-    // A stop without a cause: arm and model agree.
+    // For a stop without a cause, arm and model agree.
     auto& comparison = bench.find<ComparisonBand>("plots.comparison");
     QVERIFY(bench.within([&] { return comparison.words().contains("The motion matches"); }));
     QVERIFY2(comparison.details().contains("at all times"), qPrintable(comparison.details()));
-    // The recording is placed at its original time: the live data have the same values there.
+    // The recording is placed at its original time, where the live data have the same values.
     QVERIFY(std::abs(bench.valueAtA({}, "actual_q_0") - bench.valueAtA(name, "actual_q_0")) < 0.01);
-    // The view: the past position of the arm, marked as replay.
+    // The view shows the past position of the arm, marked as a replay.
     const Replay& moment = bench.plots().replay();
     QCOMPARE(moment->source, name);
     QVERIFY(bench.scene().view().replay().has_value());
     QCOMPARE(bench.scene().view().replay()->q[0], bench.valueAtA(name, "actual_q_0"));
     auto& band = bench.find<ReplayBand>("view.replay");
     QVERIFY(band.isVisible() && band.words().contains("REPLAY") && band.words().contains(name));
-    // Inputs: this one has been switched off since.
+    // This input has been switched off since the stop.
     QCOMPARE(bench.io().input(3)->state(), IoChannel::State::On);
-    // The log: the lines of the file, at the line of the stop.
+    // The log shows the entries in the file, with the entry of the stop selected.
     QVERIFY(bench.find<ReplayBand>("log.replay").isVisible());
     QVERIFY2(table.currentIndex().isValid(), qPrintable(bench.log().shownText()));
 
@@ -199,14 +201,14 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
     QCOMPARE(kept.pages.size(), qsizetype(bench.plots().pages().count() - 1));
     QCOMPARE(kept.current, 0);
 
-    // The same click again shows the page without opening it twice.
+    // A second click shows the page again without opening it twice.
     const int pages = bench.plots().pages().count();
     bench.plots().endReplay();
     QVERIFY(!bench.plots().replay());
     QVERIFY(!bench.find<ReplayBand>("log.replay").isVisible());
     QCOMPARE(bench.io().input(3)->state(), IoChannel::State::Off);
     const QModelIndex again = table.model()->index(row, LogModel::Open);
-    // The layout of the page is updated first: a row that moves during a click would not be hit.
+    // Update the layout of the page first, because a click would miss a row that moves at the same time.
     int height = -1;
     QVERIFY(bench.within([&] {
         table.scrollTo(again);
@@ -234,7 +236,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     bench.cell.advanceMs(1000);
     const double now = bench.plots().history().lastTime();
 
-    // A recording continues during all of this.
+    // A recording continues during the whole test.
     auto& record = bench.find<QToolButton>("plots.record");
     RecordingChoice choice;
     choice.folder = bench.folder.filePath("recorded");
@@ -242,7 +244,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QTest::mouseClick(&record, Qt::LeftButton);
     QVERIFY(bench.within([&] { return bench.state().recording.active; }));
 
-    // A cursor on moving live data is not a replay; one on paused data is.
+    // A cursor on live data is not a replay. A cursor on paused data is a replay.
     bench.window.showTab("io");
     PlotView& view = bench.plots().view();
     view.setFocus();
@@ -252,7 +254,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(bench.plots().replay().has_value());
     QVERIFY(bench.find<ReplayBand>("io.replay").isVisible());
 
-    // A pixel is about 40 ms wide: well before the input.
+    // A pixel is about 40 ms wide, so place the cursor well before the input change.
     bench.dragCursor(early - 0.3);
     QCOMPARE(bench.plots().replay()->time, view.cursor(PlotView::Cursor::A).value());
     const double q0 = bench.scene().view().replay()->q[0];
@@ -265,7 +267,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     };
     const QString atFirst = textAtCursor();
 
-    // Arrow keys also move the cursor: moves it until the input is on.
+    // Arrow keys also move the cursor. Move it until the input is on.
     QElapsedTimer patience;
     patience.start();
     view.setFocus();
@@ -277,7 +279,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(std::abs(bench.scene().view().replay()->q[0] - q0) > 0.1);
     QVERIFY2(textAtCursor() != atFirst, qPrintable(atFirst));
 
-    // Outputs cannot be switched meanwhile: a click sends no request to the robot.
+    // Outputs cannot be switched during a replay: a click sends no request to the robot.
     bench.window.showTab("io");
     const std::uint64_t outputs = bench.state().digitalOutputs;
     QTest::mouseClick(bench.io().output(0), Qt::LeftButton);
@@ -299,7 +301,7 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(bench.within([&] { return !bench.state().recording.active; }));
 }
 
-/// The log's band also stays while the pointer is on it, and the log shows live data again.
+/// The band of the log also stays while the pointer is on it, and the log then shows live data again.
 void TestIncident::theLogFollowsAgainAfterBackToLive() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -326,7 +328,7 @@ void TestIncident::theLogFollowsAgainAfterBackToLive() {
     for (int i = 0; i < 3; ++i) {
         Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("later %1").arg(i),
                                               Origin::Operator);
-        // The new row only counts after the next layout.
+        // The new row counts only after the next layout update.
         QVERIFY(bench.within([&] { return bar->maximum() > before; }));
         QVERIFY(bench.within([&] { return bar->value() == bar->maximum(); }));
         before = bar->maximum();
@@ -344,7 +346,7 @@ void TestIncident::backToLiveMovesNoButtonUnderThePointer() {
     auto& band = bench.find<ReplayBand>("view.replay");
     QVERIFY(bench.within([&] { return band.isVisible(); }));
     const int height = bench.scene().view().height();
-    // Uses the mouse, with the pointer over the button.
+    // Use the mouse, with the pointer over the button.
     QWindow* window = bench.window.windowHandle();
     const auto& live = bench.find<QToolButton>("view.replay.live");
     const QPoint place = live.mapTo(&bench.window, live.rect().center());
@@ -355,7 +357,7 @@ void TestIncident::backToLiveMovesNoButtonUnderThePointer() {
     bench.cell.advanceMs(100);
     QCOMPARE(bench.scene().view().height(), height);
     QVERIFY(bench.window.childAt(place) == &band || bench.window.childAt(place)->parentWidget() == &band);
-    QTest::mouseDClick(window, Qt::LeftButton, {}, place);  // and a second click has no effect
+    QTest::mouseDClick(window, Qt::LeftButton, {}, place);  // a second click must have no effect
     QVERIFY(!bench.plots().replay().has_value());
     QCOMPARE(bench.scene().view().height(), height);
     QTest::mouseMove(window, bench.scene().view().mapTo(&bench.window, QPoint(40, 40)));
@@ -363,7 +365,7 @@ void TestIncident::backToLiveMovesNoButtonUnderThePointer() {
     QVERIFY(bench.scene().view().height() > height);
 }
 
-// The pause button stays under the pointer, and so do the buttons in the view.
+// The pause button and the buttons in the view remain under the pointer.
 void TestIncident::aReplayMovesNoKey() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -374,7 +376,7 @@ void TestIncident::aReplayMovesNoKey() {
     QTest::keyClick(&view, Qt::Key_A);
     const QWidgetList keys{&bench.find<QToolButton>("scene.fit"), &bench.find<QToolButton>("plots.pause"),
                            &bench.find<QLineEdit>("io.search")};
-    // At minimum height a panel needs the same height with and without the band.
+    // A panel at its minimum height needs the same height with and without the band.
     const QWidgetList panels{&bench.scene(), &bench.io()};
     const auto measures = [&] {
         QList<QRect> all;
@@ -393,7 +395,7 @@ void TestIncident::aReplayMovesNoKey() {
     QTest::mouseClick(&pause, Qt::LeftButton);
     QVERIFY(bench.plots().replay().has_value());
     auto& band = bench.find<ReplayBand>("view.replay");
-    // Waits for the layout update.
+    // Wait for the layout update.
     QVERIFY(bench.within([&] { return band.isVisible() && band.height() >= band.sizeHint().height(); }));
     QCOMPARE(measures(), live);
     QTest::mouseClick(&bench.find<QToolButton>("view.replay.live"), Qt::LeftButton);
@@ -402,7 +404,8 @@ void TestIncident::aReplayMovesNoKey() {
     QCOMPARE(measures(), live);
 }
 
-// An external force acts on the moving arm, and the controller stops it half a second later: the force is marked.
+// An external force acts on the moving arm. The controller stops the arm half a second later. The time of the
+// force must be marked.
 void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -447,7 +450,7 @@ void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
     const double stop = view.cursor(PlotView::Cursor::A).value();
     QCOMPARE(bench.valueAtA(name, "safety_mode"), 3.0);
 
-    // The mark: exactly at the first packet with the force, well before the stop.
+    // The mark is exactly at the first packet with the force, well before the stop.
     const auto& marks = bench.plots().marks().marks();
     const auto mark =
         std::find_if(marks.begin(), marks.end(), [&](const PlotMark& one) { return one.recording == name; });
@@ -465,7 +468,7 @@ void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
                                   .store()
                                   .sampleAt(name, mark->time)
                                   .layout->indexOfComponent("actual_TCP_force_2"))) < 5);
-    // The curves are visible in both themes, also when nothing changes any more.
+    // The curves are visible in both themes, even if nothing changes.
     const auto colourful = [&view] {
         const QImage picture = const_cast<PlotView&>(view).grab().toImage();
         int count = 0;
@@ -486,11 +489,12 @@ void TestIncident::armAndModelDifferWhereTheArmWasPushed() {
         bench.cell.advanceMs(100);
         QVERIFY2(after > 0.9 * colourful(), qPrintable(QString::number(after)));
     }
-    // The log of the recording also has a line for it, at the cursor.
+    // The log of the recording also has an entry for the deviation, which is at the cursor.
     QVERIFY2(table.currentIndex().siblingAtColumn(LogModel::Text).data().toString().contains("diverge at"),
              qPrintable(bench.log().shownText()));
 
-    // Live again: no such line below the plots, and no mark; the log leads back to the time.
+    // With live data, neither the line below the plots nor the mark is shown. The log entry opens the
+    // recording at that time.
     bench.plots().endReplay();
     QVERIFY(bench.within([&] { return !band.isVisible(); }));
     const int row = rowOf("diverge at");

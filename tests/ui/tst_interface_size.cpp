@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Scale of the user interface: takes effect at the next start, is limited by the screen, and scales the pixels of
-// buttons and plots. Every test starts a separate application.
+// The scale of the user interface takes effect at the next start, is limited by the screen, and scales the
+// pixels of buttons and plots. Every test starts a separate application.
 
 #include <QApplication>
 #include <QComboBox>
@@ -25,7 +25,7 @@ using namespace tiller::app;
 
 namespace {
 
-/// An application on a screen with this size in pixels.
+/// An application on a screen with this size [px].
 class Start {
 public:
     Start(QSize screen, int percent) {
@@ -107,11 +107,11 @@ private Q_SLOTS:
         qputenv("QT_SCALE_FACTOR", "1.5");
         const Start start({3840, 2160}, 150);
         QCOMPARE(start.ratio(), 2.25);
-        QCOMPARE(qgetenv("QT_SCALE_FACTOR"), QByteArray("1.5"));  // for programs started from here
+        QCOMPARE(qgetenv("QT_SCALE_FACTOR"), QByteArray("1.5"));  // child processes must use their own scale
     }
 
     void keysAndPlotsGrowWithTheSize() {
-        // Measures a button of the jog pad and one of the plots, in pixels of the screen.
+        // Measures a button of the jog pad and a button of the plots, in pixels of the screen.
         const auto measure = [](int percent) {
             const Start start({3840, 2160}, percent);
             VirtualClock clock;

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "resources/resources.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
@@ -34,17 +35,8 @@ private:
     Widget& find(const char* name) {
         return bench_->find<Widget>(name);
     }
-    /// Real time also passes: settings are made by a worker.
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 2000; ++i) {
-            if (condition()) {
-                return true;
-            }
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    /// Real time also passes, because a worker sends the settings.
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     bool output(int number) { return (cell().truth().digitalOutputs >> number & 1) != 0; }
 
 private Q_SLOTS:
@@ -63,7 +55,7 @@ private Q_SLOTS:
     void cleanup() { bench_.reset(); }
 
     void settingAnOutputStopsNoProgramAndNoMove() {
-        // Home takes a while; the arm is moved by our own program.
+        // Home takes some time. The arm is moved by the window's own program.
         press(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(300);
         QVERIFY(!standsStill(cell()));
@@ -74,7 +66,7 @@ private Q_SLOTS:
         QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
         release(find<HoldToRunButton>("homeKey"));
         cell().advanceMs(400);
-        // The same manually while the program is idle: the session stays in control.
+        // Switch the output manually while the program is idle. The session must stay in control.
         tab().output(3)->click();
         QVERIFY(until([this] { return output(3); }));
         QVERIFY(until([this] { return tab().output(3)->state() == IoChannel::State::On; }));
@@ -88,7 +80,7 @@ private Q_SLOTS:
             until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
         QTcpSocket client;
         client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
-        QVERIFY(client.waitForConnected(5000));
+        QVERIFY(client.waitForConnected(60'000));
         client.write("def theirs():\n  while True:\n    sync()\n  end\nend\n");
         client.flush();
         QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Playing; }));
@@ -106,7 +98,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return !output(4); }));
     }
 
-    // The robot measures the time: a window that hangs does not leave an output on.
+    // The robot measures the duration, so that a window that hangs does not leave an output on.
     void aPulseEndsWithAWindowThatHangs() {
         IoChannel* channel = tab().output(4);
         channel->setFocus();
@@ -122,7 +114,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(seconds - 0.5) < 0.05, qPrintable(QString::number(seconds)));
     }
 
-    // A click switches the output, then P pulses it, as the tooltip says.
+    // A click switches the output, and then P pulses it, as described in the tooltip.
     void aClickOnARowGivesItTheKeyForPulses() {
         IoChannel* channel = tab().output(4);
         QTest::mouseClick(channel, Qt::LeftButton);
@@ -134,7 +126,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return output(4); }));
         QVERIFY(until([this] { return !output(4); }));
     }
-    // The pulse was started by this window, so the monitor-only mode must not leave its output on.
+    // This window started the pulse, so monitor-only mode must not leave the output on.
     void monitorOnlyEndsARunningPulse() {
         QStringList warnings;
         QObject::connect(&bench_->window.session(), &RobotSession::message, &bench_->window,
@@ -168,14 +160,14 @@ private Q_SLOTS:
         QVERIFY2(notice.text().contains("Take control"), qPrintable(notice.text()));
     }
 
-    // A program that is stopped externally cannot end its pulse: the window does it.
+    // A program that was stopped externally cannot end its pulse, so the window ends the pulse.
     void aPulseOfAStoppedProgramIsEnded() {
         tab().output(4)->setFocus();
         QTest::keyClick(tab().output(4), Qt::Key_P);
         QVERIFY(until([this] { return output(4); }));
         QTcpSocket client;
         client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
-        QVERIFY(client.waitForConnected(5000));
+        QVERIFY(client.waitForConnected(60'000));
         client.write("stop program\n");
         client.flush();
         QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Stopped; }));
@@ -212,7 +204,7 @@ private Q_SLOTS:
             until([this] { return bench_->window.session().state().control != ControlState::InControl; }));
         QTcpSocket client;
         client.connectToHost(cell().robot.listenAddress(), cell().robot.ports().secondary);
-        QVERIFY(client.waitForConnected(5000));
+        QVERIFY(client.waitForConnected(60'000));
         client.write(
             "def mirror():\n  while True:\n    write_output_integer_register(40, "
             "read_input_integer_register(36))\n    sync()\n  end\nend\n");
@@ -276,13 +268,11 @@ private Q_SLOTS:
         QVERIFY(cell().robot.start().ok());
         options.host = cell().robot.listenAddress();
         io::Outputs other(options, io::OutputFeedback{[] { return io::Report(); }});
-        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::seconds(10))); });
-        for (int i = 0; i < 2000 && !other.isConnected(); ++i) {
-            cell().robot.step();
-            QTest::qWait(1);
-        }
+        std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::minutes(1))); });
+        const bool connected =
+            QTest::qWaitFor([&] { return cell().robot.step(), other.isConnected(); }, 60'000);
         connecting.join();
-        QVERIFY(other.isConnected());
+        QVERIFY(connected);
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         bench_->window.showTab("io");
         QVERIFY(until([this] { return !tab().output(0)->obstacle().isEmpty(); }));

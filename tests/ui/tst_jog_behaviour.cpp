@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Special features of the inputs for jogging other than the pad buttons: targets, and requirements on operator
-// input. The real window, real events, real sockets, the simulated robot in virtual time.
+// Targets of the jog inputs other than the pad buttons, and their requirements on operator input. Uses the
+// real window, real events and real sockets, with the simulated robot in virtual time.
 
 #include <QLineEdit>
 #include <QTest>
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QTest::keyRelease(&window(), Qt::Key_PageUp);
         keyboard().setArmed(true);
         QVERIFY(window().findChild<QWidget*>("armedFrame")->isVisible());
-        // Auto-repeat is not a press.
+        // An auto-repeat event is not a press.
         QKeyEvent repeat(QEvent::KeyPress, Qt::Key_PageUp, Qt::NoModifier, QString(), true);
         QApplication::sendEvent(&window(), &repeat);
         cell().advanceMs(200);
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(!standsStill(cell()));
         QTest::keyPress(&window(), Qt::Key_Escape);
         QVERIFY(timeToStandstill(cell()) >= 0);
-        // Releasing and pressing the enabling button again is not sufficient while the stick is deflected.
+        // While the stick is deflected, releasing and pressing the enabling button again is not sufficient.
         bench_->device->deadMan = false;
         cell().advanceMs(100);
         bench_->device->deadMan = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ten thousand random operator inputs: press, hold for a while, and end in different ways. In all cases the arm
-// stops within the bound of the contract and does not move again before a new press.
+// Ten thousand random operator inputs: press, hold for some time, and end in different ways. In all cases,
+// the arm must stop within the limit of the contract and not move before a new press.
 
 #include <QRandomGenerator>
 #include <QTest>
@@ -15,14 +15,14 @@ using namespace tiller::test;
 
 namespace {
 
-// Divided into parts because of Qt Test's time limit for a test function.
+// Divided into parts because Qt Test limits the time of a test function.
 constexpr int kParts = 10;
 constexpr int kSequences = 1000;  // per part
 constexpr quint32 kSeed = 20261121;
-/// From the end of holding to standstill: a window that hangs is detected after 100 ms, then 250 mm/s decelerate at
-/// 2 m/s2.
+/// Maximum time from the end of holding to standstill [ms]. A window that hangs is detected after 100 ms, and
+/// then 250 mm/s decelerate at 2 m/s2.
 constexpr int kBoundMs = 250;
-/// Permitted distance after the end [mm]: 100 ms at the fastest speed, plus the deceleration.
+/// Permitted distance after the end of holding [mm]: 100 ms at maximum speed, plus the deceleration.
 constexpr double kBoundMm = 0.1 * 250 + 0.25 * 0.25 / (2 * 2.0) * 1000 + 3.0;
 
 enum class End {
@@ -106,13 +106,13 @@ private Q_SLOTS:
         driveKeys(cell, keys);
         QVector<HoldToRunButton*> jogKeys;
         for (HoldToRunButton* key : keys) {
-            // Freedrive needs an external force, which does not exist here.
+            // Freedrive needs an external force, which is not simulated here.
             if (key->objectName() != "freedriveKey") {
                 jogKeys << key;
             }
         }
         QVERIFY2(jogKeys.size() == 12 + 12 + 3, "the pad, the joints, Home, Align and Back");
-        // All buttons can move the arm from Home.
+        // From Home, all buttons can move the arm.
         column.setHome(simulator::kHomeJoints, false);
 
         QRandomGenerator random(seed);
@@ -139,7 +139,7 @@ private Q_SLOTS:
                      qPrintable(what + ": no standstill"));
             const Pose rest = cell.truth().tcpPose;
             QVERIFY2(distanceMm(atEnd, rest) <= kBoundMm, qPrintable(what + ": too far"));
-            // Moving the pointer on a pressed button is not a new press.
+            // A pointer move on a pressed button is not a new press.
             sendMouse(key, QEvent::MouseMove, Qt::LeftButton, QPointF(10, 10));
             cell.advanceMs(40);
             QVERIFY2(distanceMm(rest, cell.truth().tcpPose) < 0.05, qPrintable(what + ": moved again"));

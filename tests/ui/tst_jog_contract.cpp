@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The jog contract, line by line: the real window, real events, real sockets, and the simulated robot in virtual
-// time. Bounds are those of the contract.
+// The jog contract, line by line, with the real window, real events and real sockets, and the simulated robot
+// in virtual time. The limits are those of the contract.
 
 #include <QDialog>
 #include <QTabBar>
@@ -18,11 +18,11 @@ using namespace tiller::test;
 
 namespace {
 
-/// Bounds of the jog contract.
+/// Limits of the jog contract.
 constexpr int kPressToMotionMs = 20;
 constexpr int kReleaseToStandstillMs = 100;
 constexpr int kDeathToStandstillMs = 250;
-// 100 mm/s: one class above the initial one, the contract's reference speed.
+// 100 mm/s: one class above the initial speed, and the reference speed of the contract.
 constexpr int kReferenceSpeedClass = 3;
 
 }  // namespace
@@ -82,7 +82,7 @@ private Q_SLOTS:
         release(key());
         const int ms = timeToStandstill(cell());
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        // v^2/2a at 2 m/s2 plus the distance during 20 ms of latency.
+        // v^2/2a at 2 m/s2, plus the distance within 20 ms of latency.
         QVERIFY(distanceMm(at, cell().truth().tcpPose) <= 2.5 + 2.0);
         expectStandstillFor(500);
     }
@@ -181,7 +181,7 @@ private Q_SLOTS:
         startJog();
         QTest::keyPress(&bench_->window, Qt::Key_Escape);
         QVERIFY(timeToStandstill(cell()) >= 0);
-        // The button is still held: no motion, independent of the pointer.
+        // The button is still held. The arm must not move, regardless of the pointer.
         sendMouse(key(), QEvent::MouseMove, Qt::LeftButton, QPointF(20, 20));
         expectStandstillFor(1000);
         release(key());
@@ -193,7 +193,7 @@ private Q_SLOTS:
 
     void aHungWindowStopsTheArm() {
         startJog();
-        // The user interface is blocked for two seconds; the control thread detects it.
+        // The user interface is blocked for two seconds. The control thread detects it.
         int ms = 0;
         while (!standsStill(cell()) && ms < 2000) {
             cell().advanceWithFrozenInterface(2);
@@ -201,7 +201,7 @@ private Q_SLOTS:
         }
         QVERIFY2(ms <= kDeathToStandstillMs, qPrintable(QString::number(ms)));
         cell().advanceWithFrozenInterface(2000 - ms);
-        // Running again, with the button still held: it stays stopped.
+        // The user interface runs again and the button is still held, but the arm must not move.
         expectStandstillFor(500);
     }
 
@@ -244,7 +244,7 @@ private Q_SLOTS:
         QVERIFY(what == "onLock" ? QMetaObject::invokeMethod(watch, what.constData())
                                  : QMetaObject::invokeMethod(watch, what.constData(), Q_ARG(bool, true)));
         QVERIFY(timeToStandstill(cell()) >= 0);
-        // The stop is measured after some time at standstill.
+        // The stop is evaluated after some time at standstill.
         expectStandstillFor(400);
         QCOMPARE(bench_->window.session().state().lastStop.cause, control::StopCause::Sleep);
     }
@@ -256,7 +256,7 @@ private Q_SLOTS:
         QVERIFY(standsStill(cell()));
         QVERIFY(!bench_->window.session().state().canMove());
         QVERIFY(!bench_->window.session().state().controlReason.isEmpty());
-        // Nothing in the program unlocks automatically.
+        // No function of the application unlocks automatically.
         cell().advanceMs(7000);
         QCOMPARE(cell().truth().safetyMode, SafetyMode::ProtectiveStop);
         release(key());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Display of the jog column and its accuracy: the selected speed, the frame of the pose, the steps, the moving axis
-// and its source. The real window, real events, real sockets, the simulated robot in virtual time.
+// Display of the jog column and its accuracy: the selected speed, the frame of the pose, the steps, the
+// moving axis and its source. Uses the real window, real events and real sockets, with the simulated robot in
+// virtual time.
 
 #include <QAbstractButton>
 #include <QRegularExpression>
@@ -29,7 +30,7 @@ namespace {
 
 constexpr double kSlow = 0.005;  // [m/s] the slowest speed, with 3 deg/s
 
-/// Number format of the screen: with a typographic minus sign.
+/// Parses the number format of the screen, which has a typographic minus sign.
 double figure(QString text) {
     return text.replace(QChar(0x2212), QLatin1Char('-')).remove(QChar(0xB0)).remove(QChar(0x2007)).toDouble();
 }
@@ -79,7 +80,7 @@ private:
         QEvent event(QEvent::Leave);
         QApplication::sendEvent(&widget, &event);
     }
-    /// Duration of a motion displayed in the view [s]; -1 if not displayed.
+    /// Duration of a motion as displayed in the view [s]; -1 if it is not displayed.
     double ghostSeconds() {
         static const QRegularExpression pattern(QStringLiteral(R"(([\d.]+) s at)"));
         const QRegularExpressionMatch match = pattern.match(view().ghostText());
@@ -163,7 +164,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(way - figure(pose().deltaText(1))) < 0.3);
         QVERIFY(std::abs(figure(pose().positionText(0))) < 0.3 &&
                 std::abs(figure(pose().positionText(2))) < 0.3);
-        // In the tool frame the TCP pose would always be zero.
+        // In the tool frame, the TCP pose would always be zero.
         click(segment("jogFrame.1"));
         QVERIFY2(pose().frameText().startsWith(QStringLiteral("in Base")), qPrintable(pose().frameText()));
         click(segment("jogFrame.2"));
@@ -223,7 +224,7 @@ private Q_SLOTS:
         click(*turn->segment(0));
         QCOMPARE(selection.motion, MotionChoice::Hold);
         QCOMPARE(motion->currentIndex(), 0);
-        // A rotation of 5° with a length that requires holding runs to its end.
+        // A rotation of 5° with a length that must be held runs to its end.
         click(*motion->segment(4));
         click(*turn->segment(3));
         const Pose from = cell().truth().tcpPose;
@@ -377,7 +378,7 @@ private Q_SLOTS:
         }
         selectors().setFreeStep({0.05, toRadians(45)});
         enter(key("jog.Z+"));
-        // 50 mm at 50 mm/s, and 0.1 s for acceleration and deceleration.
+        // 50 mm at 50 mm/s, plus 0.1 s for acceleration and deceleration.
         QVERIFY2(std::abs(ghostSeconds() - 1.1) < 0.06, qPrintable(view().ghostText()));
         leave(key("jog.Z+"));
         enter(key("jog.Rz+"));
@@ -418,7 +419,7 @@ private Q_SLOTS:
         QCOMPARE(button.detail() == QStringLiteral("hold"), says);
         QCOMPARE(button.geometry(), place);
         QVERIFY(timeToStandstill(cell()) >= 0);
-        QTRY_VERIFY2(!button.showsHoldHint(), "for a moment only");
+        QTRY_VERIFY2_WITH_TIMEOUT(!button.showsHoldHint(), "for a moment only", 60'000);
     }
 
     void freedriveIsCalledFreedrive() {
@@ -457,7 +458,7 @@ private Q_SLOTS:
         QVERIFY(timeToStandstill(cell()) >= 0);
         click(arm);
         QVERIFY(!keyboard().isArmed() && !arm.isArmed());
-        // Armed by its shortcut, or disarmed automatically, it shows the same.
+        // The display is the same if the keyboard is armed by its shortcut or disarmed automatically.
         QTest::keyClick(&window(), Qt::Key_J, Qt::ControlModifier);
         QVERIFY(arm.isArmed());
         keyboard().setArmed(false);
@@ -470,8 +471,8 @@ private Q_SLOTS:
         window().activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window()));
         arm.setFocus(Qt::TabFocusReason);
-        QTRY_VERIFY(arm.hasFocus());
-        cell().advanceMs(2000);  // Space only stops for a while after a motion
+        QTRY_VERIFY_WITH_TIMEOUT(arm.hasFocus(), 60'000);
+        cell().advanceMs(2000);  // for some time after a motion, Space only stops
         QTest::keyClick(&arm, Qt::Key_Space);
         QVERIFY(!arm.isDown());
         QVERIFY(!keyboard().isArmed() && !arm.isArmed());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All inputs that move the arm other than the pad buttons, and all ends of their motions: the real window, real
-// events, real sockets, the simulated robot in virtual time. Bounds are those of the jog contract.
+// All inputs other than the pad buttons that move the arm, and all ends of their motions. Uses the real
+// window, real events and real sockets, with the simulated robot in virtual time. The limits are those of the
+// jog contract.
 
 #include <QDialog>
 #include <QTest>
@@ -15,7 +16,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// Bounds of the jog contract.
+/// Limits of the jog contract.
 constexpr int kDeathToStandstillMs = 250;
 
 enum class Way {
@@ -78,7 +79,7 @@ class TestJogWays : public JogWindowTest {
     Q_OBJECT
 
 private:
-    /// User actions to start and to release.
+    /// User actions that start and release a motion.
     void begin(Way way) {
         switch (way) {
             case Way::Back:
@@ -203,7 +204,7 @@ private:
         }
     }
 
-    /// Only robot and controller continue, as after a crash or hang of the client.
+    /// Advances only robot and controller, as after a crash or hang of the client.
     int robotAloneUntilStandstill() {
         int ms = 0;
         while (ms < 1000 && (ms < 10 || !standsStill(cell()))) {
@@ -214,8 +215,8 @@ private:
         return ms;
     }
     void prepare(Way way) {
-        // 100 mm/s is the reference of the contract; a rotation at its 30 deg/s needs 130 ms to decelerate, at 15
-        // deg/s 65 ms.
+        // 100 mm/s is the reference speed of the contract. A rotation at the corresponding 30 deg/s needs 130
+        // ms to decelerate, and at 15 deg/s it needs 65 ms.
         window().jogColumn().selectors().setSpeedClass(way == Way::KeyboardTurn || way == Way::Align ? 2 : 3);
         switch (way) {
             case Way::Back:
@@ -274,8 +275,8 @@ private Q_SLOTS:
                 ms = robotAloneUntilStandstill();
                 break;
             case End::ProcessKilled:
-                // The system closes the sockets of an ended process. For a process that is really killed see
-                // tests/integration/control/tst_killed_process.
+                // The operating system closes the sockets of a terminated process. The test with a killed
+                // process is tests/integration/control/tst_killed_process.
                 bound = kDeathToStandstillMs;
                 cell().robot.closeClients();
                 ms = robotAloneUntilStandstill();
@@ -296,7 +297,7 @@ private Q_SLOTS:
                 break;
         }
         QVERIFY2(ms >= 0 && ms <= bound, qPrintable(QString::number(ms)));
-        // The button or stick is still held: no motion before a new press.
+        // The button or stick is still held. The arm must not move before a new press.
         const Pose rest = cell().truth().tcpPose;
         if (static_cast<End>(end) == End::SilentLink || static_cast<End>(end) == End::ProcessKilled ||
             static_cast<End>(end) == End::WindowClosed) {

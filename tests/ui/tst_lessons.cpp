@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The first steps and the practice tasks in the real window, performed by mouse and keys with the simulated
-// controller: lines and checks follow its state, and nothing else in the window moves.
+// controller. The checklist and the checks follow the state of the controller, and nothing else in the window
+// moves.
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QCheckBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -17,6 +17,7 @@
 #include "app/action_table.h"
 #include "app/help_page.h"
 #include "resources/resources.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/clipping.h"
@@ -49,7 +50,7 @@ struct Bench : WindowBench {
     Bench(const Bench&) = delete;
     Bench& operator=(const Bench&) = delete;
 
-    /// Takes control and puts all buttons on the clock of the cell.
+    /// Takes control and makes all buttons use the clock of the cell.
     bool bringUp() {
         if (!cell.bringUp()) {
             return false;
@@ -63,19 +64,12 @@ struct Bench : WindowBench {
         driveKeys(cell, keys);
         cell.advanceMs(40);
     }
-    /// The dashboard thread answers in real time, the robot in virtual time: both advance until the condition is
-    /// true.
-    bool until(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < 30'000) {
-            cell.advanceMs(16);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    /// Advances real time and robot time until the condition is true. The dashboard thread responds in real
+    /// time, and the robot runs in virtual time.
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell, condition, 16); }
     void click(const char* name) { QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton); }
-    /// The button of the header for the next step.
+    /// Clicks the header button for the next step.
+    /// word  expected text
     bool nextStep(const QString& word) {
         auto& key = find<QPushButton>("nextStepButton");
         if (!until(
@@ -85,7 +79,8 @@ struct Bench : WindowBench {
         QTest::mouseClick(&key, Qt::LeftButton);
         return true;
     }
-    /// Holds a button of the pad until the condition is true, releases it, and waits for standstill.
+    /// Holds a button of the pad until the condition is true, releases it, and waits until the arm has
+    /// stopped.
     bool hold(const char* name, const std::function<bool()>& enough) {
         auto& key = find<HoldToRunButton>(name);
         if (!until([&] { return key.isEnabled(); })) {
@@ -123,7 +118,7 @@ struct Bench : WindowBench {
     const SessionState& state() { return window.session().state(); }
 };
 
-/// Positions of all controls of the window, except those of the cards.
+/// Positions of all controls of the window except those on the cards.
 QMap<const QWidget*, QRect> places(Bench& bench) {
     QTest::qWait(50);
     QMap<const QWidget*, QRect> found;
@@ -191,7 +186,7 @@ private Q_SLOTS:
         bench.window.session().recording().stop();
         QVERIFY(bench.steps().title().contains("6 of 6"));
         keepPicture(bench.window, "first-steps-done");
-        // Stays visible when complete, until dismissed.
+        // The completed card remains visible until it is dismissed.
         QCOMPARE(bench.learned().firstSteps.size(), 6);
         QVERIFY(!bench.learned().dismissed);
     }
@@ -211,13 +206,13 @@ private Q_SLOTS:
             QVERIFY(isShownAfterConnecting(bench));
             bench.click("firstSteps.dismiss");
             QVERIFY(!bench.steps().isVisible() && bench.learned().dismissed);
-            // Neither the robot nor its events show it again.
+            // Neither the robot nor its events show the card again.
             bench.window.session().disconnectFromRobot();
             bench.cell.advanceMs(40);
             QVERIFY(!bench.steps().isVisible());
             QVERIFY(QFile::copy(bench.file, file));
         }
-        // The next start of the program.
+        // The card is not shown at the next start of the application.
         VirtualClock clock;
         app::MainWindow window(app::Settings(file), clock);
         VirtualCell cell(clock, window.session());
@@ -227,7 +222,7 @@ private Q_SLOTS:
         cell.advanceMs(60);
         auto* card = window.findChild<FirstStepsCard*>();
         QVERIFY(!card->isVisible());
-        // Unless requested.
+        // The card is shown on request.
         window.actions().find("app.firstSteps")->trigger();
         QVERIFY(card->isVisible());
         window.practiseOn(nullptr);
@@ -292,8 +287,8 @@ private Q_SLOTS:
         const auto look = [&](const QString& name) {
             QTest::qWait(50);
             keepPicture(bench.window, name + (touch ? "-touch" : "-mouse"));
-            QTRY_VERIFY2(clipped(bench.window).isEmpty(),
-                         qPrintable(name + ":\n" + clipped(bench.window).join('\n')));
+            const QStringList found = stillClipped(bench.window);
+            QVERIFY2(found.isEmpty(), qPrintable(name + ":\n" + found.join('\n')));
         };
         look("lessons-folded");
         bench.command("app.firstSteps").trigger();
@@ -363,7 +358,7 @@ private Q_SLOTS:
         QVERIFY2(bench.check().text().contains("simulated robot"), qPrintable(bench.check().text()));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(60);
-        QVERIFY(!bench.steps().isVisible());  // one card at a time
+        QVERIFY(!bench.steps().isVisible());  // only one card is visible at a time
         QVERIFY2(bench.check().text().contains("Power the arm on"), qPrintable(bench.check().text()));
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A robot that stops sending while the arm moves, with the whole window: the motion of the arm is unknown, so the
-// window must not display one.
+// A robot stops sending data while the arm moves. The motion of the arm is then unknown, and no part of the
+// window may display a motion.
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -23,7 +23,7 @@ class TestLostLink : public QObject {
     Q_OBJECT
 
 private:
-    /// Advances time for robot and window; all data of the robot are processed.
+    /// Advances time for robot and window. All data from the robot are processed.
     static void goOn(WindowBench& bench, int ms) {
         for (int t = 0; t < ms; t += 2) {
             bench.clock.advanceNs(2 * kNsPerMs);

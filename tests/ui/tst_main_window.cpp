@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The whole window: nothing is clipped at the smallest size, every control has a name, connecting and disconnecting
-// work.
+// Tests of the whole window: nothing is clipped at the smallest size, every control has a name, and
+// connecting and disconnecting work.
 
 #include <QAbstractButton>
 #include <QKeyEvent>
@@ -46,7 +46,7 @@ private:
     }
 
 private Q_SLOTS:
-    // A process that is killed does not close its window.
+    // A killed process does not close its window.
     void theSizeIsKeptWithoutClosing() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);
@@ -54,7 +54,7 @@ private Q_SLOTS:
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         window.resize(1340, 780);
-        QTRY_COMPARE(settings().windowGeometry(), window.saveGeometry());
+        QTRY_COMPARE_WITH_TIMEOUT(settings().windowGeometry(), window.saveGeometry(), 60'000);
     }
     void initTestCase() { initResources(); }
 
@@ -98,7 +98,7 @@ private Q_SLOTS:
                                     .arg(widget->objectName(), widget->accessibleName())));
         }
         QVERIFY2(looked > 30, "the window has more controls than this");
-        // The limiter line has enough space as well: otherwise it would be drawn over the buttons.
+        // The limiter line also needs enough space. Otherwise, it would be drawn over the buttons.
         auto* limiter = window.findChild<LimiterLine*>();
         const QList<HoldToRunButton*> keys = window.findChildren<HoldToRunButton*>();
         for (const int tab : {1, 0}) {
@@ -129,7 +129,7 @@ private Q_SLOTS:
         window.resize(size);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        QTRY_COMPARE(window.findChild<JointRows*>()->isVisible(), unfolded);
+        QTRY_COMPARE_WITH_TIMEOUT(window.findChild<JointRows*>()->isVisible(), unfolded, 60'000);
         QVERIFY(window.findChild<PoseView*>()->isVisible());
         QCOMPARE(window.findChild<SegmentedControl*>("jogDetail")->isVisible(), !unfolded);
     }
@@ -152,7 +152,7 @@ private Q_SLOTS:
         QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(", ")));
     }
 
-    // A Russian keyboard only: no other layout with Latin letters.
+    // With a Russian keyboard and no other layout with Latin letters.
     void shortcutsAreMeantByThePlaceOfTheirKey() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);
@@ -236,7 +236,7 @@ private Q_SLOTS:
             QTest::qWait(1);
         }
         QCOMPARE(window.session().state().link, LinkState::Live);
-        // Data may be back within the 250 ms of the contract for a lost connection.
+        // Data may resume within the 250 ms that the contract allows for a lost connection.
         cell.advanceMs(250);
         QVERIFY(standsStill(cell));
         QVERIFY2(!window.session().state().canMove(), "control has to be taken again, by hand");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Monitor only: no function of this window changes the robot, except STOP. The real window, real sockets, the
-// simulated robot in virtual time.
+// In monitor-only mode, no function of this window changes the robot, except STOP. Uses the real window and
+// real sockets, with the simulated robot in virtual time.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -26,7 +26,7 @@ using control::StopCause;
 
 namespace {
 
-/// All properties of the simulated robot that a command of ours could change.
+/// All properties of the simulated robot that a command of the window could change.
 struct RobotSettings {
     RobotMode robotMode;
     SafetyMode safetyMode;
@@ -44,7 +44,7 @@ RobotSettings settingsOf(const VirtualCell& cell) {
 
 struct Bench : ForeignProgramBench {
     std::shared_ptr<QStringList> warnings =
-        std::make_shared<QStringList>();  ///< the window outlives this object
+        std::make_shared<QStringList>();  ///< shared, because the window outlives this object
 
     Bench() {
         QObject::connect(&window.session(), &RobotSession::message, &window,
@@ -76,7 +76,7 @@ class TestMonitorOnly : public QObject {
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    // The session itself, because the palette, shortcuts, devices and other code all use it.
+    // Tests the session itself, because the palette, shortcuts, devices and other code use it.
     void theSessionRefusesEveryCommand_data() {
         using Call = std::function<void(RobotSession&)>;
         QTest::addColumn<Call>("call");
@@ -161,7 +161,7 @@ private Q_SLOTS:
         key.click();
         QVERIFY(bench.window.findChild<QWidget*>("armedFrame") != nullptr);
     }
-    // The arm was moved by another program, so the window does not report a missing stop of its own.
+    // Another program moved the arm, so the window does not report that one of its own stops is missing.
     void lostDataDuringAForeignProgramIsNoStopOfOurs() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -196,8 +196,8 @@ private Q_SLOTS:
         int triggered = 0;
         for (QAction* action : bench.window.actions().all()) {
             const QString name = action->objectName();
-            // Excludes commands that end the connection or open a file dialog with its own event loop, and
-            // STOP.
+            // Excludes STOP, and commands that end the connection or open a file dialog with its own event
+            // loop.
             if (std::any_of(without.begin(), without.end(), [&](const QString& start) {
                     return start == QStringLiteral("control.stop") ? name == start : name.startsWith(start);
                 })) {
@@ -206,7 +206,7 @@ private Q_SLOTS:
             if (name.startsWith(QStringLiteral("power.")) || name.startsWith(QStringLiteral("control."))) {
                 QVERIFY2(!action->isEnabled(), qPrintable(name));
             }
-            action->setEnabled(true);  // as if the rule that disables it were missing
+            action->setEnabled(true);  // simulates that the rule that disables the action is missing
             QTimer::singleShot(0, &bench.window, closeDialogs);
             action->trigger();
             closeDialogs();
@@ -236,11 +236,11 @@ private Q_SLOTS:
                 QVERIFY2(!button->isEnabled(), key);
             }
         }
-        QTRY_VERIFY(!bench.find<QPushButton>("io.register.write").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.find<QPushButton>("io.register.write").isEnabled(), 60'000);
         bench.setMonitorOnly(false);
         bench.cell.advanceMs(100);
         QVERIFY(step.isVisible() && slider.isEnabled());
-        QTRY_VERIFY(bench.find<QPushButton>("io.register.write").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QPushButton>("io.register.write").isEnabled(), 60'000);
     }
 
     void stopStillStops_data() {
@@ -281,7 +281,7 @@ private Q_SLOTS:
         QVERIFY(bench.cell.advanceUntil([&] { return standsStill(bench.cell); }, 250));
         QVERIFY(bench.within([&] { return bench.state().control == ControlState::None; }));
         QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == RuntimeState::Stopped; }));
-        // Disabled again, everything is possible as before.
+        // After the mode is disabled, all functions are available again.
         bench.setMonitorOnly(false);
         bench.window.session().takeControl();
         QVERIFY(bench.within([&] { return bench.state().canMove(); }));
@@ -300,7 +300,7 @@ private Q_SLOTS:
         QVERIFY(window.session().isMonitorOnly());
     }
 
-    // A settings file of another PC must not end the lock of this one.
+    // A settings file of another PC must not disable the monitor-only mode of this PC.
     void importDoesNotEndMonitorOnlyMode() {
         QTemporaryDir folder;
         app::Settings settings(folder.filePath(QStringLiteral("settings.ini")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The functions of the plots and tabs can be found in the palette by their names, and run by Return.
+// The palette finds the functions of the plots and tabs by their names, and Return runs them.
 
 #include <QApplication>
 #include <QDir>
@@ -40,15 +40,15 @@ struct Bench : WindowBench {
         }
         return palette;
     }
-    /// Types the words and runs the first match, which has to be this command.
+    /// Types the words and runs the first match, which must be this command.
     void run(const QString& words, const QString& id) {
         app::CommandPalette* palette = type(words);
         QVERIFY(palette != nullptr);
         QVERIFY2(!palette->listed().isEmpty(), qPrintable(words));
         QCOMPARE(palette->listed().first()->objectName(), id);
         QTest::keyClick(palette->findChild<QLineEdit*>("paletteWords"), Qt::Key_Return);
-        QTRY_VERIFY(window.findChild<app::CommandPalette*>() == nullptr);
-        window.activateWindow();  // there is no window manager here
+        QTRY_VERIFY_WITH_TIMEOUT(window.findChild<app::CommandPalette*>() == nullptr, 60'000);
+        window.activateWindow();  // the test has no window manager
         QVERIFY(QTest::qWaitForWindowActive(&window));
     }
     QString tab() {
@@ -114,10 +114,10 @@ private Q_SLOTS:
             return bench.window.session().state().recording.active;
         };
         bench.run("record", "plots.action.record");
-        QTRY_VERIFY(records());
+        QTRY_VERIFY_WITH_TIMEOUT(records(), 60'000);
         QVERIFY2(!bench.window.actions().find("plots.action.record")->isEnabled(), "one at a time");
         bench.run("stop recording", "plots.action.stopRecording");
-        QTRY_VERIFY(!records());
+        QTRY_VERIFY_WITH_TIMEOUT(!records(), 60'000);
         QCOMPARE(QDir(folder).entryList({"*.csv"}, QDir::Files).size(), 1);
     }
 
@@ -131,7 +131,7 @@ private Q_SLOTS:
     void thePlotsPauseAndGoOnFromThePalette() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
-        bench.cell.advanceMs(1500);  // Space only stops for a second after a motion
+        bench.cell.advanceMs(1500);  // for a second after a motion, Space only stops
         const PlotView& view = bench.find<PlotDock>("plots").view();
         QVERIFY(view.window().follows());
         bench.run("pause plots", "plots.action.pause");
@@ -172,7 +172,7 @@ private Q_SLOTS:
         Bench bench;
         bench.run("search log", "log.action.search");
         QCOMPARE(bench.tab(), QString("log"));
-        QTRY_COMPARE(bench.window.focusWidget(), &bench.find<QLineEdit>("log.search"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.window.focusWidget(), &bench.find<QLineEdit>("log.search"), 60'000);
         bench.run("log: show errors", "log.action.from.2");
         QCOMPARE(bench.find<SegmentedControl>("log.severity").currentIndex(), 2);
     }
@@ -183,9 +183,9 @@ private Q_SLOTS:
         bench.cell.advanceMs(1500);
         bench.run("search inputs", "io.action.search");
         QCOMPARE(bench.tab(), QString("io"));
-        QTRY_COMPARE(bench.window.focusWidget(), &bench.find<QLineEdit>("io.search"));
+        QTRY_COMPARE_WITH_TIMEOUT(bench.window.focusWidget(), &bench.find<QLineEdit>("io.search"), 60'000);
         const auto isOn = [&bench] { return (bench.window.session().state().digitalOutputs & 1U) != 0; };
-        // No selection yet.
+        // No row is selected yet.
         bench.run("switch selected", "io.action.switch");
         bench.cell.advanceMs(200);
         QVERIFY(!isOn());
@@ -193,12 +193,12 @@ private Q_SLOTS:
         bench.run("switch selected", "io.action.switch");
         QVERIFY(bench.cell.advanceUntil(isOn, 2000));
         bench.find<IoChannel>("io.DO0").setFocus(Qt::TabFocusReason);
-        // Not called with run(), because the editor would close on an activation that a window manager does
-        // not cause.
+        // Without run(), because the window activation in run() would close the editor. A window manager does
+        // not cause this activation.
         QVERIFY(bench.type("rename selected") != nullptr);
         QTest::keyClick(bench.window.findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords"),
                         Qt::Key_Return);
-        QTRY_VERIFY(bench.find<QLineEdit>("io.DO0.name").isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.find<QLineEdit>("io.DO0.name").isVisible(), 60'000);
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Panels are moved, closed, floated and saved by name, and restored after a restart. In all perspectives the stop
-// controls keep their positions, and hold-to-run operation ends.
+// Panels are moved, closed, floated, saved by name, and restored after a restart. In all perspectives, the
+// stop controls keep their positions. Hold-to-run motions end when the arrangement changes.
 
 #include <QAction>
 #include <QDockWidget>
@@ -62,7 +62,7 @@ void run(app::MainWindow& window, const char* id) {
     action->trigger();
 }
 
-/// Position of the dock in the window.
+/// Position of a dock in the window.
 QRect placeOf(app::MainWindow& window, const char* name) {
     const PanelDock& dock = dockOf(window, name);
     return {dock.mapTo(&window, QPoint(0, 0)), dock.size()};
@@ -80,14 +80,14 @@ bool standsAsInTeach(app::MainWindow& window) {
     return view.right() < tabs.left() && view.bottom() < plots.top() && tabs.bottom() < plots.top();
 }
 
-/// Uses the shortcut, in the window that a window manager would have activated.
+/// Uses the shortcut in the window that a window manager would have activated.
 void chooseTeach(app::MainWindow& window) {
     window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&window));
     QTest::keyClick(&window, Qt::Key_F6, Qt::ShiftModifier);
 }
 
-/// The parts of the window that move and stop the arm.
+/// Checks the parts of the window that move and stop the arm. Returns the missing ones.
 QStringList missing(app::MainWindow& window) {
     QStringList problems;
     const auto look = [&](const QWidget* widget, const QString& what) {
@@ -116,7 +116,7 @@ QStringList missing(app::MainWindow& window) {
     return problems;
 }
 
-/// Creates a settings file with a changed layout: plots float, the view is closed.
+/// Creates a settings file with a changed layout in which the plots float and the view is closed.
 void leaveChanged(const QString& file) {
     VirtualClock clock;
     app::MainWindow window(app::Settings(file), clock);
@@ -135,7 +135,7 @@ class TestPerspectives : public QObject {
     Q_OBJECT
 
 private:
-    /// Types into the dialog that asks for a name.
+    /// Enters a name in the dialog.
     static void answer(WindowBench& bench, const QString& name) {
         auto* dialog = bench.window.findChild<QDialog*>("perspectiveDialog");
         QVERIFY(dialog != nullptr && dialog->isVisible());
@@ -143,7 +143,7 @@ private:
         field->selectAll();
         QTest::keyClicks(field, name);
         QTest::keyClick(field, Qt::Key_Return);
-        QTRY_VERIFY(bench.window.findChild<QDialog*>("perspectiveDialog") == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QDialog*>("perspectiveDialog") == nullptr, 60'000);
     }
     static QString shown(const WindowBench& bench) {
         return bench.window.findChild<QToolButton*>("perspectiveKey")->text();
@@ -186,21 +186,24 @@ private Q_SLOTS:
         QCOMPARE(bench.window.size(), size);
         QVERIFY2(missing(bench.window).isEmpty(), qPrintable(missing(bench.window).join(", ")));
         const auto& area = bench.find<QScrollArea>("stageArea");
-        QTRY_VERIFY(!area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible());
-        QTRY_VERIFY2(clipped(bench.window).isEmpty(), qPrintable(clipped(bench.window).join('\n')));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible(), 60'000);
+        const QStringList found = stillClipped(bench.window);
+        QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
     }
 
     void aPerspectiveIsChosenByKeyPaletteAndMenu() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
-        QTRY_VERIFY(standsAsInTeach(bench.window));
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(bench.window), 60'000);
         QVERIFY(shown(bench).startsWith("Teach"));
         QTest::keyClick(&bench.window, Qt::Key_F7, Qt::ShiftModifier);
         QVERIFY(shown(bench).startsWith("Monitor"));
         auto& tabs = bench.find<QTabBar>("tabs");
         QCOMPARE(tabs.tabData(tabs.currentIndex()).toString(), QStringLiteral("io"));
-        QTRY_VERIFY2(placeOf(bench.window, "tabsDock").right() < placeOf(bench.window, "viewDock").left(),
-                     "inputs and outputs at the left");
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            placeOf(bench.window, "tabsDock").right() < placeOf(bench.window, "viewDock").left(),
+            "inputs and outputs at the left", 60'000);
 
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
         auto* palette = bench.window.findChild<app::CommandPalette*>();
@@ -209,7 +212,7 @@ private Q_SLOTS:
         QVERIFY(!palette->listed().isEmpty());
         QCOMPARE(palette->listed().first()->objectName(), QString("perspective.plots"));
         QTest::keyClick(palette->findChild<QLineEdit*>("paletteWords"), Qt::Key_Return);
-        QTRY_VERIFY(!dockOf(bench.window, "viewDock").isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!dockOf(bench.window, "viewDock").isVisible(), 60'000);
         QVERIFY(!dockOf(bench.window, "tabsDock").isVisible());
         QVERIFY(dockOf(bench.window, "plotsDock").isVisible());
         QVERIFY(shown(bench).startsWith("Plots"));
@@ -221,11 +224,12 @@ private Q_SLOTS:
         QVERIFY(bench.window.actions().find("perspective.plots")->isChecked());
         teach->trigger();
         QVERIFY(teach->isChecked() && !bench.window.actions().find("perspective.plots")->isChecked());
-        QTRY_VERIFY(standsAsInTeach(bench.window));
-        // The window is resized, the proportions remain.
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(bench.window), 60'000);
+        // After the window is resized, the proportions remain.
         bench.window.resize(1920, 1080);
         constexpr int kWanted = 1080 * 36 / 100;
-        QTRY_VERIFY(std::abs(placeOf(bench.window, "plotsDock").height() - kWanted) <= 12);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(placeOf(bench.window, "plotsDock").height() - kWanted) <= 12,
+                                 60'000);
     }
 
     void savedPerspectiveIsRestoredAfterARestart() {
@@ -237,15 +241,17 @@ private Q_SLOTS:
         QVERIFY(!bench->window.actions().find("perspective.delete")->isEnabled());
         run(bench->window, "panel.plotsDock.top");
         bench->window.showTab("log");
-        QTRY_VERIFY(placeOf(bench->window, "plotsDock").bottom() < placeOf(bench->window, "viewDock").top());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            placeOf(bench->window, "plotsDock").bottom() < placeOf(bench->window, "viewDock").top(), 60'000);
         run(bench->window, "perspective.saveAs");
         answer(*bench, "Inspection");
         QVERIFY(shown(*bench).startsWith("Inspection"));
 
         chooseTeach(bench->window);
-        QTRY_VERIFY(standsAsInTeach(bench->window));
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(bench->window), 60'000);
         run(bench->window, "perspective.saved.1");
-        QTRY_VERIFY(placeOf(bench->window, "plotsDock").bottom() < placeOf(bench->window, "viewDock").top());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            placeOf(bench->window, "plotsDock").bottom() < placeOf(bench->window, "viewDock").top(), 60'000);
         auto& tabs = bench->find<QTabBar>("tabs");
         QCOMPARE(tabs.tabData(tabs.currentIndex()).toString(), QStringLiteral("log"));
         bench->window.close();
@@ -258,7 +264,8 @@ private Q_SLOTS:
         next.show();
         QVERIFY(QTest::qWaitForWindowExposed(&next));
         QCOMPARE(next.perspectives().current().name, QStringLiteral("Inspection"));
-        QTRY_VERIFY(placeOf(next, "plotsDock").bottom() < placeOf(next, "viewDock").top());
+        QTRY_VERIFY_WITH_TIMEOUT(placeOf(next, "plotsDock").bottom() < placeOf(next, "viewDock").top(),
+                                 60'000);
         QVERIFY(missing(next).isEmpty());
     }
 
@@ -298,12 +305,14 @@ private Q_SLOTS:
         auto* question = bench.window.findChild<QMessageBox*>("perspectiveDelete");
         QVERIFY(question != nullptr);
         QTest::keyClick(question, Qt::Key_Escape);
-        QTRY_VERIFY(bench.window.findChild<QMessageBox*>("perspectiveDelete") == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("perspectiveDelete") == nullptr,
+                                 60'000);
         QCOMPARE(app::Settings(bench.file).perspectives().size(), 1);
         run(bench.window, "perspective.delete");
         question = bench.window.findChild<QMessageBox*>("perspectiveDelete");
         QTest::mouseClick(question->findChild<QPushButton*>("perspectiveDeleteYes"), Qt::LeftButton);
-        QTRY_VERIFY(bench.window.findChild<QMessageBox*>("perspectiveDelete") == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("perspectiveDelete") == nullptr,
+                                 60'000);
         QVERIFY(app::Settings(bench.file).perspectives().isEmpty());
         QVERIFY(bench.window.actions().find("perspective.saved.1") == nullptr);
         QVERIFY(bench.window.perspectives().current().builtIn);
@@ -352,7 +361,7 @@ private Q_SLOTS:
         QVERIFY(window.perspectives().isChanged());
         QVERIFY2(missing(window).isEmpty(), qPrintable(missing(window).join(", ")));
         run(window, "view.reset");
-        QTRY_VERIFY(standsAsInTeach(window));
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(window), 60'000);
         window.close();
         for (const char* name : {"viewDock", "tabsDock", "plotsDock"}) {
             QVERIFY2(!dockOf(window, name).isVisible(), name);
@@ -397,11 +406,11 @@ private Q_SLOTS:
         window.resize(1280, 720);
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
-        QTRY_VERIFY(standsAsInTeach(window));
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(window), 60'000);
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings.first().contains("Teach"), qPrintable(warnings.first()));
         QVERIFY(missing(window).isEmpty());
-        // Reported once: layouts saved from now on are valid.
+        // The damage is reported only once, because layouts saved from now on are valid.
         window.close();
         QCOMPARE(app::Settings(file).arrangement().found, LastArrangement::Found::Usable);
     }
@@ -446,7 +455,7 @@ private Q_SLOTS:
         run(window, "perspective.saved.1");
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings.first().contains("Broken"), qPrintable(warnings.first()));
-        QTRY_VERIFY(standsAsInTeach(window));
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(window), 60'000);
         QCOMPARE(window.perspectives().current().id, QStringLiteral("teach"));
         QVERIFY2(window.perspectives().all().size() == 4, "it is not lost: it can be saved anew");
     }
@@ -480,14 +489,14 @@ private Q_SLOTS:
         QTest::mouseClick(bench.window.findChild<QToolButton*>("dock.close." + QString(dock)),
                           Qt::LeftButton);
         QVERIFY(!panel.isVisible());
-        // The command that floats it also shows it, and the perspective docks it again.
+        // The command that floats a panel also shows it, and selecting the perspective docks it again.
         run(bench.window, "view.toggle." + dock);
         QVERIFY(panel.isVisible());
         chooseTeach(bench.window);
-        QTRY_VERIFY(standsAsInTeach(bench.window));
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(bench.window), 60'000);
     }
 
-    // Content without enough space scrolls; the jog buttons keep their size.
+    // Content that does not have enough space scrolls. The jog buttons keep their size.
     void noArrangementPressesUponTheJogColumn() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
@@ -504,10 +513,11 @@ private Q_SLOTS:
         }
         const auto& area = bench.find<QScrollArea>("stageArea");
         chooseTeach(bench.window);
-        QTRY_VERIFY(standsAsInTeach(bench.window));
-        QTRY_VERIFY(!area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(bench.window), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !area.horizontalScrollBar()->isVisible() && !area.verticalScrollBar()->isVisible(), 60'000);
         run(bench.window, "panel.plotsDock.left");
-        QTRY_VERIFY(area.horizontalScrollBar()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(area.horizontalScrollBar()->isVisible(), 60'000);
         QVERIFY(bench.window.jogColumn().size() == before);
     }
 
@@ -549,10 +559,12 @@ private Q_SLOTS:
             QTest::qWait(10);
         }
         QTest::mouseRelease(screen, Qt::LeftButton, {}, to + QPoint(19, 0));
-        QTRY_VERIFY(!plots.isFloating());
-        // Next to the view or above it, no longer below.
-        QTRY_VERIFY(placeOf(bench.window, "plotsDock").top() <= placeOf(bench.window, "viewDock").top());
-        QTRY_VERIFY(!placeOf(bench.window, "plotsDock").intersects(placeOf(bench.window, "viewDock")));
+        QTRY_VERIFY_WITH_TIMEOUT(!plots.isFloating(), 60'000);
+        // The panel is next to the view or above it, instead of below it.
+        QTRY_VERIFY_WITH_TIMEOUT(
+            placeOf(bench.window, "plotsDock").top() <= placeOf(bench.window, "viewDock").top(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !placeOf(bench.window, "plotsDock").intersects(placeOf(bench.window, "viewDock")), 60'000);
         QVERIFY(bench.window.perspectives().isChanged());
         QVERIFY(missing(bench.window).isEmpty());
     }
@@ -571,7 +583,7 @@ private Q_SLOTS:
         for (const QAction* action : bench.window.actions().all()) {
             QVERIFY2(!action->objectName().contains("jogDock"), qPrintable(action->objectName()));
         }
-        // Every panel closed: jog and stop buttons are still available.
+        // With every panel closed, jog and stop buttons are still available.
         for (const char* id : {"view.toggle.viewDock", "view.toggle.tabsDock", "view.toggle.plotsDock"}) {
             run(bench.window, id);
         }
@@ -602,7 +614,7 @@ private Q_SLOTS:
         QVERIFY(!key.isHolding());
         const int ms = timeToStandstill(bench.cell);
         QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
-        // The input is still held, and the motion does not resume.
+        // The input is still held, and the motion must not resume.
         bench.cell.advanceMs(500);
         QVERIFY(standsStill(bench.cell));
         release(key);
@@ -613,7 +625,7 @@ private Q_SLOTS:
         QTest::newRow("by its tab") << false;
         QTest::newRow("by its command") << true;
     }
-    // Tabbed panels: nothing moves, and the page in the panel does not change.
+    // With tabbed panels, nothing moves, and the page in the panel does not change.
     void holdEndsWhenAnotherPanelIsRaised() {
         QFETCH(bool, byCommand);
         WindowBench bench;
@@ -625,7 +637,8 @@ private Q_SLOTS:
         PanelDock& behind = dockOf(bench.window, "tabsDock");
         bench.find<app::DockStage>("stage").tabifyDockWidget(&front, &behind);
         front.raise();
-        QTRY_VERIFY(!front.visibleRegion().isEmpty() && behind.visibleRegion().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!front.visibleRegion().isEmpty() && behind.visibleRegion().isEmpty(),
+                                 60'000);
         auto& key = bench.find<HoldToRunButton>("jog.Z+");
         press(key);
         bench.cell.advanceMs(300);
@@ -641,7 +654,8 @@ private Q_SLOTS:
         bench.cell.advanceMs(500);
         QVERIFY(standsStill(bench.cell));
         release(key);
-        QTRY_VERIFY(front.visibleRegion().isEmpty() && !behind.visibleRegion().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(front.visibleRegion().isEmpty() && !behind.visibleRegion().isEmpty(),
+                                 60'000);
     }
 
     void spaceAndEscStopFromAFloatingPanel_data() {
@@ -660,7 +674,7 @@ private Q_SLOTS:
         PanelDock& panel = dockOf(bench.window, "tabsDock");
         panel.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&panel));
-        QTRY_COMPARE(QApplication::activeWindow(), &panel);
+        QTRY_COMPARE_WITH_TIMEOUT(QApplication::activeWindow(), &panel, 60'000);
         tiltStick(bench);
         bench.cell.advanceMs(300);
         QVERIFY2(!standsStill(bench.cell), "the stick moves it");
@@ -674,7 +688,7 @@ private Q_SLOTS:
         QVERIFY(panel.isVisible());
     }
 
-    // The notice and the view are destroyed with their panels, in any order.
+    // The notice and the view are destroyed together with their panels, in any order.
     void theWindowEndsWithAQuestionOpenInAFloatingPanel() {
         auto bench = std::make_unique<WindowBench>();
         bench->show(QSize(1280, 720));
@@ -718,18 +732,19 @@ private Q_SLOTS:
         PanelDock& panel = dockOf(bench.window, "plotsDock");
         panel.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&panel));
-        QTRY_VERIFY2(bench.window.findChild<QWidget*>("armedFrame") == nullptr, "disarmed");
+        QTRY_VERIFY2_WITH_TIMEOUT(bench.window.findChild<QWidget*>("armedFrame") == nullptr, "disarmed",
+                                  60'000);
         QTest::keyPress(&panel, Qt::Key_Up);
         bench.cell.advanceMs(200);
         QVERIFY(standsStill(bench.cell));
         QTest::keyRelease(&panel, Qt::Key_Up);
-        // The shortcuts of the window work in the panel as well.
+        // The shortcuts of the window also work in the panel.
         QTest::keyClick(&panel, Qt::Key_F6, Qt::ShiftModifier);
-        QTRY_VERIFY(standsAsInTeach(bench.window));
+        QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(bench.window), 60'000);
     }
 
 private:
-    /// A stick that is neutral for a moment and then pushed upwards.
+    /// Simulates a stick that is neutral for a moment and then pushed upwards.
     static void tiltStick(WindowBench& bench) {
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys(), &bench.window.jogColumn().axisJog());
         const auto hold = [&bench, pump = bench.cell.everyRefresh](double up) {

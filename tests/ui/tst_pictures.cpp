@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Screenshots for review, for the README and for the manual (packaging/manual/make_pictures): every arm in two
-// poses, every tab, a pattern and actions being taught, every part of the window. Written to the folder
-// TILLER_PICTURES; without this variable nothing is done.
+// Creates screenshots for review, for the README and for the manual (packaging/manual/make_pictures): every
+// arm in two poses, every tab, teaching of a pattern and of actions, and every part of the window. They are
+// written to the folder TILLER_PICTURES. Without this variable, the test does nothing.
 
 #include <QDialog>
 #include <QDir>
@@ -51,7 +51,7 @@ private:
 
     app::MainWindow& window() { return bench_->window; }
     void keep(QWidget& widget, const QString& name) { keep(widget.grab().toImage(), name); }
-    /// Fails if nothing was drawn: a single colour.
+    /// Fails if nothing was drawn, i.e. if the image has a single colour.
     void keep(const QImage& image, const QString& name) {
         const QRgb first = image.pixel(0, 0);
         bool drawn = false;
@@ -76,7 +76,7 @@ private:
             }
         }
     }
-    /// Saves an image that is not wider than a page of the manual.
+    /// Saves an image, which must not be wider than a page of the manual.
     void keepForManual(const QImage& image, const char* name) {
         keep(image.width() > kPageWidth ? image.scaledToWidth(kPageWidth, Qt::SmoothTransformation) : image,
              QStringLiteral("manual-") + QLatin1String(name));
@@ -100,7 +100,7 @@ private:
         release(button);
         bench_->cell.advanceMs(400);
     }
-    /// The dialog opened by a command, after its layout.
+    /// Returns the dialog that a command has opened, after its layout.
     QDialog& opened(const char* id, const char* name) {
         window().actions().find(QLatin1String(id))->trigger();
         QTest::qWait(100);
@@ -247,7 +247,7 @@ private Q_SLOTS:
         keepForManual(window(), "window");
         keepForManual(inTwoRows(bench_->find<QWidget>("headerBar").grab().toImage()), "header");
         keepForManual(bench_->find<QWidget>("jogColumn"), "jog");
-        // The separate parts may be larger.
+        // The individual parts may be larger.
         window().resize(1560, 980);
         bench_->cell.advanceMs(200);
         QTest::qWait(100);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page before the first connection: every fault of the connection to a robot has a separate line with its cause
-// and a suggested action, and `tiller-cli doctor` reports the same.
+// The page before the first connection. Every fault of the connection to a robot has a separate line with its
+// cause and a suggested action, and `tiller-cli doctor` reports the same findings.
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -34,7 +34,7 @@ int closedPort() {
     return server.serverPort();
 }
 
-/// A robot with its connection, and possible faults.
+/// A robot with its connection and possible faults.
 struct Cell {
     simulator::SimulatorOptions options;
     std::unique_ptr<simulator::Simulator> robot;
@@ -62,7 +62,7 @@ struct Cell {
         other = std::make_unique<test::RawPeer>(std::move(script));
         return other->port();
     }
-    /// Connects another program that uses these inputs.
+    /// Connects another client that uses these inputs.
     void hold(const std::vector<std::string>& registers) {
         rtde::ConnectionOptions client;
         client.host = patient.host;
@@ -104,7 +104,7 @@ const std::vector<Fault>& faults() {
         {"safety.stopped",
          [](Cell& c) {
              c.robot->protectiveStop();
-             QTRY_COMPARE(c.robot->truth().safetyMode, SafetyMode::ProtectiveStop);
+             QTRY_COMPARE_WITH_TIMEOUT(c.robot->truth().safetyMode, SafetyMode::ProtectiveStop, 60'000);
          }},
         {"power.not-running",
          [](Cell& c) {
@@ -123,7 +123,7 @@ const std::vector<Fault>& faults() {
     return all;
 }
 
-/// Findings that always occur on this PC with a new simulated robot.
+/// Findings that are normal on this PC with a new simulated robot.
 const QSet<QString> kUsual = {"privilege.none", "latency.none", "payload.unset"};
 
 QSet<QString> causesOf(const doctor::Report& report) {
@@ -267,7 +267,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.begin());
         cell.robot->protectiveStop();
-        QTRY_COMPARE(cell.robot->truth().safetyMode, SafetyMode::ProtectiveStop);
+        QTRY_COMPARE_WITH_TIMEOUT(cell.robot->truth().safetyMode, SafetyMode::ProtectiveStop, 60'000);
         const auto page = open(cell.patient);
         QTRY_VERIFY_WITH_TIMEOUT(page->isFinished(), 30'000);
         auto* again = page->findChild<QPushButton*>("preflightAgain");
@@ -277,7 +277,7 @@ private Q_SLOTS:
         QVERIFY(!key->property("primary").toBool() && !key->isDefault());
         QVERIFY(page->findChild<QLabel*>("preflightConsequence")->isVisible());
 
-        // Red and amber lines are above all good ones, and visible without scrolling.
+        // Red and amber lines are above all good lines, and visible without scrolling.
         const auto outOfPlace = [&page]() -> QString {
             bool wellSeen = false;
             QList<FindingRow*> rows = page->findChildren<FindingRow*>();
@@ -292,9 +292,9 @@ private Q_SLOTS:
             }
             return {};
         };
-        QTRY_VERIFY2(outOfPlace().isEmpty(), qPrintable(outOfPlace()));
+        QTRY_VERIFY2_WITH_TIMEOUT(outOfPlace().isEmpty(), qPrintable(outOfPlace()), 60'000);
 
-        // Return repeats the check; it does not connect.
+        // Return repeats the check. It does not connect.
         QSignalSpy connected(page.get(), &PreflightPage::connectRequested);
         QSignalSpy finished(page.get(), &PreflightPage::finished);
         keepPicture(*page, "protective_stop");
@@ -309,7 +309,7 @@ private Q_SLOTS:
         cell.patient.ports.rtde = cell.peer([](test::RawPeer::Link& link) { link.beMute(); });
         auto page = open(cell.patient);
         QTest::qWait(20);
-        page.reset();  // waits for its thread, which a cancelled deadline ends; the test would hang otherwise
+        page.reset();  // waits for the thread; without cancelling the deadline, the test would hang
         QVERIFY(cell.robot->isRunning());
     }
 

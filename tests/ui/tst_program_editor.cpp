@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Program tab in the real window, with a simulated robot in virtual time: drag and drop, keyboard, problems, preview,
-// and stops from each of its controls.
+// The Program tab in the real window, with a simulated robot in virtual time: drag and drop, keyboard,
+// problems, preview, and stops from each of the controls.
 
 #include <QDragEnterEvent>
 #include <QDragMoveEvent>
@@ -56,7 +56,7 @@ private:
                     Qt::MatchExactly | Qt::MatchRecursive)
             .value(0);
     }
-    /// Builds the tray program and opens it.
+    /// Builds and opens the tray program.
     void openTray() {
         document().setProject(program::sampleProject());
         project::ProgramList programs;
@@ -72,7 +72,7 @@ private:
         }
         return kinds.join(' ');
     }
-    /// Drops what was dragged from these rows, as the drag manager does. Ctrl copies.
+    /// Drops the data dragged from these rows, as the drag manager does. With Ctrl, the drop copies.
     void drop(QAbstractItemModel& from, const QModelIndexList& rows, const QPoint& at,
               Qt::DropAction action) {
         const std::unique_ptr<QMimeData> data(from.mimeData(rows));
@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(shape(), QString("loop(wait)"));
         drop(*palette().model(), {paletteRow("MoveJ")}, belowAll(), Qt::CopyAction);
         QCOMPARE(shape(), QString("loop(wait) moveJ"));
-        // The first drop also added the program: one undo step.
+        // The first drop also added the program, in the same undo step.
         for (int i = 0; i < 3; ++i) {
             document().undo();
         }
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY2(shape().startsWith("moveJ gripper assign try"), qPrintable(shape()));
     }
 
-    // Mouse and keyboard reach the same program.
+    // The same program can be built by mouse and by keyboard.
     void aProgramIsBuiltWithTheKeyboard() {
         palette().setCurrentIndex(paletteRow("Loop"));
         palette().setFocus();
@@ -184,7 +184,7 @@ private Q_SLOTS:
         broken.steps[3].steps[0].fields.remove("pattern");
         programs.replace(0, broken);
         document().changePrograms(programs, "break");
-        QTRY_VERIFY(key("program.showProblem").isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.showProblem").isVisible(), 60'000);
         QVERIFY(!key("program.preview").isEnabled());
         QVERIFY2(status().startsWith("⚠ Step 1:"), qPrintable(status()));
         QTest::mouseClick(&key("program.showProblem"), Qt::LeftButton);
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[3].steps[0].id});
         QVERIFY(rowOf(steps()[0].id).data().toString().startsWith("⚠"));
         document().undo();
-        QTRY_VERIFY(!key("program.showProblem").isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!key("program.showProblem").isVisible(), 60'000);
         QVERIFY(!rowOf(steps()[0].id).data().toString().startsWith("⚠"));
     }
 
@@ -234,7 +234,7 @@ private Q_SLOTS:
         QVERIFY(tree().viewport()->width() >= 150);
     }
 
-    // Palette and fields take turns in a narrow panel, and the tree keeps its place.
+    // In a narrow panel, palette and fields are shown alternately, and the tree keeps its position.
     void aNarrowPanelShowsOneSide() {
         openTray();
         window().resize(1280, 720);
@@ -253,9 +253,9 @@ private Q_SLOTS:
         openTray();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         const JointPositions before = cell().truth().q;
-        QTRY_VERIFY(key("program.preview").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
         QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
-        QCOMPARE(status(), QString("Simulating…"));  // the window went on
+        QCOMPARE(status(), QString("Simulating…"));  // the window was not blocked
         QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated: the program takes"), qPrintable(status()),
                                   60'000);
         const QModelIndex inner = rowOf(steps()[3].steps[0].steps[1].id);
@@ -269,7 +269,7 @@ private Q_SLOTS:
         window().showTab("program");
         QCOMPARE(view.paths().size(), std::size_t(1));
         document().undo();
-        QTRY_VERIFY(view.paths().empty());
+        QTRY_VERIFY_WITH_TIMEOUT(view.paths().empty(), 60'000);
         cell().advanceMs(500);
         QVERIFY((cell().truth().q.values - before.values).cwiseAbs().maxCoeff() < 1e-9);
     }
@@ -281,7 +281,7 @@ private Q_SLOTS:
         program.steps.insert(program.steps.begin() + 1, program::step("fail", {{"text", "No tray"}}));
         programs.replace(0, program);
         document().changePrograms(programs, "fail");
-        QTRY_VERIFY(key("program.preview").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
         QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
         QTRY_VERIFY2_WITH_TIMEOUT(status().contains("Simulated: 1 problem"), qPrintable(status()), 60'000);
         QVERIFY2(status().contains("Step 2 (Fail)"), qPrintable(status()));
@@ -289,7 +289,7 @@ private Q_SLOTS:
         QCOMPARE(tree().selectedIds(), QSet<QUuid>{steps()[1].id});
     }
 
-    // An endless program is followed for an hour of its time; an edit ends that at once.
+    // An endless program is simulated for one hour of its time. An edit ends the simulation at once.
     void anEditEndsThePreview() {
         document().setProject(program::sampleProject());
         project::ProgramList programs;
@@ -297,17 +297,17 @@ private Q_SLOTS:
             "endless", {program::step("loop", {{"times", 0}}, {program::step("wait", {{"time", 1}})})}));
         programs.append(program::makeProgram("short", {program::step("wait", {{"time", 1}})}));
         document().changePrograms(programs, "open");
-        QTRY_VERIFY2(key("program.preview").isEnabled(), qPrintable(status()));
+        QTRY_VERIFY2_WITH_TIMEOUT(key("program.preview").isEnabled(), qPrintable(status()), 60'000);
         QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
         QCOMPARE(status(), QString("Simulating…"));
         project::Program changed = programs.at(0);
         changed.steps[0].steps[0].fields["time"] = 2;
         programs.replace(0, changed);
         document().changePrograms(programs, "change");
-        QTRY_VERIFY2(status().startsWith("The program can run"), qPrintable(status()));
+        QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("The program can run"), qPrintable(status()), 60'000);
     }
 
-    // Every control of the tab has the focus once: Space and Esc stop the arm, as STOP does.
+    // Each control of the tab gets the focus once. Space and Esc must stop the arm, like STOP.
     void everyControlStopsTheArm_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<int>("stopKey");
@@ -325,7 +325,7 @@ private Q_SLOTS:
         openTray();
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         tree().selectIds({steps()[1].id});
-        QTRY_VERIFY(key("program.preview").isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
         auto& control = bench_->find<QWidget>(qPrintable(name));
         control.setFocus();
         QCOMPARE(QApplication::focusWidget(), &control);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Programs on the robot from the window: load, play, pause, stop; and a popup that blocks one.
+// Programs on the robot, controlled from the window: load, play, pause, stop, and a popup that blocks a
+// program.
 
 #include <QFile>
 #include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <optional>
@@ -55,8 +57,8 @@ private:
         return true;
     }
 
-    /// A robot with this software version, or the default one, and a window connected to it.
-    /// `local`: start the robot in Local mode, as with --local.
+    /// A robot with this software version, or the default version, and a window connected to it.
+    /// local  starts the robot in Local mode, as with --local
     void begin(const std::optional<SoftwareVersion>& software, bool local = false) {
         window_.reset();
         robot_.reset();
@@ -64,7 +66,7 @@ private:
         simulator::SimulatorOptions options;
         if (software) {
             options.software = *software;
-            options.portOffset = 20'000;  // port 80 needs privileges
+            options.portOffset = 20'000;  // port 80 would need privileges
         }
         options.listenAddress = QStringLiteral("127.79.%1.1").arg(QCoreApplication::applicationPid() % 250);
         options.remoteControl = !local;
@@ -105,7 +107,7 @@ private Q_SLOTS:
     }
 
     void controlIsNotOfferedInLocal() {
-        QTRY_VERIFY(action("control.take")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(action("control.take")->isEnabled(), 60'000);
         robot_->setRemoteControl(false);
         QTRY_VERIFY_WITH_TIMEOUT(!action("control.take")->isEnabled(), 20'000);
         QVERIFY2(action("control.take")->toolTip().contains("Switch the robot to Remote"),
@@ -114,12 +116,12 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(action("control.take")->isEnabled(), 20'000);
     }
 
-    // Whether Local means that remote control is disabled, or that commands are refused, is known after the first
-    // attempt.
+    // Only the first attempt shows whether Local means that remote control is disabled or that commands are
+    // rejected.
     void startedInLocalControlIsNotTakenAndNotOfferedAgain() {
         begin({}, true);
         bool wasInControl = false;
-        QObject here;  // object whose connections end with wasInControl
+        QObject here;  // its connections end before wasInControl is destroyed
         connect(&window_->session(), &RobotSession::stateChanged, &here,
                 [&wasInControl](const SessionState& now) {
                     wasInControl = wasInControl || now.control == ControlState::InControl;
@@ -148,9 +150,9 @@ private Q_SLOTS:
         QVERIFY(run("control.play"));
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
         const auto* chip = window_->findChild<StateChip*>("controlChip");
-        QTRY_VERIFY(chip->text().contains("Program running"));
+        QTRY_VERIFY_WITH_TIMEOUT(chip->text().contains("Program running"), 60'000);
         QVERIFY2(chip->toolTip().contains("wait.urp"), qPrintable(chip->toolTip()));
-        QTRY_VERIFY(!action("control.play")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(!action("control.play")->isEnabled(), 60'000);
         QVERIFY(run("control.pause"));
         QVERIFY(reaches(RuntimeState::Paused));
         QVERIFY(run("control.play"));
@@ -224,7 +226,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
         QTest::mouseClick(key, Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
-        // Closed on the robot too: nothing blocks the program any more.
+        // The popup is also closed on the robot, so it does not block the program.
         QVERIFY(run("control.play"));
         QVERIFY2(reaches(RuntimeState::Playing), qPrintable(errors_.join('\n')));
     }
@@ -238,8 +240,8 @@ private Q_SLOTS:
         window_->activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         key->setFocus(Qt::TabFocusReason);
-        QTRY_VERIFY(key->hasFocus());
-        // Waits longer than the key keeps its stop function after a motion.
+        QTRY_VERIFY_WITH_TIMEOUT(key->hasFocus(), 60'000);
+        // Wait longer than the key keeps its stop function after a motion.
         for (int i = 0; i < 15; ++i) {
             QTest::keyClick(key, Qt::Key_Space);
             QVERIFY2(key->isEnabled() && !key->isDown(), "the robot was asked to close it");
@@ -267,15 +269,44 @@ private Q_SLOTS:
         QTest::mouseClick(key, Qt::LeftButton);
         QVERIFY(card->isVisible());
         QCOMPARE(card->count(), 1);
-        QTRY_VERIFY(key->isEnabled());
-        // A popup that the robot does not close is closed on the pendant.
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 60'000);
+        // If the robot does not close a popup, the user must close it on the pendant.
         Q_EMIT window_->session().commandDone(RobotCommand::ClosePopups, false);
         window_->session().refresh();
         QCOMPARE(key->text(), QString("Hide"));
         QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
-        // A new connection does not show it.
+        // The popup is not shown after a new connection.
         window_->session().disconnectFromRobot();
         QVERIFY(!card->isVisible());
+    }
+
+    // The command obeys the same rules as the button: not before the popup could be read, and once only.
+    void theCommandClosesAPopupAsItsButtonDoes() {
+        auto* card = window_->findChild<RobotPopup*>("robotPopup");
+        QAction* close = action("power.closePopups");
+        QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
+        script::ControllerMessage popup;
+        popup.kind = script::MessageKind::Popup;
+        popup.text = QStringLiteral("Check the gripper");
+        QSignalSpy done(&window_->session(), &RobotSession::commandDone);
+        Q_EMIT window_->session().controllerMessage(popup);
+        window_->session().refresh();
+        auto* key = card->findChild<QPushButton*>("robotPopup.close");
+        QVERIFY(!key->isEnabled());
+        QVERIFY2(!close->isEnabled(), "a command was accepted that the button refuses");
+        QVERIFY(!app::ActionTable::obstacleOf(*close).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
+        close->trigger();
+        QVERIFY2(!key->isEnabled(), "the card does not know that the popup is being closed");
+        window_->session().refresh();
+        QVERIFY2(!close->isEnabled(), "the popup below would be closed too");
+        QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
+        // Without a popup known here: one from before the connection.
+        QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
+        close->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(done.count(), 2, 20'000);
     }
 
     void aPopupHeardBeforeTheAnswerStaysWhenTheOtherIsClosed() {
@@ -285,7 +316,7 @@ private Q_SLOTS:
         auto* key = card->findChild<QPushButton*>("robotPopup.close");
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled() && key->text() == "Close", 20'000);
         key->click();
-        // The second popup arrives before the event loop processes the robot's answer.
+        // The second popup arrives before the event loop processes the reply of the robot.
         script::ControllerMessage next;
         next.kind = script::MessageKind::Popup;
         next.text = QStringLiteral("Close the door");
@@ -293,7 +324,7 @@ private Q_SLOTS:
         QCOMPARE(card->count(), 2);
         QTRY_COMPARE_WITH_TIMEOUT(card->count(), 1, 20'000);
         QCOMPARE(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Close the door"));
-        // The second popup is closed by a separate command.
+        // A separate command closes the second popup.
         QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 20'000);
         key->click();
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
@@ -308,7 +339,7 @@ private Q_SLOTS:
             popup.text = QStringLiteral("Popup %1").arg(i);
             Q_EMIT window_->session().controllerMessage(popup);
         }
-        // The first one is shown immediately, the others with the next update.
+        // The first popup is shown immediately, the others with the next update.
         QVERIFY2(card->updates() - before <= 2, qPrintable(QString::number(card->updates() - before)));
         QCOMPARE(card->count(), RobotPopup::kMaxPopups);
         QTRY_COMPARE_WITH_TIMEOUT(card->findChild<QLabel*>("robotPopup.text")->text(), QString("Popup 10000"),
@@ -328,7 +359,7 @@ private Q_SLOTS:
         auto* key = card->findChild<QPushButton*>("robotPopup.close");
         QTRY_COMPARE_WITH_TIMEOUT(key->text(), QString("Hide"), 20'000);
         QVERIFY(card->findChild<QLabel*>("robotPopup.note")->text().contains("teach pendant"));
-        QTRY_VERIFY(key->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key->isEnabled(), 60'000);
         QTest::mouseClick(key, Qt::LeftButton);
         QVERIFY(!card->isVisible());
     }
@@ -337,10 +368,11 @@ private Q_SLOTS:
         window_->session().takeControl();
         QTRY_VERIFY_WITH_TIMEOUT(state().canMove(), 20'000);
         for (const char* id : {"control.load", "control.play", "control.pause", "control.stopProgram"}) {
-            // Late data are another reason for a moment.
-            QTRY_VERIFY2(!action(id)->isEnabled() &&
-                             app::ActionTable::obstacleOf(*action(id)).contains("Give control back"),
-                         id);
+            // Late data may temporarily be a different reason.
+            QTRY_VERIFY2_WITH_TIMEOUT(
+                !action(id)->isEnabled() &&
+                    app::ActionTable::obstacleOf(*action(id)).contains("Give control back"),
+                id, 60'000);
         }
         QVERIFY(run("control.release"));
         QTRY_VERIFY_WITH_TIMEOUT(action("control.load")->isEnabled(), 20'000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A project that was taught with another robot model or TCP, in the real window with a simulated UR5e in virtual
-// time: no motion to its positions before the user has answered.
+// A project that was taught with another robot model or TCP, in the real window with a simulated UR5e in
+// virtual time. The arm must not move to positions of the project before the user has answered.
 
 #include <QAction>
 #include <QMessageBox>
@@ -10,6 +10,7 @@
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/project_file.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
@@ -32,7 +33,7 @@ JointPositions turned(double by) {
     return q;
 }
 
-/// Two waypoints and Home near the start of the arm.
+/// A project with two waypoints and Home near the initial position of the arm.
 project::Project taughtWith(RobotModelId model, const Pose& tcp = {}) {
     project::Project project;
     project.robot = model;
@@ -63,16 +64,7 @@ private:
     UndoableDocument& document() { return window().document(); }
     HoldToRunButton& key(const char* name) { return bench_->find<HoldToRunButton>(name); }
 
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 1500; ++i) {
-            if (condition()) {
-                return true;
-            }
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     void bringUp() {
         QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
         driveKeys(cell(), window().findChildren<HoldToRunButton*>().toVector());
@@ -96,7 +88,7 @@ private:
         QVERIFY(QTest::qWaitForWindowActive(&window()));
         cell().advanceMs(40);
     }
-    /// Distance of the TCP while this button is held [m].
+    /// Holds this button and returns the distance moved by the TCP [m].
     double movedBy(const char* name) {
         const Pose before = cell().truth().tcpPose;
         press(key(name));
@@ -105,7 +97,7 @@ private:
         cell().advanceMs(300);
         return (cell().truth().tcpPose.position - before.position).norm();
     }
-    /// Checks all buttons for positions of the project, and the session functions they call.
+    /// Checks all buttons that move to positions of the project, and the session functions they call.
     void nothingMovesToThem() {
         for (const char* name : {"waypoint.goTo", "waypoint.goThrough", "homeKey"}) {
             QVERIFY2(movedBy(name) < 1e-4, name);
@@ -186,7 +178,7 @@ private Q_SLOTS:
             QVERIFY2(!document().reach(row).ok(), "not marked as reachable");
         }
         nothingMovesToThem();
-        // Positions of the two arms are not mixed either.
+        // Positions of the two arm models must not be mixed either.
         QVERIFY(!bench_->find<QPushButton>("waypoint.teach").isEnabled());
         // Motions that do not depend on the project are possible.
         QVERIFY(movedBy("jog.Z+") > 0.005);
@@ -203,7 +195,7 @@ private Q_SLOTS:
         answer("projectFit.cancel");
         auto* notice = window().waypoints().findChild<NoticeBar*>();
         QVERIFY(notice->isVisible());
-        // The reason given for the missing ghost is the other model, not the reach.
+        // The reason for the missing ghost is the other model instead of the reach.
         const QString ghost = window().findChild<SceneView*>()->ghostText();
         QVERIFY2(ghost.contains("another robot model"), qPrintable(ghost));
         window().session().disconnectFromRobot();
@@ -221,7 +213,7 @@ private Q_SLOTS:
         goTo(0);
         QVERIFY2(offFrom(before.waypoints.at(0).pose) < 0.001,
                  qPrintable(QString::number(1e3 * offFrom(before.waypoints.at(0).pose))));
-        // After undo the project belongs to the other arm again, and the question is shown again.
+        // After undo, the project belongs to the other arm model again, and the question is shown again.
         document().undo();
         QVERIFY(document().waypoints().at(0).joints == before.waypoints.at(0).joints);
         QCOMPARE(document().project().robot, std::optional(RobotModelId::UR10e));
@@ -258,7 +250,8 @@ private Q_SLOTS:
         QVERIFY(document().reach(0).ok() && !document().reach(2).ok());
     }
 
-    // A file without a robot model uses the connected one, as does a project without positions; neither asks.
+    // A file without a robot model, or a project without positions, uses the connected model. No question is
+    // shown.
     void projectWithoutAModelTakesTheConnectedModel() {
         bringUp();
         project::Project project = taughtWith(RobotModelId::UR10e);
@@ -276,7 +269,7 @@ private Q_SLOTS:
         QVERIFY(question() == nullptr);
     }
 
-    // The TCP question appears when the arm is to be moved.
+    // The TCP question appears when the user wants to move the arm.
     void anotherTcpAsksBeforeAnythingMoves() {
         bringUp();
         project::Project project = taughtWith(RobotModelId::UR5e, Pose(0, 0, 0.15, 0, 0, 0));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ten thousand random user actions on the real window with a simulated controller and its faults. Before that:
-// tests of the checks themselves.
+// Ten thousand random user actions on the real window, with a simulated controller and its faults. The checks
+// themselves are tested first.
 //
-// TILLER_STEPS  total number of steps, default 10 000; a row has at most 1000
+// TILLER_STEPS  total number of steps; default 10 000; a row has at most 1000
 // TILLER_SEED   seed of the first row; each further row uses the next number
-// A failure prints the settings to repeat the row. The steps are then the same, as far as the timing of the machine
-// allows: robot, sockets and timers are real.
+// A failure prints the settings that repeat the row. The steps are then the same as far as the timing of the
+// computer allows, because robot, sockets and timers are real.
 
 #include <QApplication>
 #include <QDialog>
@@ -47,7 +47,7 @@ constexpr quint32 kSeed = 20261116;
 
 // ---- expected warnings ----------------------------------------------------------------------------------------
 
-/// Warnings of the platform without a screen, and of the simulated robot about its faults.
+/// Warnings caused by the platform without a screen, and by the simulated robot about its faults.
 const char* const kExpectedWarnings[] = {
     "^This plugin does not support ",
 };
@@ -106,7 +106,7 @@ int numberFrom(const char* variable, int otherwise) {
 
 // ---- windows for testing the checks ----------------------------------------------------------------------------
 
-/// Two buttons with some distance, and one far away.
+/// Two buttons near each other and one that is far away.
 struct Keys {
     QWidget window;
     QPushButton* first = new QPushButton(QStringLiteral("first"), &window);
@@ -127,7 +127,7 @@ struct Keys {
     }
 };
 
-/// The displays for the check, without a robot: it shows given states.
+/// The displays that are checked, without a robot. They show given states.
 struct Board {
     QWidget window;
     RobotSession session;
@@ -280,7 +280,7 @@ private Q_SLOTS:
 
     void theWatchEndsInTime() {
         Keys keys;
-        QTRY_VERIFY(!keys.watch.isOn());
+        QTRY_VERIFY_WITH_TIMEOUT(!keys.watch.isOn(), 60'000);
         QVERIFY(keys.watch.moved().isEmpty());
     }
 
@@ -435,7 +435,8 @@ private Q_SLOTS:
         }
         const QStringList warned = takeWarnings();
         if (!failure.isEmpty() || !warned.isEmpty()) {
-            // Line by line: Qt Test truncates long messages, and the last steps are the most important ones.
+            // Print line by line, because Qt Test truncates long messages and the last steps are the most
+            // important ones.
             for (const QString& line : StepLog::text().split(QLatin1Char('\n'))) {
                 qInfo("%s", qPrintable(line));
             }
@@ -444,7 +445,7 @@ private Q_SLOTS:
         QVERIFY2(warned.isEmpty(), qPrintable(QStringLiteral("warned of: %1").arg(warned.join("; "))));
     }
 
-    // A user without actions finds nothing.
+    // A random user whose actions have no effect would not find any errors.
     void randomActionsWereEffective() {
         if (steps_ < 3 * kRowSteps) {
             QSKIP("too few steps to tell");
@@ -456,7 +457,7 @@ private Q_SLOTS:
 };
 
 int main(int argc, char* argv[]) {
-    // All saved, exported and recorded files are written to a temporary folder.
+    // All saved, exported and recorded files must be in a temporary folder.
     const QTemporaryDir home;
     if (!home.isValid() || !QDir::setCurrent(home.path())) {
         return 1;
@@ -466,7 +467,7 @@ int main(int argc, char* argv[]) {
         qputenv(name, QDir::currentPath().toLocal8Bit());
     }
     if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) {
-        qputenv("QTEST_FUNCTION_TIMEOUT", "1800000");  // [ms] a row takes long with memory checkers
+        qputenv("QTEST_FUNCTION_TIMEOUT", "1800000");  // [ms]; with memory checkers, a row takes a long time
     }
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication application(argc, argv);

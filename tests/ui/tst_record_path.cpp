@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // "Record path" in the real window: an arm guided by hand, the recorded path, its replay, and the table for
-// learning from demonstration. And Back, which also reverses taught motions.
+// learning from demonstration. Also tests Back, which reverses taught motions too.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -36,7 +36,7 @@ private:
     }
     Eigen::Vector3d tcp() { return cell().truth().tcpPose.position; }
 
-    /// Moves the arm by an external force while Freedrive is held, and returns the data of the robot.
+    /// Moves the arm by an external force while Freedrive is held. Returns the data of the robot.
     project::Demonstration lead() {
         project::Demonstration seen;
         const auto watching = connect(&window().session(), &RobotSession::stateChanged, this,
@@ -56,7 +56,7 @@ private:
         disconnect(watching);
         return seen;
     }
-    /// Records the motion, and waits for the reduced path.
+    /// Records the motion and waits for the simplified path.
     project::Demonstration recordByHand() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         cell().advanceMs(40);
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QCOMPARE(document().waypoints().size(), count);
     }
 
-    // Held, along the taught path: corners are rounded by the blend at most.
+    // While the button is held, the arm follows the taught path. Corners are rounded at most by the blend.
     void pathIsReplayedWhileTheKeyIsHeld() {
         recordByHand();
         const auto path = kept();
@@ -150,7 +150,7 @@ private Q_SLOTS:
         cell().advanceMs(500);
         QTest::mouseClick(&record(), Qt::LeftButton);
         waitForThinning();
-        QTRY_VERIFY(notice().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(notice().isVisible(), 60'000);
         QVERIFY2(notice().title().contains("did not move"), qPrintable(notice().title()));
         QCOMPARE(document().waypoints().size(), 0);
     }
@@ -169,16 +169,36 @@ private Q_SLOTS:
         QVERIFY(saved->waypoints.size() >= 2);
     }
 
+    // There "Record path" is a command of the menu only.
+    void aNarrowPanelShowsThatAPathIsRecorded() {
+        WaypointsTab narrow(window().session(), document());
+        narrow.resize(narrow.minimumSizeHint().width(), 600);
+        narrow.show();
+        QVERIFY2(!narrow.findChild<QAbstractButton*>("waypoint.recordPath")->isVisible(), "it has room");
+        auto* more = narrow.findChild<QAbstractButton*>("waypoint.more");
+        const QString usual = more->text();
+        const int width = more->width();
+        narrow.findChild<QAction*>("waypoint.action.recordPath")->trigger();
+        cell().advanceMs(2100);
+        QVERIFY2(more->text().contains(QChar(0x25cf)), qPrintable(more->text()));
+        QVERIFY2(more->toolTip().contains("REC 00:02"), qPrintable(more->toolTip()));
+        QVERIFY2(more->accessibleDescription().contains("REC"), "it is not visible to all");
+        QCOMPARE(more->width(), width);
+        narrow.findChild<QAction*>("waypoint.action.recordPath")->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(more->text(), usual, 60'000);
+        QVERIFY(more->accessibleDescription().isEmpty());
+    }
+
     void lostDataEndAndKeepTheRecording() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         lead();
         window().session().disconnectFromRobot();
         waitForThinning();
-        QTRY_VERIFY(document().waypoints().size() >= 2);
+        QTRY_VERIFY_WITH_TIMEOUT(document().waypoints().size() >= 2, 60'000);
         QVERIFY(!paths().recorder().isRecording());
     }
 
-    // The exported table has the same columns as recordings and is read back as the same path.
+    // The exported table has the same columns as recordings. Importing it results in the same path.
     void pathIsExportedAndReadBack() {
         recordByHand();
         const auto path = kept();
@@ -207,7 +227,7 @@ private Q_SLOTS:
         }());
         paths().importFrom(file);
         waitForThinning();
-        QTRY_VERIFY(document().waypoints().size() >= 2);
+        QTRY_VERIFY_WITH_TIMEOUT(document().waypoints().size() >= 2, 60'000);
         const double tolerance = paths().recorder().tolerance().tcp;
         const auto again = kept();
         for (const project::KeptPlace& place : path) {
@@ -239,7 +259,7 @@ private Q_SLOTS:
         file.close();
         paths().importFrom(path);
         waitForThinning();
-        QTRY_VERIFY(notice().isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(notice().isVisible(), 60'000);
         QVERIFY2(notice().text().contains(said), qPrintable(notice().text()));
         QCOMPARE(document().waypoints().size(), 0);
     }
@@ -255,7 +275,7 @@ private Q_SLOTS:
         QVERIFY2(notice().title().contains("not exported"), qPrintable(notice().title()));
     }
 
-    // Back reverses the motion of "Run route", including the blended path, to its start.
+    // Back reverses the motion of "Run route", including the blended path, to the start of the motion.
     void backGoesOverTaughtMoves() {
         std::vector<project::Waypoint> points;
         const SessionState& state = window().session().state();

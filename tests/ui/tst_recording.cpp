@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The content of recordings is selected on the settings page and next to the Record button, and applies to the next
-// file.
+// The content of recordings is selected on the settings page or next to the Record button, and applies to the
+// next file.
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -11,6 +12,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
@@ -66,7 +68,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         const QString folder = bench.folder.filePath("measured");
 
-        // Opens the page from the menu of the Record button.
+        // Open the page from the menu of the Record button.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
         Q_EMIT menu->aboutToShow();
         menu->findChild<QAction*>("plots.record.signals", Qt::FindDirectChildrenOnly)->trigger();
@@ -122,7 +124,7 @@ private Q_SLOTS:
             QVERIFY(std::abs(times[row] - times[row - 1] - 4 * 0.002) < 1e-6);
         }
 
-        // The menu itself: another selection; the previous file is unchanged.
+        // Select another content in the menu. The previous file is not changed.
         Q_EMIT menu->aboutToShow();
         for (QAction* action : menu->actions()) {
             if (action->data().toInt() == 10) {
@@ -135,12 +137,49 @@ private Q_SLOTS:
         QVERIFY(std::abs(second->values[0][1] - second->values[0][0] - 10 * 0.002) < 1e-6);
         QVERIFY(QFile::exists(QDir(folder).filePath("run 001.csv")));
 
-        // Saved.
+        // The selection is saved.
         const RecordingChoice kept = app::Settings(bench.file).preferences().recording;
         QCOMPARE(kept.every, 10);
         QCOMPARE(kept.pattern, QString("run {number}"));
         QCOMPARE(kept.fields.size(), 2);
         QCOMPARE(QDir(kept.folder), QDir(folder));
+    }
+
+    void closingTheWindowAsksAboutARunningRecording() {
+        WindowBench bench;
+        bench.show(QSize(1280, 720));
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        const QString path = bench.folder.filePath("running.csv");
+        bench.window.session().recording().start(path);
+        const auto active = [&] {
+            bench.cell.advanceMs(20);
+            return bench.window.session().state().recording.active;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(active(), 20'000);
+        bench.cell.advanceMs(200);
+
+        QVERIFY2(!bench.window.close(), "the recording ended without a question");
+        auto* question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+        QVERIFY(question != nullptr && question->isVisible());
+        QVERIFY2(!question->isModal() && QApplication::activeModalWidget() == nullptr,
+                 "STOP cannot be clicked");
+        QCOMPARE(question->defaultButton()->objectName(), QString("recordingQuestion.keep"));
+        QVERIFY(active());
+        QVERIFY(!bench.window.close());
+        QCOMPARE(bench.window.findChildren<QMessageBox*>("recordingQuestion").size(), 1);
+        QTest::keyClick(question, Qt::Key_Escape);
+        QTRY_VERIFY(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr);
+        QVERIFY(bench.window.isVisible() && active());
+
+        QVERIFY(!bench.window.close());
+        question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+        QTest::mouseClick(question->findChild<QPushButton*>("recordingQuestion.end"), Qt::LeftButton);
+        QTRY_VERIFY(!bench.window.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!active(), 20'000);
+        const auto table = recording::readCsv(path);
+        QVERIFY2(table.ok(), qPrintable(table.error().toString()));
+        QVERIFY(table->rows() > 50);
+        QVERIFY(!table->truncated);
     }
 
     void anMcapFileHoldsEverythingAndTheProject() {
@@ -174,7 +213,7 @@ private Q_SLOTS:
         QVERIFY(until(active));
         Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("seen"), Origin::Operator);
         QVERIFY(until([&] { return bench.window.session().state().recording.rows > 200; }));
-        // Size, rate and free space.
+        // The menu shows size, rate and free space.
         QMenu* menu = bench.find<QToolButton>("plots.recordMenu").menu();
         Q_EMIT menu->aboutToShow();
         const QString progress =

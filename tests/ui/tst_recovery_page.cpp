@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Recovery from every type of stop through the window, with the simulated robot: one step at a time, and never
-// automatically.
+// Recovery from every type of stop through the window, with the simulated robot: one step at a time, and
+// never automatically.
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -15,6 +15,7 @@
 
 #include "app/action_table.h"
 #include "resources/resources.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -33,18 +34,10 @@ struct Bench : WindowBench {
         show(QSize(1280, 720));
         return cell.bringUp();
     }
-    /// The dashboard thread answers in real time, the robot in virtual time: both advance until the condition is
-    /// true.
-    bool until(const std::function<bool()>& condition) {
-        QElapsedTimer patience;
-        patience.start();
-        while (!condition() && patience.elapsed() < 30'000) {
-            cell.advanceMs(16);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
-    /// The robot sends nothing for this time, and continues to send nothing.
+    /// Advances real time and robot time until the condition is true. The dashboard thread responds in real
+    /// time, and the robot runs in virtual time.
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell, condition, 16); }
+    /// Stops all data from the robot and advances the time. The data remain stopped afterwards.
     void silence(int ms) {
         cell.robot.silence(true);
         for (int t = 0; t < ms; t += 2) {
@@ -99,8 +92,7 @@ struct Bench : WindowBench {
         QTest::mouseClick(step, Qt::LeftButton);
         return true;
     }
-    /// Holds a button of the pad for a while and releases it.
-    /// Returns the distance of the TCP [mm].
+    /// Holds a button of the pad for some time and releases it. Returns the distance moved by the TCP [mm].
     double jog() {
         auto* key = window.findChild<HoldToRunButton*>("jog.Z+");
         until([&] { return key->isEnabled(); });
@@ -121,12 +113,12 @@ struct Bench : WindowBench {
     }
 };
 
-/// PolyScope X has no dashboard: the window detects its Robot API.
+/// PolyScope X has no dashboard. The window must detect its Robot API.
 simulator::SimulatorOptions polyScopeX(const SoftwareVersion& software = {10, 12, 0, 0}) {
     simulator::SimulatorOptions options = VirtualCell::options();
     options.software = software;
     options.poweredOn = false;
-    options.portOffset = 20'000;  // port 80 needs privileges
+    options.portOffset = 20'000;  // port 80 would need privileges
     return options;
 }
 
@@ -159,7 +151,7 @@ private Q_SLOTS:
         }
         bench.keepPicture("protective");
 
-        // Confirmed immediately: the five seconds are not over.
+        // All checks are confirmed immediately, before the five seconds have elapsed.
         bench.tickAll();
         QVERIFY(!bench.key()->isEnabled());
         QVERIFY(bench.key()->text().contains("5 s") || bench.key()->text().contains("4 s"));
@@ -186,7 +178,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(500);
         QVERIFY2(distanceMm(at, bench.cell.truth().tcpPose) < 0.05, "nothing moves by itself");
         QVERIFY(bench.takes(RecoveryStep::Done));
-        QTRY_VERIFY(bench.page() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.page() == nullptr, 60'000);
     }
 
     void releasedEmergencyStopCanBeRecovered() {
@@ -253,7 +245,7 @@ private Q_SLOTS:
         bench.cell.robot.protectiveStop();
         QVERIFY(bench.openPage());
         QCOMPARE(bench.page()->guide().step, RecoveryStep::Unlock);
-        // Nothing unlocks automatically, however long it takes.
+        // Nothing unlocks automatically, regardless of the time.
         bench.cell.advanceMs(7000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
         QVERIFY(!bench.key()->isEnabled());
@@ -348,7 +340,7 @@ private Q_SLOTS:
         const QPointer<QCheckBox> first = bench.page()->findChild<QCheckBox*>("recoveryCheck0");
         const QRect tick = first->geometry();
 
-        // If the interruption is shorter than a second, the page waits unchanged.
+        // During an interruption shorter than a second, the page does not change.
         bench.silence(600);
         QCOMPARE(bench.state().link, LinkState::Stale);
         QVERIFY(first && first->isVisible() && first->isChecked());
@@ -360,7 +352,7 @@ private Q_SLOTS:
         QVERIFY(first && first->isChecked());
         QVERIFY(bench.until([&] { return bench.key()->isEnabled(); }));
 
-        // No data, and a new connection.
+        // Data are missing for longer, and the connection is restored.
         bench.silence(3000);
         QCOMPARE(bench.state().link, LinkState::Lost);
         QVERIFY(first && first->isVisible() && first->isChecked());
@@ -371,7 +363,7 @@ private Q_SLOTS:
         QVERIFY(first && first->isChecked());
         QVERIFY(bench.until([&] { return bench.key()->isEnabled(); }));
 
-        // The same stop, possibly for another reason: it has to be confirmed again.
+        // The same kind of stop may have another cause, so it must be confirmed again.
         QTest::mouseClick(bench.key(), Qt::LeftButton);
         QVERIFY(bench.until([&] { return bench.safety() == SafetyMode::Normal; }));
         bench.cell.advanceMs(100);
@@ -382,17 +374,18 @@ private Q_SLOTS:
         }
     }
 
-    /// Calls all functions of the program in a protective stop older than five seconds: the stop remains.
+    /// Calls all other functions of the application during a protective stop older than five seconds. The
+    /// stop must remain.
     void noOtherActionUnlocks() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.protectiveStop();
         bench.cell.advanceMs(6000);
         QCOMPARE(bench.safety(), SafetyMode::ProtectiveStop);
-        // Closes every dialog that opens, without using its buttons.
+        // Closes every dialog that opens, without using the buttons of the dialog.
         QTimer closer;
         connect(&closer, &QTimer::timeout, &bench.window, [&bench] {
-            // Closing a dialog may close others.
+            // Closing one dialog may close others.
             const QWidgetList all = QApplication::topLevelWidgets();
             for (const QPointer<QWidget>& top : QList<QPointer<QWidget>>(all.begin(), all.end())) {
                 if (top != nullptr && top != &bench.window && top->isVisible()) {
@@ -420,7 +413,7 @@ private Q_SLOTS:
             }
         }
         QVERIFY(clicked > 10);
-        // The open page alone does nothing at any time; nor does its Return key.
+        // The open page must not unlock by itself, and neither must its Return key.
         closer.stop();
         QVERIFY(bench.openPage());
         bench.tickAll();
@@ -441,7 +434,7 @@ private Q_SLOTS:
     }
 
     void onlyTheRecoveryPageCanConfirm() {
-        // Enforced by the type at compile time; this check also covers the text protocol.
+        // The type enforces this at compile time. This check also covers the text protocol.
         const QMap<QString, QStringList> allowed = {
             {"UnlockConsent()", {"robot/station/link/robot_command.h", "widgets/status/recovery_page.cpp"}},
             {"unlockProtectiveStop(",

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A problem report contains what is shown on the page and nothing else, no names and addresses unless selected, and
-// a crash report. The crash is a real one, of this program started again.
+// A problem report contains exactly what the page shows, no names and addresses unless the user selects them,
+// and a crash report. The crash is a real crash of this test program, which is started again as a child
+// process.
 
 #include <QApplication>
 #include <QCheckBox>
@@ -33,7 +34,7 @@ namespace {
 constexpr char kCrash[] = "--crash";
 constexpr char kLastLine[] = "Connected to Lab UR5e at 10.0.0.7";
 
-/// Ends as a program with an invalid pointer.
+/// Crashes like a program with an invalid pointer.
 int crash(const QString& path, int signal) {
     app::keepCrashReports(path);
     app::rememberForCrash(QStringLiteral("the first line\nof two"));
@@ -46,7 +47,7 @@ int crash(const QString& path, int signal) {
     return 0;
 }
 
-/// The file left by a process that was ended by this signal.
+/// Returns the file written by a process that was ended by this signal.
 QByteArray crashed(const QString& path, int signal) {
     QProcess process;
     process.start(QCoreApplication::applicationFilePath(), {kCrash, path, QString::number(signal)});
@@ -57,7 +58,7 @@ QByteArray crashed(const QString& path, int signal) {
     return app::readCrashReport(path);
 }
 
-/// The files of a zip by name, as read by another program.
+/// Returns the files of a zip archive by name, read by another program.
 QMap<QString, QByteArray> unzipped(const QString& path) {
     const QByteArray code =
         "import json, sys, zipfile\n"
@@ -103,11 +104,11 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QByteArray report = crashed(folder.filePath("new folder/crash.txt"), signal);
         QVERIFY2(report.contains("was terminated by " + name), report);
-        // The call stack includes the handler's functions, and this program's.
+        // The call stack includes functions of the handler and of this test program.
         QVERIFY2(report.count("[0x") >= 3 && report.contains("tst_reports"), report);
         QVERIFY2(report.endsWith(QByteArray(kLastLine) + '\n'), report);
         QVERIFY(report.contains("line 99\n"));
-        QVERIFY(!report.contains("line 0\n"));  // only the last ones
+        QVERIFY(!report.contains("line 0\n"));  // only the last lines are kept
     }
 
     void externalSignalLeavesNoFiles() {
@@ -185,13 +186,13 @@ private Q_SLOTS:
         auto* notice = bench.window.waypoints().findChild<NoticeBar*>();
         QVERIFY(notice != nullptr && notice->isVisibleTo(&bench.window));
         QVERIFY(notice->title().contains("unexpectedly"));
-        QVERIFY(!QFile::exists(path));  // the file can be replaced by another report
+        QVERIFY(!QFile::exists(path));  // the path must be free for another report
         app::ReportDialog& dialog = bench.openReport();
         const QString zip = bench.folder.filePath("report.zip");
         dialog.saveTo(zip);
         QVERIFY(unzipped(zip)["crash.txt"].contains("SIGSEGV"));
         QVERIFY(!unzipped(zip)["crash.txt"].contains("10.0.0.7"));
-        // The crash was reported, so the next start does not offer it again.
+        // The crash has been reported, so the next start must not offer it again.
         QCOMPARE(QDir(bench.folder.path()).entryList({"crash*"}).size(), 0);
         notice->dismiss();
         bench.window.offerCrashReport(path);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The 3D view in the real window: relevant objects are visible, the standard directions are commands with
-// shortcuts, and the jog frame "View" follows.
+// shortcuts, and the jog frame "View" follows the view.
 
 #include <QLabel>
 #include <QLineEdit>
@@ -70,8 +70,8 @@ private Q_SLOTS:
     }
     void cleanup() { bench_.reset(); }
 
-    // Each arm deviates from its model by some tenths of a millimetre, and reports it with frames far from its
-    // links.
+    // Each arm deviates from its model by some tenths of a millimetre. It reports the deviation by frames
+    // that are far from its links.
     void armIsDrawnAndCalculatedWithItsCalibration() {
         simulator::SimulatorOptions robot = VirtualCell::options();
         robot.calibration = 2;
@@ -89,24 +89,24 @@ private Q_SLOTS:
         };
         QVERIFY2(off(nominal) > 0.5, qPrintable(QString::number(off(nominal))));
         QVERIFY2(off(state.dh) < 1e-6, qPrintable(QString::number(off(state.dh))));
-        // The image shows an arm, not scattered links.
+        // The image must show an arm instead of scattered links.
         QVERIFY(isInThePicture(state.q));
         keepPicture(view(), QStringLiteral("scene-calibrated"));
     }
 
-    // An upright arm was cut off at the top.
+    // Regression test: an upright arm was cut off at the top.
     void theGhostOfHomeIsInThePicture() {
         view().grab();
         const double alone = view().camera().distance();
         auto& home = bench_->find<HoldToRunButton>("homeKey");
         pointTo(home, true);
-        QTRY_VERIFY(view().ghost().has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(view().ghost().has_value(), 60'000);
         view().grab();
         keepPicture(window(), QStringLiteral("scene-ghost"));
         QVERIFY(isInThePicture(view().ghost()->q));
         QVERIFY(isInThePicture(window().session().state().q));
         pointTo(home, false);
-        QTRY_VERIFY(!view().ghost().has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(!view().ghost().has_value(), 60'000);
         view().grab();
         QVERIFY(std::abs(view().camera().distance() - alone) < 1e-6);
     }
@@ -144,9 +144,9 @@ private Q_SLOTS:
     }
 
     void thePaletteFindsThem() {
-        bench_->cell.advanceMs(1500);  // Space only stops for a second after a motion
+        bench_->cell.advanceMs(1500);  // for a second after a motion, Space only stops
         QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(window().findChild<app::CommandPalette*>() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(window().findChild<app::CommandPalette*>() != nullptr, 60'000);
         auto* words = window().findChild<app::CommandPalette*>()->findChild<QLineEdit*>("paletteWords");
         QTest::keyClicks(words, "look from above");
         const auto& listed = window().findChild<app::CommandPalette*>()->listed();
@@ -154,7 +154,8 @@ private Q_SLOTS:
             !listed.isEmpty() && listed.first()->objectName() == "view.look.top",
             qPrintable(words->text() + ": " + (listed.isEmpty() ? QString() : listed.first()->objectName())));
         QTest::keyClick(words, Qt::Key_Return);
-        QTRY_VERIFY((view().viewRotation().col(2) - Eigen::Vector3d::UnitZ()).norm() < 1e-9);
+        QTRY_VERIFY_WITH_TIMEOUT((view().viewRotation().col(2) - Eigen::Vector3d::UnitZ()).norm() < 1e-9,
+                                 60'000);
     }
 
     void fitShowsThePannedView() {
@@ -171,7 +172,8 @@ private Q_SLOTS:
         QVERIFY(isInThePicture(window().session().state().q));
     }
 
-    // An obstacle on the path is reported next to the button, marked on the path, and disappears with its cause.
+    // An obstacle on the path is reported next to the button and marked on the path. Both disappear with the
+    // obstacle.
     void obstacleIsReportedNextToTheKey() {
         const JointPositions here = window().session().state().q;
         window().waypoints().teach();
@@ -182,7 +184,7 @@ private Q_SLOTS:
         far.joints[0] += 1.2;
         window().document().insertWaypoints(1, {far}, "far");
         window().waypoints().selectWaypoint(far.id);
-        QTRY_VERIFY(view().moveReport().has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(view().moveReport().has_value(), 60'000);
         QVERIFY2(view().moveLimitText().isEmpty(), qPrintable(view().moveLimitText()));
 
         JointPositions half = here;
@@ -211,12 +213,13 @@ private Q_SLOTS:
         QVERIFY(view().moveLimitText().isEmpty());
     }
 
-    // The path of "Back" is drawn as a line from the arm to the start, and disappears with it.
+    // The path of "Back" is drawn as a line from the arm to the start of the path, and disappears after
+    // "Back".
     void theWayBackIsDrawn() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         QVERIFY(view().paths().empty());
         const Eigen::Vector3d from = bench_->cell.truth().tcpPose.position;
-        // Along X: the line is not on any axis of the TCP.
+        // Move along X, so that the line is not on any axis of the TCP.
         auto& key = bench_->find<HoldToRunButton>("jog.X+");
         press(key);
         bench_->cell.advanceMs(1500);
@@ -269,7 +272,7 @@ private Q_SLOTS:
         }
         QVERIFY2(names.contains("Before: waypoint 1") && names.contains("After: waypoint 1"),
                  qPrintable(names.join(", ")));
-        // The arm moves on: the displayed position is used.
+        // The arm moves further, but the displayed position must be used.
         press(key);
         bench_->cell.advanceMs(1500);
         release(key);
@@ -294,7 +297,8 @@ private Q_SLOTS:
         QCOMPARE(window().document().waypoints().at(0), taught);
     }
 
-    // The cell of the project is also in the simulated world; a jog ends before it.
+    // The cell of the project is also part of the simulated environment. A jog ends before it reaches the
+    // cell.
     void aBoxOfTheCellIsInTheSimulatedWorld() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         window().practiseOn(&bench_->cell.robot);
@@ -319,7 +323,7 @@ private Q_SLOTS:
         QCOMPARE(bench_->cell.truth().safetyMode, SafetyMode::Normal);
         QVERIFY(bench_->cell.truth().tcpPose.position.z() < tcp.z() + 0.03);
 
-        // Removed from the project, it is removed from the simulator.
+        // An object that is removed from the project is also removed from the simulator.
         window().document().undoStack().undo();
         bool empty = false;
         bench_->cell.robot.changeWorld([&empty, tcp](simulator::arm::Environment& world) {
@@ -330,7 +334,7 @@ private Q_SLOTS:
         window().practiseOn(nullptr);
     }
 
-    // Taught at one position: each name is legible or counted.
+    // The waypoints are taught at one position. Each name must be legible or counted.
     void namesOfWaypointsDoNotPileUp() {
         for (int i = 0; i < 14; ++i) {
             window().waypoints().teach();

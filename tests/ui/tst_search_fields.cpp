@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All search fields: their results, and the message without a result, with typed text.
+// Tests all search fields with typed text: their results, and the message if there is no result.
 
 #include <QAction>
 #include <QLineEdit>
@@ -44,7 +44,7 @@ private Q_SLOTS:
         bench.window.actions().find(QLatin1String(command))->trigger();
         auto& search = bench.find<QLineEdit>(field);
         auto& nothing = bench.find<EmptyState>(list + ".nothingFound");
-        QTRY_VERIFY(search.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(search.isVisible(), 60'000);
         QVERIFY(!nothing.isVisible());
         QTest::keyClicks(&search, known);
         QVERIFY(!nothing.isVisible());
@@ -53,7 +53,7 @@ private Q_SLOTS:
         QVERIFY(nothing.isVisible());
         QVERIFY2(nothing.text().contains(QStringLiteral("qqxyz")), qPrintable(nothing.text()));
         QVERIFY(nothing.height() >= nothing.heightForWidth(nothing.width()));
-        // An accidental Return does not run anything.
+        // An accidental Return must not run anything.
         QTest::keyClick(&search, Qt::Key_Down);
         QTest::keyClick(&search, Qt::Key_Return);
         QVERIFY(search.isVisible() && nothing.isVisible());

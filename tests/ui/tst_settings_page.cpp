@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Settings take effect immediately and are restored at the next start. A settings file cannot make them
-// dangerous: the speed limit can only be raised by the user, and the header then shows it.
+// dangerous: only the user can raise the speed limit, and the header then shows it.
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -47,7 +47,7 @@ struct Bench : WindowBench {
     }
 };
 
-/// Selects a value by keyboard: focus, then an arrow key.
+/// Selects a value by keyboard: sets the focus, then presses an arrow key.
 void choose(QWidget& page, const QString& name, Qt::Key arrow) {
     auto* box = page.findChild<QComboBox*>(name);
     QVERIFY(box != nullptr);
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QCOMPARE(format::rotation({0, 3.14159265, 0})[1], QStringLiteral("3.1416"));
         QCOMPARE(bench.window.findChild<QTableView*>("log.table")->verticalHeader()->defaultSectionSize(),
                  44);
-        QTRY_VERIFY(close->height() >= 48);
+        QTRY_VERIFY_WITH_TIMEOUT(close->height() >= 48, 60'000);
 
         const app::Settings again(bench.file);
         QCOMPARE(again.theme(), QStringLiteral("dark"));
@@ -111,7 +111,8 @@ private Q_SLOTS:
         cap->setFocus();
         cap->selectAll();
         QTest::keyClicks(cap, "500");
-        QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);  // not before editing is finished
+        // No change before editing is finished.
+        QCOMPARE(page->preferences().speedCap, Preferences::kOrdinaryCap);
         QTest::keyClick(cap, Qt::Key_Return);
         QCOMPARE(page->preferences().speedCap, 0.5);
         QVERIFY(page->findChild<QLabel*>("settings.speedCapNote")->text().contains("enabling device"));
@@ -137,7 +138,7 @@ private Q_SLOTS:
         QVERIFY2(tcpSpeed(bench.cell) > 0.09, qPrintable(QString::number(tcpSpeed(bench.cell))));
         Preferences lower;
         lower.speedCap = 0.020;
-        // Applied as by the page; opening the page itself would stop the arm.
+        // Applied in the same way as by the page. Opening the page would stop the arm.
         bench.window.applyPreferences(lower);
         bench.cell.advanceMs(200);
         QVERIFY2(standsStill(bench.cell), "the key is still held");
@@ -172,7 +173,7 @@ private Q_SLOTS:
         QVERIFY(bench.window.findChild<QWidget*>("lastStopChip")->toolTip().contains("Key-state check"));
         auto* key = bench.window.findChild<HoldToRunButton*>("jog.Z+");
         bench.window.jogColumn().selectors().setSpeedClass(1);
-        // The last events of the closed page are processed before the key is pressed.
+        // Process the last events of the closed page before the key is pressed.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QTest::qWait(50);
         bench.window.activateWindow();
@@ -269,14 +270,15 @@ private Q_SLOTS:
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Space)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::Key_Escape)));
         QVERIFY(!page->setShortcut("app.palette", QKeySequence(Qt::CTRL | Qt::Key_Space)));
-        // Enters the shortcut by keyboard, in the field of the command.
+        // Enter the shortcut by keyboard in the field of the command.
         auto* field = page->findChild<QWidget*>("settings.key.app.palette");
         QVERIFY(field != nullptr);
         field->setFocus();
         QTest::keyClick(field, Qt::Key_P, Qt::ControlModifier);
-        QTRY_COMPARE(page->preferences().shortcuts.value("app.palette"), QKeySequence(Qt::CTRL | Qt::Key_P));
+        QTRY_COMPARE_WITH_TIMEOUT(page->preferences().shortcuts.value("app.palette"),
+                                  QKeySequence(Qt::CTRL | Qt::Key_P), 60'000);
         page->close();
-        QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::SettingsPage*>() == nullptr, 60'000);
         bench.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&bench.window));
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
@@ -319,12 +321,12 @@ private Q_SLOTS:
         QTest::mouseClick(page->findChild<QPushButton*>("settings.trainer"), Qt::LeftButton);
         auto* trainer = page->findChild<DeviceTrainer*>();
         QVERIFY(trainer != nullptr && trainer->isVisible());
-        // Settings made there are shown here, and are also saved.
+        // Settings made in the test page are shown here and also saved.
         trainer->findChild<QCheckBox*>("device.dominant")->click();
         QVERIFY(!dominant->isChecked());
         QVERIFY(!app::Settings(bench.file).preferences().devices.value(kGamepadKind).dominantAxis);
         page->close();
-        QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::SettingsPage*>() == nullptr, 60'000);
 
         VirtualClock clock;
         app::MainWindow next(app::Settings(bench.file), clock);
@@ -342,7 +344,7 @@ private Q_SLOTS:
             QVERIFY2(field != nullptr, id);
             field->setDoubleValue(value);
             QTest::keyClick(field, Qt::Key_Return);
-            QTRY_VERIFY(bench.window.findChild<QInputDialog*>("jogNumber") == nullptr);
+            QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QInputDialog*>("jogNumber") == nullptr, 60'000);
         };
         const JogSelection& selection = bench.window.jogColumn().selection();
         enter("jog.speed.other", 33);
@@ -362,7 +364,8 @@ private Q_SLOTS:
         key->setFocus();
         QVERIFY(page->isVisible() && key->isVisible());
         const QKeySequence before = bench->window.actions().find("app.help")->shortcut();
-        // The field loses the focus while the window is destroyed: this must not count as an edit or crash.
+        // The field loses the focus while the window is destroyed. This must not count as an edit, and must
+        // not crash.
         bench->window.close();
         QVERIFY(!bench->window.isVisible());
         QCOMPARE(bench->window.actions().find("app.help")->shortcut(), before);

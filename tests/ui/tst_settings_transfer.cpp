@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Transfer of all settings in one file: the user sees in advance what is replaced, it takes effect
-// immediately, and a damaged file or one of a newer format changes nothing.
+// Transfer of all settings in one file. The user sees in advance what will be replaced, and the settings take
+// effect immediately. A damaged file, or a file with a newer format, changes nothing.
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -79,7 +79,8 @@ struct FileAnswer {
             if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
                 timer.stop();
                 asked = true;
-                // Enters the path as if typed: a selection is ignored while the field has the focus.
+                // Enter the path as if it were typed, because a selection is ignored while the field has the
+                // focus.
                 dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
                 static_cast<QDialog*>(dialog)->accept();
             }
@@ -143,12 +144,13 @@ private Q_SLOTS:
         QVERIFY(robots != nullptr && robots->isChecked());
         QVERIFY2(robots->text().contains("2 here") && robots->text().contains("1 in the file"),
                  qPrintable(robots->text()));
-        QTRY_VERIFY2(clipped(*dialog).isEmpty(), qPrintable(clipped(*dialog).join('\n')));
+        const QStringList found = stillClipped(*dialog);
+        QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
         QVERIFY2(!Theme::current().isDark(), "not before the key is pressed");
 
         QSignalSpy said(&bench.window.session(), &RobotSession::message);
         QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
-        QTRY_VERIFY(bench.window.findChild<app::SettingsPage*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::SettingsPage*>() == nullptr, 60'000);
         QVERIFY(Theme::current().isDark());
         QCOMPARE(currentDensity(), Density::Touch);
         QCOMPARE(bench.find<IoChannel>("io.DO0").name(), QString("gripper, left"));
@@ -163,7 +165,7 @@ private Q_SLOTS:
         });
         QVERIFY2(told, "where the copy is");
 
-        // The same at the next start, and the backup restores the previous state.
+        // The settings are the same at the next start, and the backup restores the previous state.
         VirtualClock clock;
         const app::MainWindow next(app::Settings(bench.file), clock);
         QCOMPARE(currentDensity(), Density::Touch);
@@ -184,10 +186,10 @@ private Q_SLOTS:
         app::ImportDialog* dialog = bench.ask(path);
         QVERIFY(dialog != nullptr);
         QTest::mouseClick(dialog->findChild<QPushButton*>("importSettings.replace"), Qt::LeftButton);
-        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::ImportDialog*>() == nullptr, 60'000);
         QCOMPARE(app::Settings(bench.file).learned().firstSteps, QStringList({"powerOn", "teach"}));
         QCOMPARE(app::Settings(bench.file).learned().practice, QStringList("recover"));
-        // The next saved value keeps the others.
+        // The next saved value must not remove the other values.
         bench.window.actions().find("app.firstSteps")->trigger();
         bench.find<QAbstractButton>("firstSteps.dismiss").click();
         const app::TutorialProgress learned = app::Settings(bench.file).learned();
@@ -269,7 +271,7 @@ private Q_SLOTS:
         app::ImportDialog* dialog = bench.ask(fileOfACell(bench.folder));
         QVERIFY(dialog != nullptr);
         QTest::keyClick(dialog, Qt::Key_Escape);
-        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::ImportDialog*>() == nullptr, 60'000);
         QVERIFY(!Theme::current().isDark());
         QVERIFY(app::Settings(bench.file).theme().isEmpty());
         QVERIFY(QDir(bench.folder.path()).entryList({"settings-before-import_*"}).isEmpty());
@@ -301,9 +303,10 @@ private Q_SLOTS:
         QVERIFY2(said.contains(words), qPrintable(said));
         QVERIFY2(!said.contains("robot", Qt::CaseInsensitive), qPrintable(said));
         QVERIFY(!dialog->findChild<QPushButton*>("importSettings.replace")->isVisible());
-        QTRY_VERIFY2(clipped(*dialog).isEmpty(), qPrintable(clipped(*dialog).join('\n')));
+        const QStringList found = stillClipped(*dialog);
+        QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
         QTest::keyClick(dialog, Qt::Key_Return);
-        QTRY_VERIFY(bench.window.findChild<app::ImportDialog*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::ImportDialog*>() == nullptr, 60'000);
         QVERIFY(settings.open(QIODevice::ReadOnly));
         QCOMPARE(settings.readAll(), before);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The languages of the window: all texts are translated with the same placeholders; the decimal separator is that
-// of the language for display and input, and never in a file; another language is selected in the settings and used
-// when the window is opened again.
+// The languages of the window. All texts are translated with the same placeholders. Display and input use the
+// decimal separator of the language, and files never do. Another language is selected in the settings and
+// used when the window is opened again.
 
 #include <QComboBox>
 #include <QFile>
@@ -36,7 +36,7 @@ const QString kFolder = QStringLiteral(TILLER_SOURCE_DIR "/translations/");
 struct Text {
     bool finished = false;
     bool plural = false;
-    QStringList translations;  ///< one, or one per plural form
+    QStringList translations;  ///< one translation, or one per plural form
 };
 
 /// Texts by context and source text.
@@ -96,7 +96,7 @@ Texts readTexts(const QString& path) {
     return texts;
 }
 
-/// The parts that a translation has to keep: placeholders, tags, and "…" of a command with a dialog.
+/// The parts that a translation must contain: placeholders, tags, and "…" of a command with a dialog.
 QStringList fixedParts(const QString& text) {
     static const QRegularExpression kParts(QStringLiteral("%L?[0-9n]|</?[a-z][^>]*>"));
     QStringList parts;
@@ -138,7 +138,7 @@ private Q_SLOTS:
     }
 
     void everyTextOfTheSourcesIsInEveryLanguage() {
-        // Read again, as by a translator.
+        // Extract the texts from the sources again, as a translator would.
         QTemporaryDir folder;
         const QString fresh = folder.filePath("fresh_en.ts");
         QProcess reads;
@@ -169,7 +169,7 @@ private Q_SLOTS:
             const QString source =
                 it.key().section(QLatin1String(": "), 1).section(QLatin1String(" // "), 0, 0);
             if (code == QLatin1String("en") && !it->plural) {
-                continue;  // English is in the sources
+                continue;  // the sources contain the English texts
             }
             for (const QString& text : it->translations) {
                 if (text.trimmed().isEmpty() || !it->finished) {
@@ -291,7 +291,8 @@ private Q_SLOTS:
         bench.window.session().recording().start(path, {"timestamp", "actual_q"});
         bench.cell.advanceMs(100);
         bench.window.session().recording().stop();
-        QTRY_VERIFY(!bench.window.session().state().recording.active || (bench.cell.advanceMs(10), false));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !bench.window.session().state().recording.active || (bench.cell.advanceMs(10), false), 60'000);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QList<QByteArray> rows = file.readAll().split('\n');
@@ -301,7 +302,7 @@ private Q_SLOTS:
         QVERIFY2(rows[1].contains('.'), rows[1].constData());
         for (const QByteArray& figure : figures) {
             bool isNumber = false;
-            figure.toDouble(&isNumber);  // only knows the decimal point
+            figure.toDouble(&isNumber);  // accepts only the decimal point
             QVERIFY2(isNumber, rows[1].constData());
         }
     }

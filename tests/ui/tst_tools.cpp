@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// TCP and payload in the real window with the simulated controller: set and read, questions about differences, and
-// a payload measured in poses that are approached while a button is held. And Home.
+// TCP and payload in the real window with the simulated controller: setting and reading, questions about
+// differences, and a payload measured in poses that are approached while a button is held. Also tests Home.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -10,6 +10,7 @@
 
 #include "app/action_table.h"
 #include "resources/resources.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/pictures.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
@@ -39,14 +40,8 @@ private:
         QTest::mouseClick(&find<QAbstractButton>(name), Qt::LeftButton);
         cell().advanceMs(40);
     }
-    /// Real time also passes: settings on the robot are made by a worker.
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 2000 && !condition(); ++i) {
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    /// Real time also passes, because a worker sends the settings to the robot.
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     NoticeBar& notice(const char* page) { return *find<QWidget>(page).findChild<NoticeBar*>("notice"); }
     void keepPictures(const QString& name) {
         if (qEnvironmentVariableIsEmpty("TILLER_SCREENSHOTS")) {
@@ -93,7 +88,7 @@ private Q_SLOTS:
         QVERIFY(!notice("tcp.page").isVisible());
         keepPictures("tools-tcp");
 
-        // Another client sets a different TCP: the user is asked, and nothing is changed automatically.
+        // Another client sets a different TCP. The user is asked, and nothing is changed automatically.
         window().session().tooling().setTcp(Pose(0, 0, 0.1, 0, 0, 0), "other");
         QVERIFY(until([&] { return window().session().state().tcpOffset == Pose(0, 0, 0.1, 0, 0, 0); }));
         window().tools().tcps().setState(window().session().state());
@@ -106,7 +101,7 @@ private Q_SLOTS:
     }
 
     void payloadIsWeighedWithinFiftyGramsAndFiveMillimetres() {
-        // A load of 2.0 kg that is unknown to the controller; its sensor has noise and an offset.
+        // A load of 2.0 kg that is not configured in the controller. The sensor has noise and an offset.
         QVERIFY(cell().robot.inject("load 2.0 0.02 -0.03 0.09").ok());
         window().tools().showPage(ToolsTab::Payloads);
         cell().advanceMs(400);
@@ -158,7 +153,8 @@ private Q_SLOTS:
     void homeIsWhereItWasSet() {
         window().tools().showPage(ToolsTab::Positions);
         // The page reads the robot's state a few times per second, in real time.
-        QTRY_VERIFY((click("position.setHome"), window().document().positions().homePosition() != nullptr));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (click("position.setHome"), window().document().positions().homePosition() != nullptr), 60'000);
         const JointPositions home = window().document().positions().homePosition()->joints;
         keepPictures("tools-positions");
         auto& away = find<HoldToRunButton>("jog.Z+");
@@ -173,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(cell().advanceUntil(
             [&] { return (cell().truth().q.values - home.values).cwiseAbs().maxCoeff() < 1e-3; }, 30'000));
         release(key);
-        // After undo, the Home button has its previous target.
+        // After undo, the Home button has its previous target again.
         window().document().undoStack().undo();
         QVERIFY(window().document().positions().homePosition() == nullptr);
     }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Undo and redo from a tab that does not show the change: they name the edit, show its tab, and compare TCP and
-// payload with the robot. The real window with a simulated robot in virtual time.
+// Undo and redo from a tab that does not show the change. They show the name of the edit and the tab it
+// belongs to, and compare TCP and payload with the robot. Uses the real window, with a simulated robot in
+// virtual time.
 
 #include <QAction>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTest>
 
+#include "tests/support/go_on_until.h"
 #include "tests/support/window_bench.h"
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/notice_bar.h"
@@ -32,16 +34,7 @@ private:
     UndoableDocument& document() { return window().document(); }
     ToolsTab& tools() { return bench_->find<ToolsTab>("tools"); }
 
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 1500; ++i) {
-            if (condition()) {
-                return true;
-            }
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     QString tab() {
         auto& tabs = bench_->find<QTabBar>("tabs");
         return tabs.tabData(tabs.currentIndex()).toString();
@@ -111,7 +104,7 @@ private Q_SLOTS:
         QVERIFY(notice != nullptr && notice->isVisible());
         QVERIFY2(notice->title().contains("TCP differs"), qPrintable(notice->title()));
 
-        // No question after redo: the value equals the robot's.
+        // After redo, there is no question, because the value equals that of the robot.
         window().showTab("io");
         said_.clear();
         trigger("waypoint.action.redo");
@@ -174,7 +167,7 @@ private Q_SLOTS:
         }
     }
 
-    // The shortcuts work in the tab Tools as well.
+    // The shortcuts also work in the tab Tools.
     void ctrlZWorksInTools() {
         changeTcp(0.15, "Change the TCP “gripper”");
         window().showTab("tools");

@@ -53,7 +53,7 @@ struct Bench : WindowBench {
         box->setFocus(Qt::TabFocusReason);
         QTest::keyClick(box, arrow);
         page->close();
-        QTRY_VERIFY(window.findChild<app::SettingsPage*>() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(window.findChild<app::SettingsPage*>() == nullptr, 60'000);
         window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         cell.advanceMs(100);
@@ -79,7 +79,7 @@ QStringList wordsOf(const QWidget& widget) {
         words << chip->text();
     }
     if (const auto* table = qobject_cast<const QTableView*>(&widget)) {
-        // The log keeps its texts.
+        // Existing log entries do not change.
         const QAbstractItemModel* model = table->objectName() == "log.table" ? nullptr : table->model();
         for (int column = 0; model != nullptr && column < model->columnCount(); ++column) {
             words << model->headerData(column, Qt::Horizontal).toString();
@@ -92,7 +92,7 @@ QStringList wordsOf(const QWidget& widget) {
 }
 
 const QRegularExpression kMillimetres(QStringLiteral(R"(\bmm\b)"));
-/// "in" is a word too: only after a number, or at the end of a column header.
+/// Matches "in" only after a number or at the end of a column header, because "in" is also an English word.
 const QRegularExpression kInches(QStringLiteral(R"(\d\s?in(/s)?(?![a-z/])|^(Blend|Origin|TCP) in$)"));
 
 /// Returns all texts of the window with the unit, except those of the plots.
@@ -100,7 +100,7 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     const auto* plots = root.findChild<PlotDock*>();
     QStringList found;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
-        // Messages with a time keep their texts, as in the log.
+        // Messages with a time do not change, like log entries.
         if (plots != nullptr &&
             (widget == plots || plots->isAncestorOf(widget) || widget->objectName() == "lastMessage")) {
             continue;
@@ -116,7 +116,7 @@ QStringList figuresIn(const QRegularExpression& figure, const QWidget& root) {
     return found;
 }
 
-/// Names of widgets that display a length.
+/// Names of all widgets that display a length.
 constexpr const char* kPlaces[] = {
     "lastStopChip", "jogMotion.1",     "jogMotion.3",         "jogSpeed.0",
     "jogSpeed.4",   "waypoint.table",  "waypoint.details.x",  "waypoint.details.facts",
@@ -164,9 +164,10 @@ private Q_SLOTS:
             window.jogColumn().travel().look();
         }
 
-        // All lengths in millimetres must change to inches after an update of the panels.
-        QTRY_VERIFY2(placesWithout(kMillimetres, window).isEmpty(),
-                     qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"));
+        // After an update of the panels, all lengths in millimetres must have changed to inches.
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            placesWithout(kMillimetres, window).isEmpty(),
+            qPrintable(placesWithout(kMillimetres, window).join(' ') + " shows no length"), 60'000);
         QVERIFY(figuresIn(kInches, window).isEmpty());
 
         bench.choose("settings.lengths", Qt::Key_Down);
@@ -174,13 +175,14 @@ private Q_SLOTS:
         for (int look = 0; look < 24; ++look) {
             window.jogColumn().travel().look();
         }
-        QTRY_VERIFY2(figuresIn(kMillimetres, window).isEmpty(),
-                     qPrintable(figuresIn(kMillimetres, window).join('\n')));
-        QTRY_VERIFY2(placesWithout(kInches, window).isEmpty(),
-                     qPrintable(placesWithout(kInches, window).join(' ') + " has no inches"));
+        QTRY_VERIFY2_WITH_TIMEOUT(figuresIn(kMillimetres, window).isEmpty(),
+                                  qPrintable(figuresIn(kMillimetres, window).join('\n')), 60'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(placesWithout(kInches, window).isEmpty(),
+                                  qPrintable(placesWithout(kInches, window).join(' ') + " has no inches"),
+                                  60'000);
         keepPicture(window, "units-inches");
-        // Painted, not a text: checked by name.
-        QTRY_VERIFY(window.findChild<LimiterLine*>()->quietText().endsWith(" in"));
+        // This value is painted and not a text of the widget, so it is checked by name.
+        QTRY_VERIFY_WITH_TIMEOUT(window.findChild<LimiterLine*>()->quietText().endsWith(" in"), 60'000);
         auto* pose = window.findChild<PoseView*>();
         const double x = window.session().state().tcpPose.position.x();
         QCOMPARE(pose->positionText(0), format::lengthNumber(x, 2, true));
@@ -194,11 +196,12 @@ private Q_SLOTS:
         for (int look = 0; look < 24; ++look) {
             window.jogColumn().travel().look();
         }
-        QTRY_VERIFY2(figuresIn(kInches, window).isEmpty(), qPrintable(figuresIn(kInches, window).join('\n')));
+        QTRY_VERIFY2_WITH_TIMEOUT(figuresIn(kInches, window).isEmpty(),
+                                  qPrintable(figuresIn(kInches, window).join('\n')), 60'000);
         QCOMPARE(window.actions().find("jog.speed.2")->text(), QStringLiteral("Jog speed 50 mm/s"));
     }
 
-    // Labels, tables and fields use the typographic minus; copied numbers use a hyphen.
+    // Labels, tables and fields use the typographic minus sign. Copied numbers use a hyphen.
     void everyMinusIsTheSameSign() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -208,12 +211,13 @@ private Q_SLOTS:
         const QRegularExpression hyphen(QStringLiteral(R"((?<![\w./:-])-\s?\d)"));
         const QRegularExpression minus(QStringLiteral("−\\d"));
         QVERIFY(QStringLiteral("X -12.5").contains(hyphen) && !QStringLiteral("2-100 %").contains(hyphen));
-        // The arm is at negative X and Y, displayed in fields and tables.
+        // The arm is at negative X and Y. Fields and tables display these values.
         for (const char* place : {"\"waypoint.details.x\"", "\"frame.details.x\"", "\"frame.table\""}) {
-            QTRY_VERIFY2(!figuresIn(minus, bench.window).filter(QLatin1String(place)).isEmpty(), place);
+            QTRY_VERIFY2_WITH_TIMEOUT(!figuresIn(minus, bench.window).filter(QLatin1String(place)).isEmpty(),
+                                      place, 60'000);
         }
-        QTRY_VERIFY2(figuresIn(hyphen, bench.window).isEmpty(),
-                     qPrintable(figuresIn(hyphen, bench.window).join('\n')));
+        QTRY_VERIFY2_WITH_TIMEOUT(figuresIn(hyphen, bench.window).isEmpty(),
+                                  qPrintable(figuresIn(hyphen, bench.window).join('\n')), 60'000);
         const auto* pose = bench.window.findChild<PoseView*>();
         QVERIFY2(pose->positionText(0).startsWith(QChar(0x2212)), qPrintable(pose->positionText(0)));
         for (const JogKey* key : bench.window.findChildren<JogKey*>()) {
@@ -235,7 +239,7 @@ private Q_SLOTS:
         QSignalSpy refused(&model, &WaypointModel::editRefused);
         QVERIFY(!model.setData(model.index(0, WaypointModel::Speed), "50", Qt::EditRole));
         QVERIFY2(refused[0][0].toString().contains("39.37 in/s"), qPrintable(refused[0][0].toString()));
-        // Values that were not edited keep their digits: opening and closing the editor is not an edit.
+        // Values that were not edited keep their digits. Opening and closing the editor is not an edit.
         const int steps = bench.window.document().undoStack().count();
         const QString shown = model.index(0, WaypointModel::Speed).data(Qt::EditRole).toString();
         QVERIFY(model.setData(model.index(0, WaypointModel::Speed), shown, Qt::EditRole));

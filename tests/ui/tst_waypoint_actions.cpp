@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Actions at a waypoint, in the real window with the simulated robot: edited by keyboard and undone, shown in the
-// list, and executed by "Run route" only while its button is held.
+// Actions at a waypoint, in the real window with the simulated robot. They are edited by keyboard, undone,
+// shown in the list, and executed by "Run route" only while its button is held.
 
 #include <QComboBox>
 #include <QDialog>
@@ -13,6 +13,7 @@
 #include <QTimer>
 
 #include "robot/kinematics/arm_kinematics.h"
+#include "tests/support/go_on_until.h"
 #include "tests/support/jog_window_test.h"
 #include "widgets/common/decimal_spin_box.h"
 #include "widgets/io/gripper_panel.h"
@@ -93,14 +94,8 @@ private:
         return (cell().truth().q.values - q.values).cwiseAbs().maxCoeff() < 1e-3;
     }
     QString doing() { return through().accessibleDescription(); }
-    /// Real time also passes: outputs are set by a worker.
-    bool until(const std::function<bool()>& condition) {
-        for (int i = 0; i < 4000 && !condition(); ++i) {
-            cell().advanceMs(4);
-            QTest::qWait(1);
-        }
-        return condition();
-    }
+    /// Real time also passes, because a worker sets the outputs.
+    bool until(const std::function<bool()>& condition) { return goOnUntil(cell(), condition); }
     void pass(int ms) {
         for (int t = 0; t < ms; t += 20) {
             cell().advanceMs(20);
@@ -147,7 +142,8 @@ private:
         pass(40);
         return active;
     }
-    /// Two waypoints with some distance; `actions` are executed at the first one.
+    /// Teaches two waypoints with some distance.
+    /// actions  executed at the first waypoint
     void teach(const project::WaypointActions& actions, double blend = 0) {
         const SessionState& state = window().session().state();
         std::vector<project::Waypoint> points;
@@ -297,14 +293,15 @@ private Q_SLOTS:
         QVERIFY(isAt(0));
         QVERIFY(!output(1));
         QVERIFY2(wasSaid("DI 5") && wasSaid("0.6 s") && wasSaid("point 1"), qPrintable(said_.join('\n')));
-        // The next press waits again.
+        // The next press must wait again.
         cell().robot.setDigitalInput(5, true);
         holdToTheEnd(through());
         QVERIFY(output(1));
         QVERIFY(isAt(1));
     }
 
-    // Nothing continues without the button, for any kind of release: neither the wait nor the following actions.
+    // Without the button, nothing continues, for any kind of release: neither the wait nor the following
+    // actions.
     void noActionRunsWithoutTheKey_data() {
         QTest::addColumn<int>("end");
         for (int e = 0; e < static_cast<int>(std::size(kEnds)); ++e) {
@@ -321,13 +318,13 @@ private Q_SLOTS:
             static_cast<End>(end) == End::SilentLink || static_cast<End>(end) == End::ClosedLink;
         const auto passTime = [&](int ms) { linkEnds ? passWithoutLink(ms) : pass(ms); };
         this->end(static_cast<End>(end));
-        // The button stays pressed if something else ended the motion.
+        // The button remains pressed if something else ended the motion.
         passTime(3000);
         QVERIFY(!through().isHolding());
         QVERIFY(!output(1) && !output(2));
         QVERIFY2(!doing().contains("Wait"), qPrintable(doing()));
         QVERIFY(isAt(0));
-        // Nothing continues when the condition becomes true either.
+        // Even when the condition becomes true, nothing continues.
         cell().robot.silence(false);
         cell().robot.setDigitalInput(5, true);
         passTime(1000);
@@ -346,12 +343,12 @@ private Q_SLOTS:
         QVERIFY(!output(1) && !output(2));
     }
 
-    // Released before the worker has received the command: it is not sent any more.
+    // The button is released before the worker has received the command, so the command is not sent.
     void immediateReleaseSetsNoOutputLater() {
         teach({setOutput(1, true)});
         hold(through());
-        // Virtual time only: the command waits for the worker, and is withdrawn before its turn or was executed
-        // before; in both cases nothing is set after the release.
+        // Only virtual time passes. The worker has either executed the command before the release, or the
+        // command is withdrawn. In both cases, nothing is set after the release.
         cell().advanceUntil([&] { return doing().contains("DO 1"); }, 20'000);
         release(through());
         pass(100);
@@ -437,7 +434,7 @@ private Q_SLOTS:
         QVERIFY(isAt(1));
     }
 
-    // Moving fingers can pinch: they stop on release, and continue with the next press.
+    // Moving fingers can pinch. They stop on release and continue with the next press.
     void letGoWhileTheFingersMoveTheyStand() {
         teach({gripper(true)});
         GripperPanel& panel = useRobotiq();
@@ -462,7 +459,7 @@ private Q_SLOTS:
         QVERIFY(isAt(1));
     }
 
-    // A window that hangs does not hold anything: a pulsed output does not stay on.
+    // A window that hangs does not hold the button, and a pulsed output must not stay on.
     void aWindowThatHangsEndsThePulse() {
         teach({pulse(2, 60), setOutput(1, true)});
         hold(through());

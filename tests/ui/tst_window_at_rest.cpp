@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A window that is not visible does not paint.
+// A window that is not visible must not paint.
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -46,7 +46,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QVERIFY2(cell.bringUp(), qPrintable(cell.what()));
         window.showMinimized();
-        QTRY_VERIFY(window.isMinimized());
+        QTRY_VERIFY_WITH_TIMEOUT(window.isMinimized(), 60'000);
         QCoreApplication::processEvents();
         PaintWatch paints;
         const std::uint64_t before = window.session().state().sequence;
@@ -56,10 +56,10 @@ private Q_SLOTS:
         QCOMPARE(paints.count, 0);
 
         window.showNormal();
-        QTRY_VERIFY(paints.count > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(paints.count > 0, 60'000);
     }
 
-    // Content behind another tab or in a folded part is not painted either.
+    // Content in a hidden tab or in a folded part is not painted either.
     void nothingIsPaintedWhileHidden() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);
@@ -72,7 +72,7 @@ private Q_SLOTS:
         cell.advanceMs(1000);
         QCOMPARE(paints.count, 0);
         window.show();
-        QTRY_VERIFY(paints.count > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(paints.count > 0, 60'000);
     }
 };
 

@@ -10,10 +10,10 @@
 
 namespace tiller::test {
 
-// Qt Test uses 0,0 for the centre, and warns of positions outside.
+// Qt Test uses (0, 0) for the centre and prints a warning for positions outside the window.
 namespace {
 
-/// The focus window. The offscreen platform sometimes returns a destroyed one.
+/// Returns the focus window. The offscreen platform sometimes returns a destroyed window.
 QWindow* focusWindow() {
     QWindow* window = QGuiApplication::focusWindow();
     return QGuiApplication::allWindows().contains(window) ? window : nullptr;
@@ -64,7 +64,8 @@ void WindowHand::click(QWidget& window, QPoint at, Qt::MouseButton button, Qt::K
 
 void WindowHand::doubleClick(QWidget& window, QPoint at, Qt::MouseButton button) {
     goTo(window, at);
-    // The second press follows within the double-click interval; Qt Test separates the clicks of press().
+    // The second press must follow within the double-click interval. Qt Test would separate two clicks sent
+    // by press().
     if (const auto [to, place] = under(); to != nullptr) {
         QTest::mouseDClick(to, button, {}, inside(*to, place));
     }
@@ -86,13 +87,13 @@ void WindowHand::wheel(QWidget& window, QPoint at, int notches, Qt::KeyboardModi
     QWidget* modal = QApplication::activeModalWidget();
     QWidget* popup = QApplication::activePopupWidget();
     if ((modal != nullptr && modal->window() != &window) || (popup != nullptr && popup != &window)) {
-        return;  // the window system would not deliver it
+        return;  // the window system would not deliver the event
     }
     QWidget* under = window.childAt(at);
     if (under == nullptr) {
         under = &window;
     }
-    constexpr int kNotch = 120;  // of Qt, in eighths of a degree
+    constexpr int kNotch = 120;  // unit of Qt, in eighths of a degree
     QWheelEvent event(QPointF(under->mapFrom(&window, at)), QPointF(window.mapToGlobal(at)), QPoint(),
                       QPoint(0, kNotch * notches), buttons_, modifiers, Qt::NoScrollPhase, false);
     QSpontaneKeyEvent::setSpontaneous(&event);
@@ -105,7 +106,7 @@ void WindowHand::keyDown(Qt::Key key, Qt::KeyboardModifiers modifiers, const QSt
     }
     keys_.append({key, modifiers, text});
     sendModifiers(true, modifiers);
-    // Alt may have closed the menu with the focus.
+    // Alt may have closed the menu that had the focus.
     if (QWindow* to = focusWindow()) {
         QTest::simulateEvent(to, true, key, modifiers, text, false);
     }

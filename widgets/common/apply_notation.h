@@ -9,7 +9,7 @@ class QApplication;
 
 namespace tiller {
 
-/// Sets it and repaints every widget with it (QEvent::StyleChange).
+/// Sets the notation and repaints all widgets (QEvent::StyleChange).
 /// Threads  GUI
 void applyNotation(QApplication& application, const Notation& notation);
 

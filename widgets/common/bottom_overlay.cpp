@@ -13,7 +13,7 @@ namespace tiller {
 namespace {
 
 constexpr int kEdgeMargin = 8;  // distance from the border [px]
-constexpr int kKept = 64;       // height reserved for an area: its header and one row [px]
+constexpr int kKept = 64;       // height that an area keeps: its header and one row [px]
 
 }  // namespace
 
@@ -28,7 +28,7 @@ BottomOverlay::BottomOverlay(QWidget& shown, QWidget& page, const QList<QWidget*
     }
 }
 
-/// The margin of an area is as high as the highest of the widgets shown in it.
+/// Sets the bottom margin of an area to the height of the tallest overlay in it.
 void BottomOverlay::reserve(QWidget* area, int height) {
     QWidget* before = std::exchange(reservedIn_, area);
     reserved_ = height;
@@ -66,12 +66,14 @@ void BottomOverlay::place() {
     }
     const int tall = shown_.hasHeightForWidth() ? shown_.heightForWidth(width) : shown_.sizeHint().height();
     const int height = std::max(tall, shown_.minimumSizeHint().height());
-    // Areas with little height are covered at the bottom, because buttons are above them.
+    // An overlay taller than its area extends below the bottom edge, because there are buttons above the
+    // area.
     const int top = std::max(room.top(), room.bottom() + 1 - kEdgeMargin - height);
     const int lowest = std::max(0, page_.height() - height);
     shown_.setGeometry(room.left() + kEdgeMargin, std::min(top, lowest), width, height);
     shown_.raise();
-    // An area with little height keeps one row visible; if it is even smaller, the row is covered.
+    // The margin leaves the header and one row of the area visible. In an even smaller area the overlay
+    // covers the row.
     const int left = room.height() - kKept;
     reserve(area == areas_.cend() ? nullptr : *area,
             std::clamp(height + 2 * kEdgeMargin, 0, std::max(0, left)));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Keeps a widget at the bottom of another one. While it is shown, the area above ends earlier: no row is
-// moved or covered.
+// Shows a widget at the bottom of a page. While the widget is visible, the area above it is shortened, so
+// that no row is moved or covered.
 
 #include <QList>
 #include <QObject>
@@ -16,7 +16,7 @@ class BottomOverlay : public QObject {
 
 public:
     /// shown  becomes a child of `page`
-    /// areas  of this page; the first visible one is used
+    /// areas  areas of the page; the first visible one is shortened
     BottomOverlay(QWidget& shown, QWidget& page, const QList<QWidget*>& areas);
 
 protected:

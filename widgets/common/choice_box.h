@@ -11,7 +11,8 @@ namespace tiller {
 class ChoiceBox : public QComboBox {
 public:
     explicit ChoiceBox(QWidget* parent = nullptr) : QComboBox(parent) {
-        // This delegate uses the row height of the style sheet, unlike the default delegate of the combo box.
+        // Unlike the default delegate of a combo box, this delegate applies the row height of the style
+        // sheet.
         setItemDelegate(new QStyledItemDelegate(this));
     }
 

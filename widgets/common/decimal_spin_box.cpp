@@ -9,6 +9,12 @@
 #include <QLineEdit>
 #include <QToolTip>
 #include <QWheelEvent>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "robot/core/typed_number.h"
+#include "widgets/common/text_entry.h"
 
 namespace tiller {
 
@@ -26,12 +32,25 @@ QString asShown(QString text) {
     return sign == kPoint ? text : text.replace(kPoint, sign);
 }
 
-/// Converts the text to the characters expected by the base class.
-QString asRead(QString text) {
-    return text.replace(kMinusSign, kHyphen)
-        .replace(QLocale().decimalPoint(), QString(kPoint))
-        .replace(kComma, kPoint);
-}
+/// Calls a function when the widget is painted: a spin box changes its text without a signal when a value is set.
+class PaintWatch : public QObject {
+public:
+    PaintWatch(QWidget& watched, std::function<void()> painted)
+        : QObject(&watched), painted_(std::move(painted)) {
+        watched.installEventFilter(this);
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint) {
+            painted_();
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    std::function<void()> painted_;
+};
 
 }  // namespace
 
@@ -42,6 +61,12 @@ DecimalSpinBox::DecimalSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
     QLocale plain = QLocale::c();
     plain.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
     setLocale(plain);
+    connect(lineEdit(), &QLineEdit::textChanged, this, &DecimalSpinBox::followText);
+    new PaintWatch(*lineEdit(), [this] {
+        if (isMarkedRefused(*this) && !isRefused()) {
+            QMetaObject::invokeMethod(this, &DecimalSpinBox::followText, Qt::QueuedConnection);
+        }
+    });
 }
 
 bool DecimalSpinBox::isRefused() const {
@@ -52,25 +77,38 @@ bool DecimalSpinBox::isRefused() const {
 
 void DecimalSpinBox::explainRefusal() {
     const auto with = [this](double figure) { return textFromValue(figure) + suffix(); };
-    const QString text = tr("“%1” is out of range (%2 to %3). Nothing was changed.")
-                             .arg(asShown(bare(lineEdit()->text())), with(minimum()), with(maximum()));
+    const QString typed = asShown(withoutUnit(lineEdit()->text()).trimmed());
+    const QString text = tr("“%1” is out of range (%2 to %3). The value is still %4.")
+                             .arg(typed, with(minimum()), with(maximum()), with(value()));
     QToolTip::showText(mapToGlobal(QPoint(0, height())), text, this);
     setAccessibleDescription(text);
     QAccessibleEvent event(this, QAccessible::DescriptionChanged);
     QAccessible::updateAccessibility(&event);
+    if (!isMarkedRefused(*this)) {
+        ownToolTip_ = toolTip();
+    }
+    setToolTip(text);
+    markRefused(*this, true);
 }
 
-// Values out of range are accepted while typing: dropping a digit would change the number. Additional decimals are
-// rounded.
+void DecimalSpinBox::followText() {
+    if (isMarkedRefused(*this) && !isRefused()) {
+        setToolTip(ownToolTip_);
+        setAccessibleDescription({});
+        markRefused(*this, false);
+    }
+}
+
+// Values out of range are accepted while typing, because rejecting a digit would change the entered number.
+// Additional decimals are rounded.
 QValidator::State DecimalSpinBox::validate(QString& text, int& position) const {
     text = asShown(text);
-    bool isNumber = false;
-    const double figure = locale().toDouble(bare(text), &isNumber);
-    if (!isNumber) {
-        QString read = asRead(text);
+    const std::optional<double> figure = typedNumber(withoutUnit(text));
+    if (!figure) {
+        QString read = plainNumber(text);
         return QDoubleSpinBox::validate(read, position);
     }
-    return figure >= minimum() && figure <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    return *figure >= minimum() && *figure <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 QString DecimalSpinBox::textFromValue(double value) const {
@@ -78,9 +116,8 @@ QString DecimalSpinBox::textFromValue(double value) const {
 }
 
 double DecimalSpinBox::valueFromText(const QString& text) const {
-    bool isNumber = false;
-    const double figure = locale().toDouble(bare(text), &isNumber);
-    return isNumber ? figure : QDoubleSpinBox::valueFromText(asRead(text));
+    const std::optional<double> figure = typedNumber(withoutUnit(text));
+    return figure ? *figure : QDoubleSpinBox::valueFromText(plainNumber(text));
 }
 
 void DecimalSpinBox::keyPressEvent(QKeyEvent* event) {
@@ -109,7 +146,8 @@ void DecimalSpinBox::focusOutEvent(QFocusEvent* event) {
         QDoubleSpinBox::focusOutEvent(event);
         return;
     }
-    // The base class would replace the input by the last value, as if it had been entered.
+    // The base class would replace the invalid input with the previous value, as if the user had entered that
+    // value.
     QCoreApplication::sendEvent(lineEdit(), event);
     QWidget::focusOutEvent(event);
     explainRefusal();
@@ -119,14 +157,15 @@ void DecimalSpinBox::wheelEvent(QWheelEvent* event) {
     event->ignore();
 }
 
-QString DecimalSpinBox::bare(QString text) const {
+QString DecimalSpinBox::withoutUnit(QString text) const {
     if (!suffix().isEmpty() && text.endsWith(suffix())) {
         text.chop(suffix().size());
     }
-    return asRead(text.trimmed());
+    return text;
 }
 
-/// Copy and cut: spreadsheets and scripts do not accept the typographic minus sign.
+/// Handles copy and cut. Replaces the typographic minus sign, which spreadsheets and scripts do not accept,
+/// with a hyphen.
 bool DecimalSpinBox::copies(const QKeyEvent& event) {
     const bool cut = event.matches(QKeySequence::Cut);
     if ((!cut && !event.matches(QKeySequence::Copy)) || !lineEdit()->hasSelectedText()) {

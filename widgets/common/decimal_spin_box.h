@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Input field for a number with a unit. The mouse wheel does not change it, both point and comma are accepted as
-// decimal separators, and the value is reported only when editing is finished by Return or a change of focus. The
-// entered text remains as typed; a value outside the range is refused with a message. Esc restores the last value.
-// The minus sign is displayed typographically and copied as a hyphen for spreadsheets and scripts.
+// Input field for a number with a unit. The mouse wheel does not change the value. Both point and comma are
+// accepted as decimal separators. The value is reported only when editing is finished by Return or a change
+// of focus. The entered text remains as typed. A value outside the range is rejected with a message, and the
+// field is marked until its text is valid. Esc restores the last value. The minus sign is displayed
+// typographically and copied as a hyphen for spreadsheets and scripts.
 
 #include <QDoubleSpinBox>
 
@@ -16,7 +17,7 @@ class DecimalSpinBox : public QDoubleSpinBox {
 public:
     explicit DecimalSpinBox(QWidget* parent = nullptr);
 
-    /// True if the text is not a valid value; value() is then the previous one.
+    /// True if the text is not a valid value; value() then returns the previous value.
     bool isRefused() const;
     /// Shows the error with the valid range next to the box.
     void explainRefusal();
@@ -32,10 +33,12 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    /// Removes the unit; uses a hyphen as minus sign and a decimal point.
-    QString bare(QString text) const;
+    QString withoutUnit(QString text) const;
     bool copies(const QKeyEvent& event);
     void restore();
+    void followText();
+
+    QString ownToolTip_;  ///< without the explanation of a refused value
 };
 
 }  // namespace tiller

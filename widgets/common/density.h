@@ -10,7 +10,7 @@ class QTableView;
 namespace tiller {
 
 enum class Density {
-    Compact,  ///< for a mouse, with much content on the screen
+    Compact,  ///< for a mouse; shows more content on the screen
     Mouse,
     Touch,  ///< for fingers: 48 px buttons, 44 px rows
 };
@@ -18,7 +18,7 @@ enum class Density {
 /// The current density; initially Mouse.
 /// Threads  GUI
 Density currentDensity();
-/// Sets the sizes of the whole application. Call this before applyTheme(), or again after it.
+/// Sets the sizes for the whole application. Call applyTheme() afterwards.
 /// Threads  GUI
 void applyDensity(QApplication& application, Density density);
 
@@ -27,17 +27,17 @@ int rowHeight(Density density);
 /// Height of buttons outside the jog column [px].
 int keyHeight(Density density);
 
-/// Minimum size of small touch targets: tabs, joint buttons, buttons in title bars [px]. 0 for the mouse size:
-/// always except in Touch, and also in Touch if the window is too small.
+/// Minimum size of small touch targets (tabs, joint buttons, buttons in title bars) [px]. Returns 0, for
+/// mouse-sized controls, if the density is not Touch or the window is too small.
 int touchHeight();
-/// Sets whether the window is large enough for touch targets; initially true. A change in Touch updates the layout
-/// of the application.
+/// Sets whether the window is large enough for touch targets; initially true. With Touch density, a change
+/// updates the layout of the application.
 /// Threads  GUI
 void setRoomForTouch(QApplication& application, bool room);
 /// Minimum window height for touch targets [px].
 inline constexpr int kRoomForTouch = 980;
 
-/// Keeps the row height of the table in sync with the density.
+/// Updates the row height of the table whenever the density changes.
 void followDensity(QTableView& table);
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A one-line label that is elided when it does not fit, and then shows the whole text as its tooltip.
+// A one-line label. A text that does not fit is elided, and the tooltip then shows the full text.
 
 #include <QLabel>
 

@@ -8,7 +8,7 @@ namespace tiller {
 
 namespace {
 
-constexpr qsizetype kLongest = 40;  // displayed characters of the search text
+constexpr qsizetype kLongest = 40;  // maximum number of displayed characters of the search text
 constexpr int kMargin = 16;         // [px]
 
 }  // namespace

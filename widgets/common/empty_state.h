@@ -13,10 +13,10 @@ class EmptyState : public QLabel {
     Q_OBJECT
 
 public:
-    /// list  the list to cover
+    /// list  the list that the message covers
     explicit EmptyState(QAbstractScrollArea& list);
 
-    /// words  the search text; empty if the list is empty for other reasons
+    /// words  the search text; empty if the list is empty for another reason
     void tell(bool nothing, const QString& words);
 
 protected:

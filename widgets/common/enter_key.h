@@ -6,8 +6,8 @@
 
 namespace tiller {
 
-/// For buttons that trigger an action: Enter clicks the button, once per press; Space is reserved for stopping the
-/// arm.
+/// For buttons that trigger an action. Enter clicks the button once per press. Space is reserved for stopping
+/// the arm.
 /// Returns  true if the event was one of these keys and was handled
 inline bool pressByEnter(QAbstractButton& button, QKeyEvent& event) {
     switch (event.key()) {

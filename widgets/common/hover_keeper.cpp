@@ -65,7 +65,7 @@ bool HoverKeeper::eventFilter(QObject* watched, QEvent* event) {
 void HoverKeeper::lookSoon() {
     if (!pending_) {
         pending_ = true;
-        // After the event has been processed completely.
+        // Check after Qt has finished processing the event.
         QMetaObject::invokeMethod(this, &HoverKeeper::look, Qt::QueuedConnection);
     }
 }
@@ -73,7 +73,7 @@ void HoverKeeper::lookSoon() {
 void HoverKeeper::look() {
     pending_ = false;
     if (QGuiApplication::mouseButtons() != Qt::NoButton) {
-        return;  // a pressed widget keeps the pointer
+        return;  // a pressed widget keeps its hover state
     }
     const QWidget* under = std::exchange(byFinger_, false) ? nullptr : QApplication::widgetAt(QCursor::pos());
     QList<QPointer<QWidget>> left;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Removes the hover state of a widget when the pointer left it without an event: touch input has no pointer after
-// the release, and while a menu or dialog is open the widgets below receive no move events.
+// Removes the hover state of a widget if the pointer left it without an event. Touch input has no pointer
+// after the release. While a menu or dialog is open, the widgets below it receive no move events.
 
 #include <QObject>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The application's icons: monochrome SVG files in resources/icons, in the colour of the theme.
+// The application's icons: monochrome SVG files in resources/icons, drawn in a colour of the theme.
 
 #include <QColor>
 #include <QIcon>
@@ -9,12 +9,12 @@
 
 namespace tiller {
 
-/// name  of the file without ".svg": "play", "pause", "record"
+/// name  file name without ".svg": "play", "pause", "record"
 /// ink   colour of the lines
 /// Returns  a null icon for an unknown name
 QIcon themedIcon(const QString& name, const QColor& ink);
-/// Uses the text colour of the current theme, with a disabled variant. Request it again after a change of
-/// theme.
+/// Icon in the text colour of the current theme, with a disabled variant. Request the icon again after a
+/// change of theme.
 QIcon themedIcon(const QString& name);
 /// The application icon, in its original colours.
 QIcon applicationIcon();

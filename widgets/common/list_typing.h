@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Keyboard search in lists: letters select the row that begins with them. During a search, letters do not trigger
-// commands, such as the T in "waypoint 5" or the G in "magazine".
+// Keyboard search in lists: letters select the row whose text begins with them. During a search, letters such
+// as the T in "waypoint 5" or the G in "magazine" do not trigger commands.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -16,10 +16,10 @@ class ListTyping : public QObject {
     Q_OBJECT
 
 public:
-    /// Follows this list for its lifetime.
+    /// Handles the keyboard search of this list for the lifetime of the list.
     explicit ListTyping(QAbstractItemView& list);
 
-    /// True for a followed list during a keyboard search.
+    /// True if the widget is such a list and a keyboard search is active.
     static bool isAt(const QWidget* widget);
 
 protected:

@@ -35,8 +35,8 @@ NoticeBar::NoticeBar(QWidget* parent)
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
     dismiss_->setAccessibleName(tr("Dismiss"));
 
-    // Buttons of different notices at different positions: the response to a notice may open the next one, and a
-    // second click must not close that one unread.
+    // Each notice has its buttons at a different position. The response to a notice may open the next notice,
+    // and a second click must not close that notice unread.
     auto* keys = new QHBoxLayout;
     keys->addWidget(dismiss_);
     keys->addStretch();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A question or message inside a panel, without a dialog. Nothing is blocked. Esc or the second button closes it.
+// A question or message inside a panel, without a dialog. It does not block other input. Esc or the close
+// button closes it.
 
 #include <QFrame>
 #include <QString>
@@ -22,8 +23,8 @@ struct Notice {
     QString other = {};  ///< label of the second button; empty: none
     std::function<void()> otherAccepted = {};
     QString dismiss = {};  ///< label of the close button; empty: Close or Cancel
-    /// Identifies the cause for NoticeBar::resolve(). Notices with a cause wait until those shown above them are
-    /// closed; a notice without a cause is replaced by the next one.
+    /// Identifies the cause for NoticeBar::resolve(). A notice with a cause is shown again after the notices
+    /// that replaced it are closed. The next notice replaces a notice without a cause.
     QString cause = {};
 };
 
@@ -41,12 +42,12 @@ public:
     void show(Kind kind, const Notice& notice);
     /// Closes the notice. A waiting notice with a cause is shown again.
     void dismiss();
-    /// As dismiss(), but keeps a notice with a cause.
+    /// As dismiss(), but leaves a notice with a cause open.
     void dismissWithoutCause();
-    /// Removes the notice of a cause that no longer exists, including a waiting one.
+    /// Removes the notice of a cause that has been resolved, including a waiting one.
     void resolve(const QString& cause);
-    /// Closes a question without a cause after a change of the data it is based on, because its answer would have a
-    /// different effect than shown. Messages remain.
+    /// Closes a question without a cause after a change of its underlying data, because the answer would have
+    /// a different effect than shown. Messages remain.
     void dismissQuestion();
     Kind kind() const { return kind_; }
     QString title() const;
@@ -66,7 +67,7 @@ private:
 
     Kind kind_ = Kind::Question;
     Notice notice_;
-    std::vector<Waiting> waiting_;  ///< the last one is shown next
+    std::vector<Waiting> waiting_;  ///< the last element is shown next
     QLabel* title_;
     QLabel* text_;
     QPushButton* accept_;

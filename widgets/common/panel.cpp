@@ -71,7 +71,7 @@ void Panel::addHeaderWidget(QWidget* widget) {
 
 void Panel::addFoldingHeaderWidget(QWidget* widget) {
     if (folding_.isEmpty()) {
-        // Collapsible widgets do not count for the minimum width, which is set when the bar collapses.
+        // Collapsible widgets do not count towards the minimum width, which is set when the header collapses.
         header_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         header_->installEventFilter(this);
     }
@@ -95,7 +95,7 @@ void Panel::foldHeader() {
         least -= widget->isHidden() ? 0 : widthOf(widget);
     }
     header_->setMinimumWidth(least);
-    // Show as many as fit, starting with the last one.
+    // Show as many widgets as fit, starting with the last one.
     int room = header_->width() - least;
     for (auto widget = folding_.crbegin(); widget != folding_.crend(); ++widget) {
         room -= widthOf(*widget);
@@ -123,7 +123,8 @@ void Panel::setContent(QWidget* content) {
 void Panel::paintEvent(QPaintEvent* event) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
-    // Frequently repainted content is inside, where no corners and no line have to be painted.
+    // Frequently repainted content is inside this rectangle, where no corners and no separator have to be
+    // painted.
     const QRect inside(kCornerRadius, header_->geometry().bottom() + 2, width() - 2 * kCornerRadius,
                        height() - header_->geometry().bottom() - 2 - kCornerRadius);
     if (inside.contains(event->rect())) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A part of the window: a rounded surface with a title bar (title, subtitle, small controls and a hint at the
-// right), and one content widget below.
+// A part of the window: a rounded surface with a title bar and one content widget below it. The title bar
+// contains the title, a subtitle, small controls, and a hint at the right end.
 
 #include <QFrame>
 #include <QVector>
@@ -30,7 +30,7 @@ public:
     /// Adds a small control at the right end of the title bar.
     void addHeaderWidget(QWidget* widget);
     /// As addHeaderWidget(), for a control that is hidden if the panel is too narrow and is also available
-    /// elsewhere. The first one added is hidden first.
+    /// elsewhere. The control added first is hidden first.
     void addFoldingHeaderWidget(QWidget* widget);
     /// Replaces title and hint by a widget, e.g. a tab bar. The height of the title bar does not change.
     void setHeaderWidget(QWidget* widget);

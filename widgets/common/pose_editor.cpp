@@ -14,7 +14,7 @@
 namespace tiller {
 namespace {
 
-constexpr double kFarthest = 10.0;  ///< [m] maximum distance from the base
+constexpr double kFarthest = 10.0;  ///< [m] maximum distance of a position from the base
 constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "rx", "ry", "rz"};
 constexpr std::array<const char*, 6> kLetters = {"X", "Y", "Z", "RX", "RY", "RZ"};
 
@@ -64,7 +64,7 @@ PoseEditor::PoseEditor(const QString& name, const QString& spoken, const QString
 
 void PoseEditor::setPose(const Pose& pose) {
     if (pose == pose_) {
-        return;  // keep a value that is being edited
+        return;  // preserve a value that is being edited
     }
     pose_ = pose;
     updateValueTexts();
@@ -91,7 +91,8 @@ void PoseEditor::updateValueTexts() {
                       : asVector() ? QStringLiteral(" rad")
                                    : QStringLiteral("°"));
         box.setValue(shown_[i]);
-        // Rounded to the displayed digits: only edited values count as changed.
+        // The box rounds to the displayed digits. Compare with the rounded value, so that only edited values
+        // count as changed.
         shown_[i] = box.value();
     }
 }

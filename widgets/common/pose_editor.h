@@ -22,11 +22,11 @@ public:
     PoseEditor(const QString& name, const QString& spoken, const QString& advice, QWidget* parent = nullptr);
 
     void setPose(const Pose& pose);
-    /// The first box, with its text selected.
+    /// Sets the focus to the first box and selects its text.
     void editFirst();
 
 Q_SIGNALS:
-    /// A value was edited. The other five keep their full precision.
+    /// The user edited a value. The other five values keep their full precision.
     void poseEntered(const tiller::Pose& pose);
 
 protected:

@@ -41,8 +41,8 @@ void ReplayBand::tell(const QString& words) {
     }
     live_->setEnabled(!words.isEmpty());
     style();
-    // The band stays visible while the pointer is on it, because the layout change would move another button under
-    // the pointer, which a double click would press.
+    // The band remains visible while the pointer is on it. Hiding it would move another button under the
+    // pointer, and a double click would press that button.
     if (words.isEmpty() && !isHidden() && underMouse()) {
         return;
     }
@@ -60,7 +60,7 @@ void ReplayBand::setShown(bool shown) {
 
 void ReplayBand::leaveEvent(QEvent* event) {
     QFrame::leaveEvent(event);
-    // For touch there is no pointer: wait for a second tap.
+    // With touch input there is no pointer, so wait for a possible second tap.
     QTimer::singleShot(QApplication::doubleClickInterval(), this, [this] {
         if (words().isEmpty() && !underMouse()) {
             setShown(false);
@@ -74,7 +74,7 @@ QString ReplayBand::words() const {
 
 void ReplayBand::style() {
     const Theme& theme = Theme::current();
-    // Inverted selection colours, which no live element uses.
+    // Inverted selection colours, which no widget with live data uses.
     const QString sheet =
         words().isEmpty()
             ? QString()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A band below a part of the window that shows past data: displays the time, and returns to live data. The widget
-// above reduces its height accordingly, so that no button moves.
+// A band below a part of the window that shows past data. It displays the time and has a button that returns
+// to live data. The widget above reduces its height while the band is visible, so that no button moves.
 
 #include <QFrame>
 
@@ -16,16 +16,16 @@ class ReplayBand : public QFrame {
     Q_OBJECT
 
 public:
-    /// name   objectName; its button is "<name>.live"
-    /// above  widget in the same layout that reduces its height; null: none
+    /// name   objectName; the name of the button is "<name>.live"
+    /// above  widget in the same layout whose height is reduced; null: none
     explicit ReplayBand(const QString& name, QWidget* above = nullptr, QWidget* parent = nullptr);
 
-    /// Empty: live data; the band is hidden after the pointer has left it.
+    /// Sets the text. Empty: live data; the band is hidden as soon as the pointer is not on it.
     void tell(const QString& words);
     QString words() const;
 
 Q_SIGNALS:
-    /// The user wants to return to live data.
+    /// The user requested to return to live data.
     void liveWanted();
 
 protected:

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Showing or hiding an element next to a widget must not change the height of both together: a panel at its minimum
-// size would grow and move the pressed button away from the pointer.
+// Showing or hiding an element next to a widget must not change the total height of both. Otherwise, a panel
+// at its minimum size would grow and move the pressed button away from the pointer.
 
 #include <QWidget>
 #include <algorithm>
 
 namespace tiller {
 
-/// Reduces the minimum height of the widget by this value [px]; 0: its normal minimum height.
+/// Reduces the minimum height of the widget by this value [px]. 0 restores the normal minimum height.
 inline void reserveHeight(QWidget& widget, int height) {
     widget.setMinimumHeight(height == 0 ? 0 : std::max(1, widget.minimumSizeHint().height() - height));
 }

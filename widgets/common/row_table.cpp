@@ -30,7 +30,7 @@ RowTable::RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     horizontalHeader()->setMinimumSectionSize(24);
-    // The header texts may extend to the next column.
+    // Header texts may extend into the next column.
     horizontalHeader()->setStyleSheet(QStringLiteral("QHeaderView::section { padding: 6px 0 6px 12px; }"));
 }
 
@@ -56,7 +56,7 @@ RowDelegate::RowDelegate(QString editorName, QObject* parent)
 QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                                    const QModelIndex& index) const {
     QWidget* editor = named(QStyledItemDelegate::createEditor(parent, option, index), index);
-    // Without margins, because the height of a cell is small.
+    // No margins, because the cells are not high enough.
     editor->setStyleSheet(QStringLiteral("min-height: 0; padding: 0 8px;"));
     return editor;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A table with one named object per row: rows are selected instead of cells, and the name column takes the
+// A table with one named object per row. Rows are selected instead of cells, and the name column fills the
 // remaining width.
 
 #include <QStyledItemDelegate>
@@ -13,7 +13,7 @@ class RowTable : public QTableView {
     Q_OBJECT
 
 public:
-    /// nameColumn  of the model: edited in place (F2 or double click)
+    /// nameColumn  column of the model; its names are edited in place (F2 or double click)
     RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent = nullptr);
 
     /// Starts editing the name of the current row.
@@ -29,10 +29,10 @@ private:
     int nameColumn_;
 };
 
-/// Draws cells without focus, and limits editors to the height of a row.
+/// Draws cells without a focus rectangle, and limits editors to the height of a row.
 class RowDelegate : public QStyledItemDelegate {
 public:
-    /// editorName  object name of every editor
+    /// editorName  object name of all editors
     RowDelegate(QString editorName, QObject* parent);
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
@@ -42,7 +42,7 @@ public:
 
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
-    /// Sets the object name and, for screen readers, the accessible name from the column.
+    /// Sets the object name of the editor. Also sets the accessible name from the column, for screen readers.
     QWidget* named(QWidget* editor, const QModelIndex& index) const;
 
 private:

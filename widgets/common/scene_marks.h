@@ -12,7 +12,7 @@
 
 namespace tiller {
 
-/// A target that is shown before the arm moves there.
+/// A target that is displayed before the arm moves there.
 struct Ghost {
     QString name;
     JointPositions q;
@@ -20,13 +20,13 @@ struct Ghost {
     bool reachable = true;
     double speed = 1.05;        ///< [rad/s], or [m/s] if linear, at 100 %
     double acceleration = 1.4;  ///< [rad/s2], or [m/s2] if linear
-    bool otherModel = false;    ///< not reachable because it was taught with another robot model
+    bool otherModel = false;    ///< taught with another robot model and therefore not reachable
 };
 
-/// The arm at a moment of the replay. Never shows the current position.
+/// The arm at a time of the replay. Never represents the current position of the robot.
 struct ReplayMark {
     JointPositions q;
-    QString words;  ///< description of the moment
+    QString words;  ///< description of the time
     friend bool operator==(const ReplayMark&, const ReplayMark&) = default;
 };
 
@@ -47,8 +47,8 @@ struct FrameMark {
 /// A path of the TCP that is drawn as a line: the past path, or the planned one.
 struct PathMark {
     enum class Kind {
-        Breadcrumb,  ///< past path that Back would retrace
-        Coming,      ///< planned path of the key that is held next
+        Breadcrumb,  ///< past path that the Back button would retrace
+        Coming,      ///< planned path of the button that would be held next
     };
     Kind kind = Kind::Coming;
     std::vector<Eigen::Vector3d> places;  ///< corners of the line, base frame [m]

@@ -30,7 +30,7 @@ public:
     }
 
     QSize sizeHint() const override {
-        // Measured in bold, so that selecting a segment does not move its neighbours.
+        // Measured with the bold font, so that selecting a segment does not move its neighbours.
         const QFontMetrics metrics(textFont(15, QFont::Bold));
         return {metrics.horizontalAdvance(text()) + 16, std::max(38, touchHeight())};
     }

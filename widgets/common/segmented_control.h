@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A row of joined buttons of which exactly one is selected, e.g. frame, motion, speed. The mouse wheel does not
-// change it. Each button is a QAbstractButton named "<name of the control>.<index>".
+// A row of joined buttons of which exactly one is selected, e.g. frame, motion, speed. The mouse wheel does
+// not change the selection. Each button is a QAbstractButton named "<name of the control>.<index>".
 
 #include <QStringList>
 #include <QVector>
@@ -22,11 +22,12 @@ public:
 
     int count() const { return static_cast<int>(segments_.size()); }
     int currentIndex() const { return current_; }
-    /// Selects a segment and emits currentChanged(), even for a disabled segment; an invalid index is ignored.
+    /// Selects a segment and emits currentChanged(), even if the segment is disabled. An invalid index is
+    /// ignored.
     void setCurrentIndex(int index);
     QString text(int index) const;
     void setText(int index, const QString& text);
-    /// Reserves the width of the longest text of the segment, so that the others do not move.
+    /// Reserves the width of the longest text of the segment, so that the other segments do not move.
     void reserve(int index, const QString& widest);
     /// reason  shown as tooltip when disabled
     void setSegmentEnabled(int index, bool enabled, const QString& reason = {});
@@ -35,7 +36,7 @@ public:
     void setNames(const QString& objectName, const QString& accessibleName);
 
 Q_SIGNALS:
-    /// Another segment was selected by the user or by setCurrentIndex().
+    /// The user or setCurrentIndex() selected another segment.
     void currentChanged(int index);
 
 private:

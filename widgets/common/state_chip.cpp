@@ -33,7 +33,8 @@ struct BrokenText {
     int widthWith(int arrow) const { return std::max(longer, shorter + arrow); }
 };
 
-/// The text, with a line break where it makes the text narrowest. A separating dot at the break is dropped.
+/// Splits the text into two lines at the position that gives the smallest width. A separating dot at the
+/// break is removed.
 BrokenText twoLines(const QString& text, const QFontMetrics& metrics) {
     const int whole = metrics.horizontalAdvance(text);
     BrokenText best{text, whole, whole};
@@ -216,7 +217,8 @@ QFont StateChip::valueFont() const {
 
 int StateChip::widthFor(const QString& value, const QString& caption) const {
     const int captionWidth = QFontMetrics(captionFont(true)).horizontalAdvance(caption);
-    // With display scaling, text widths are fractional: one missing pixel would elide three letters.
+    // With display scaling, text widths are fractional. A text area that is one pixel too narrow would elide
+    // three letters.
     const int letters = static_cast<int>(std::ceil(QFontMetricsF(valueFont()).horizontalAdvance(value))) + 1;
     const int valueWidth = letters + shapeRoom() + (menuArrow_ ? kArrowRoom : 0);
     return std::max(captionWidth, valueWidth) + 2 * padding() + 2;
@@ -241,7 +243,7 @@ StateChip::FittedText StateChip::fittedText() const {
         return {font, text_, true};
     }
     if (isFixed) {
-        const int arrow = menuArrow_ ? kArrowRoom : 0;  // next to the shorter line
+        const int arrow = menuArrow_ ? kArrowRoom : 0;  // the arrow is next to the shorter line
         font.setPixelSize(kTwoLinesFont);
         if (shrinkUntil(kSmallestFont, [&](const QFontMetrics& m) {
                 return twoLines(text_, m).widthWith(arrow) <= room + arrow;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A small labelled field of the header: a caption, and below it a state as symbol and text. Grey in the normal
-// state; coloured only if attention or an action is required.
+// A small labelled field of the header with a caption and, below it, a state as symbol and text. It is grey
+// in the normal state and coloured only if attention or an action is required.
 
 #include <QFont>
 #include <QWidget>
@@ -16,7 +16,7 @@ public:
     /// Colour is only used if attention is required.
     enum class Emphasis { Normal, Moving, Warning, Alarm, OperatorNeeded, Muted };
     Q_ENUM(Emphasis)
-    /// Drawn before the text, so that no state is indicated by colour alone.
+    /// Symbol in front of the text, so that no state is indicated by colour alone.
     enum class Shape {
         None,
         Circle,
@@ -39,7 +39,7 @@ public:
     explicit StateChip(const QString& caption, QWidget* parent = nullptr);
 
     QString caption() const { return caption_; }
-    /// The part of the caption that is elided first: the part after " · ", or the part before it.
+    /// The part of the caption that is elided first: the part after " · " or the part before it.
     enum class ElidedPart { Behind, Before };
     void setCaption(const QString& caption, ElidedPart elidedPart = ElidedPart::Behind);
     /// The caption as displayed at this width.
@@ -47,27 +47,29 @@ public:
     QString text() const { return text_; }
     Emphasis emphasis() const { return emphasis_; }
     Shape shape() const { return shape_; }
-    /// advice  meaning and suggested action, shown as tooltip together with the text if that is elided
+    /// advice  meaning and suggested action; shown as tooltip, together with the text if the text is elided
     void setState(const QString& text, Shape shape, Emphasis emphasis, const QString& advice = {});
-    /// Up to two letters inside the octagon or next to the symbol, to distinguish states with the same
+    /// Up to two letters inside the octagon or next to the symbol. They distinguish states with the same
     /// symbol.
     void setMark(const QString& mark);
     QString mark() const { return mark_; }
-    /// Use the fixed-width font for numbers.
+    /// Uses the fixed-width font, for numbers.
     void setNumberFont(bool figures);
-    /// Use smaller text and margins, for a narrow window.
+    /// Uses smaller text and margins, for a narrow window.
     void setDense(bool dense);
-    /// Minimum width: the caption and this number of characters of the value; the rest is elided.
+    /// Sets the minimum width to fit the caption and this number of characters of the value. Longer values
+    /// are elided.
     void setLeastCharacters(int characters);
-    /// The minimum width for the widest value with this caption [px].
+    /// The minimum width for the longest value with this caption [px].
     int leastRoom(const QString& caption) const;
-    /// Fixed width [px]: longer texts get a smaller font, then a second line, and are elided if necessary.
+    /// Sets a fixed width [px]. Longer texts get a smaller font, then a second line, and are elided if
+    /// necessary.
     void setRoom(int width);
     /// Smallest width at which this value is not elided [px].
     int leastWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const;
     /// True if the value is not elided at this width.
     bool isWhole() const { return fittedText().isWhole; }
-    /// Show a menu arrow.
+    /// Shows a menu arrow.
     void setMenuArrow(bool arrow);
 
     QSize sizeHint() const override;
@@ -92,7 +94,7 @@ private:
         QString text;          ///< one or two lines
         bool isWhole = false;  ///< not elided
     };
-    /// The value in the largest font at which it fits on one line, otherwise on two lines, otherwise elided.
+    /// The value on one line in the largest font that fits, otherwise on two lines, otherwise elided.
     FittedText fittedText() const;
     int valueRoom() const;
     int widthFor(const QString& value, const QString& caption) const;

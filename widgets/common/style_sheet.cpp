@@ -50,6 +50,7 @@ QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { back
     selection-color: @movingText; }
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { min-height: @fieldHeight; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: @moving; }
+QLineEdit[refused="true"], QDoubleSpinBox[refused="true"] { border: 2px solid @alarm; }
 QAbstractSpinBox QLineEdit { border: none; padding: 0; min-height: 0; background: transparent; }
 QDoubleSpinBox[dense="true"] { padding: 2px 4px; font-size: 13px; min-height: @denseHeight; }
 QComboBox::drop-down { border: none; width: 22px; }
@@ -105,7 +106,7 @@ QGroupBox { border: 1px solid @border; border-radius: 6px; margin-top: 18px; pad
 QGroupBox::title { subcontrol-origin: margin; left: 8px; color: @secondary; }
 )";
 
-// Small mouse targets in areas with enough space for touch: scroll areas and overlays.
+// Small mouse targets in areas that have enough space for touch targets: scroll areas and overlays.
 constexpr char kTouch[] = R"(
 QCheckBox, QRadioButton { min-height: @touch; spacing: 12px; }
 QCheckBox::indicator, QRadioButton::indicator { width: 24px; height: 24px; }
@@ -114,7 +115,7 @@ QComboBox QAbstractItemView::item { min-height: @touch; }
 QPushButton[dense="true"] { min-height: @keyHeight; }
 )";
 
-// Permanent parts of the window.
+// Parts of the window that are always visible.
 constexpr char kRoomyTouch[] = R"(
 QTabBar::tab { min-height: 36px; }
 QToolButton[quiet="true"], QPushButton[quiet="true"] { min-height: @keyHeight; }
@@ -141,9 +142,9 @@ QString styleSheet(const Theme& t) {
         {QStringLiteral("scheme"), t.isDark() ? QStringLiteral("dark") : QStringLiteral("light")},
         {QStringLiteral("keyHeight"), pixels(key)},
         {QStringLiteral("fieldHeight"),
-         pixels(touchHeight() > 0 ? key - 6 : key - 10)},  // plus padding and border
+         pixels(touchHeight() > 0 ? key - 6 : key - 10)},  // padding and border are added to this value
         {QStringLiteral("touch"), pixels(key)},
-        // Six of them must fit next to a table in the smallest window.
+        // Six buttons of this height must fit next to a table in the smallest window.
         {QStringLiteral("denseHeight"), pixels(touchHeight() > 0 ? key - 6 : std::min(key - 10, 28))},
         {QStringLiteral("menuPadding"), pixels(touch ? 16 : (key - 24) / 2)},
     };

@@ -4,9 +4,16 @@
 #include <QAbstractSpinBox>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QStyle>
 #include <QTextEdit>
 
 namespace tiller {
+
+namespace {
+
+constexpr char kRefused[] = "refused";  // name in the style sheet
+
+}  // namespace
 
 bool takesText(const QWidget* widget) {
     if (const auto* line = qobject_cast<const QLineEdit*>(widget)) {
@@ -15,6 +22,18 @@ bool takesText(const QWidget* widget) {
     return qobject_cast<const QTextEdit*>(widget) != nullptr ||
            qobject_cast<const QPlainTextEdit*>(widget) != nullptr ||
            qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
+}
+
+void markRefused(QWidget& field, bool refused) {
+    if (isMarkedRefused(field) != refused) {
+        field.setProperty(kRefused, refused);
+        field.style()->unpolish(&field);
+        field.style()->polish(&field);
+    }
+}
+
+bool isMarkedRefused(const QWidget& field) {
+    return field.property(kRefused).toBool();
 }
 
 }  // namespace tiller

@@ -16,16 +16,16 @@ namespace tiller {
 
 enum class ColorScheme { Light, Dark };
 
-/// Colours by role. The contrast is at least 4.5:1 for text on all surfaces it is used on, and 5:1 for states
-/// and values.
+/// Colours by role. The contrast of text is at least 4.5:1 on all surfaces where the colour is used, and 5:1
+/// for states and values.
 struct Theme {
     ColorScheme scheme;
 
     QColor background;  ///< background between the panels
     QColor panel;
     QColor raised;  ///< buttons, fields, header and status bar
-    QColor border;  ///< borders and separators of 1 px; also background of bars
-    QColor hover;   ///< a raised button under the pointer
+    QColor border;  ///< borders and separators of 1 px; also the background of bars
+    QColor hover;   ///< a raised button while the pointer is over it
 
     QColor text;
     QColor secondary;
@@ -38,7 +38,7 @@ struct Theme {
     QColor movingTint;  ///< background of the selected row and of the button that moves the arm
     QColor warning;     ///< text and icon
     QColor warningBackground;
-    QColor alarm;  ///< text and icon; in the dark scheme brighter than in tables, to be legible
+    QColor alarm;  ///< text and icon; brighter in the dark scheme than in tables, for legibility
     QColor alarmBackground;
     QColor stop;      ///< the STOP button and chips of a stopped robot
     QColor stopText;  ///< text on `stop`
@@ -60,7 +60,7 @@ struct Theme {
     static const Theme& light();
     static const Theme& dark();
     static const Theme& of(ColorScheme scheme) { return scheme == ColorScheme::Dark ? dark() : light(); }
-    /// The theme applied last; initially light.
+    /// The most recently applied theme; initially the light theme.
     /// Threads  GUI
     static const Theme& current();
 };
@@ -69,8 +69,8 @@ struct Theme {
 /// Threads  GUI
 void applyTheme(QApplication& application, const Theme& theme);
 
-/// During its lifetime, Theme::current() is the light theme, for painting on paper; the application does not
-/// change.
+/// For painting on paper. Theme::current() is the light theme while an object of this class exists. The
+/// application does not change.
 /// Threads  GUI
 class PaperColors {
 public:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Details of the selected frame below the table, displayed and editable as numbers. Editing only changes the frame.
+// Details of the selected frame below the table, displayed and editable as numbers. Editing changes only the
+// frame.
 
 #include <QWidget>
 #include <optional>
@@ -21,16 +22,16 @@ class FrameDetails : public QWidget {
 public:
     explicit FrameDetails(QWidget* parent = nullptr);
 
-    /// waypoints  number of waypoints that move with it
+    /// waypoints  number of waypoints that move with the frame
     void setFrame(const std::optional<project::Frame>& frame, int waypoints);
-    /// Empty without data.
+    /// Sets the TCP pose; empty without data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
     void editValues();
 
     QString headline() const;
 
 Q_SIGNALS:
-    /// The user edited a value; contains the new pose of the frame.
+    /// The user edited a value. The argument is the new pose of the frame.
     void placeEntered(const tiller::Pose& T_base_frame);
 
 protected:

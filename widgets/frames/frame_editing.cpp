@@ -50,7 +50,7 @@ void FrameEditing::askToMove(const QUuid& id, const Pose& T_base_frame) {
     }
     notice_.show(NoticeBar::Kind::Question, tr("Touch up “%1”?").arg(frame.name),
                  lines.join(QLatin1Char(' ')), tr("Touch up"), [this, id, T_base_frame, name = frame.name] {
-                     // The pose shown in the question is used, even if the arm has moved since.
+                     // Use the pose shown in the question, even if the arm has moved since.
                      const QString moved = move(id, T_base_frame, tr("Touch up “%1”").arg(name));
                      const QString done = tr("Touched up “%1”").arg(name);
                      notice_.show(NoticeBar::Kind::Question, done, moved);
@@ -75,7 +75,7 @@ QString FrameEditing::move(const QUuid& id, const Pose& T_base_frame, const QStr
 }
 
 void FrameEditing::place(const project::Frame& frame, const Pose& T_base_frame) {
-    // While the user is editing numbers, the result is shown below instead of in a notice.
+    // Show no notice while the user is editing numbers. The log shows the result.
     const QString moved = move(frame.id, T_base_frame, tr("Set the position of “%1”").arg(frame.name));
     Q_EMIT message(Severity::Info, tr("“%1” was set numerically. %2").arg(frame.name, moved));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Edits frames other than by teaching points: create, move with the waypoints in it, duplicate and delete. Every
-// step is an undoable edit of the document; moving waypoints requires a confirmation.
+// Edits frames by other means than teaching points: create, move together with their waypoints, duplicate and
+// delete. Every step is an undoable edit of the document. Moving waypoints requires a confirmation.
 
 #include <QObject>
 
@@ -19,12 +19,12 @@ class FrameEditing : public QObject {
     Q_OBJECT
 
 public:
-    /// document, model, notice  must outlive the object; notice shows the questions
+    /// document, model, notice  must outlive the object; the questions are shown in `notice`
     FrameEditing(ProjectDocument& document, FrameModel& model, NoticeBar& notice, QObject* parent = nullptr);
 
-    /// Adds a frame after the others.
+    /// Appends a frame.
     void insert(const Pose& T_base_frame);
-    /// Asks for confirmation and shows how the frame and its waypoints would move.
+    /// Asks for confirmation. The question shows how the frame and its waypoints would move.
     void askToMove(const QUuid& id, const Pose& T_base_frame);
     /// Moves a frame to a manually entered pose without confirmation.
     void place(const project::Frame& frame, const Pose& T_base_frame);

@@ -13,7 +13,7 @@ namespace tiller {
 FrameModel::FrameModel(ProjectDocument& document, QObject* parent)
     : QAbstractTableModel(parent), document_(document) {
     connect(&document_, &ProjectDocument::framesChanged, this, &FrameModel::follow);
-    // The frame of a waypoint may have changed.
+    // A waypoint may have been assigned to another frame.
     connect(&document_, &ProjectDocument::documentChanged, this, [this] {
         if (rowCount() > 0) {
             Q_EMIT dataChanged(index(0, Waypoints), index(rowCount() - 1, Waypoints));
@@ -77,7 +77,7 @@ void FrameModel::setTcp(const std::optional<Pose>& T_base_tcp) {
 
 QString FrameModel::nameProblem(const QString& name, const QUuid& own) const {
     if (name.trimmed().isEmpty()) {
-        return tr("A frame needs a name.");
+        return tr("Enter a name for the frame.");
     }
     const QStringList reserved = {QStringLiteral("Base"),
                                   QStringLiteral("Tool"),
@@ -91,7 +91,7 @@ QString FrameModel::nameProblem(const QString& name, const QUuid& own) const {
     }
     for (const project::Frame& frame : frames()) {
         if (frame.id != own && frame.name.compare(name, Qt::CaseInsensitive) == 0) {
-            return tr("Another frame is named “%1”. Choose another name.").arg(name);
+            return tr("A frame named “%1” already exists. Choose another name.").arg(name);
         }
     }
     return {};
@@ -203,7 +203,7 @@ QVariant FrameModel::headerData(int section, Qt::Orientation orientation, int ro
         case Waypoints:
             return shortly ? tr("Points") : tr("Waypoints that move with the frame");
         case Distance:
-            return (shortly ? tr("TCP %1") : tr("Distance of the TCP, %1")).arg(format::lengthUnit());
+            return (shortly ? tr("TCP %1") : tr("Distance from the TCP, %1")).arg(format::lengthUnit());
         default:
             return {};
     }

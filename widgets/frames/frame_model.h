@@ -28,16 +28,16 @@ public:
     explicit FrameModel(ProjectDocument& document, QObject* parent = nullptr);
 
     const project::FrameList& frames() const;
-    /// -1 if there is none.
+    /// Returns -1 if there is no such frame.
     int rowOf(const QUuid& id) const;
     /// Number of waypoints that move with the frame, and how many of them would be unreachable with the frame at
     /// `T_base_frame`.
     FrameUse use(const QUuid& id, const Pose& T_base_frame) const;
     FrameUse use(const project::Frame& frame) const { return use(frame.id, frame.T_base_frame); }
-    /// Sets the TCP for the distance column; empty without data.
+    /// Sets the TCP pose for the distance column; empty without data.
     void setTcp(const std::optional<Pose>& T_base_tcp);
 
-    /// The reason why a frame cannot have this name, as a sentence; empty if it can.
+    /// Returns the reason why a frame cannot have this name, as a sentence; empty if the name is valid.
     QString nameProblem(const QString& name, const QUuid& own = {}) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -48,7 +48,7 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    /// An edit was refused, with the reason.
+    /// An edit was rejected. The argument is the reason.
     void editRefused(const QString& reason);
 
 private:
@@ -56,7 +56,7 @@ private:
     QString display(const project::Frame& frame, int column) const;
 
     ProjectDocument& document_;
-    QVector<QUuid> ids_;  ///< frames known to the views
+    QVector<QUuid> ids_;  ///< frames that the views currently show
     std::optional<Pose> tcp_;
 };
 

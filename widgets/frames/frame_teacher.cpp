@@ -38,8 +38,8 @@ FrameTeacher::FrameTeacher(QWidget* parent)
 
     static constexpr std::array<const char*, 3> kNames = {"origin", "onX", "towardsY"};
     const std::array<QString, 3> texts = {tr("Origin"), tr("On +X"), tr("Towards +Y")};
-    const std::array<QString, 3> spoken = {tr("Take the origin here"), tr("Take the point on +X here"),
-                                           tr("Take the point towards +Y here")};
+    const std::array<QString, 3> spoken = {tr("Record the origin here"), tr("Record the point on +X here"),
+                                           tr("Record the point towards +Y here")};
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(4);
@@ -50,7 +50,7 @@ FrameTeacher::FrameTeacher(QWidget* parent)
         places_[at] = new ElidedLabel;
         places_[at]->setObjectName(QStringLiteral("frame.teacher.%1.place").arg(QLatin1String(kNames[at])));
         places_[at]->setFont(numberFont(13));
-        keys_[at] = new QPushButton(tr("Take"));
+        keys_[at] = new QPushButton(tr("Record"));
         keys_[at]->setObjectName(QStringLiteral("frame.teacher.") + QLatin1String(kNames[at]));
         keys_[at]->setAccessibleName(spoken[at]);
         grid->addWidget(text, i, 0);
@@ -103,7 +103,7 @@ int FrameTeacher::nextMissing() const {
 
 void FrameTeacher::takeNext() {
     const Problem problem = project::check(points_).problem;
-    // Record a point that prevents the frame again before the next one.
+    // First record again the point that makes the frame invalid.
     take(problem == Problem::XTooClose ? 1 : nextMissing() < 0 ? 2 : nextMissing());
 }
 
@@ -138,16 +138,16 @@ QString FrameTeacher::feedback() const {
     const auto found = project::check(points_);
     switch (found.problem) {
         case Problem::NotFinite:
-            return tr("The robot sent an invalid position. Take the point again.");
+            return tr("The robot sent an invalid position. Record the point again.");
         case Problem::XTooClose:
-            return tr("The point on +X is only %1 from the origin. Take it again at least %2 away. A larger "
-                      "distance gives more accurate axes.")
+            return tr("The point on +X is only %1 from the origin. Record it again at least %2 away. A "
+                      "larger distance gives more accurate axes.")
                 .arg(format::length(found.alongX, 1), arm);
         case Problem::YTooClose:
-            return tr("The third point is only %1 from the origin. Take it again at least %2 away.")
+            return tr("The third point is only %1 from the origin. Record it again at least %2 away.")
                 .arg(format::length(found.towardsY, 1), arm);
         case Problem::InLine:
-            return tr("The three points are collinear: the third is only %1 from the X axis. Take it again "
+            return tr("The three points are collinear: the third is only %1 from the X axis. Record it again "
                       "at least %2 towards +Y.")
                 .arg(format::length(found.offLine, 1), offset);
         case Problem::None:
@@ -162,7 +162,7 @@ QString FrameTeacher::feedback() const {
     project::FramePoints with = points_;
     switch (nextMissing()) {
         case 0:
-            return tr("Jog the tip to the origin of the frame and take the point (P).");
+            return tr("Jog the tip to the origin of the frame and record the point (P).");
         case 1:
             with.onX = tip_;
             return tr("Now jog to a point on +X: %1 from the origin, minimum %2.")
@@ -182,7 +182,9 @@ void FrameTeacher::refresh() {
     for (std::size_t i = 0; i < keys_.size(); ++i) {
         places_[i]->setFullText(*taken[i] ? format::position(**taken[i]) : QStringLiteral("–"));
         keys_[i]->setEnabled(tip_.has_value());
-        keys_[i]->setText(static_cast<int>(i) == next ? tr("Take  P") : *taken[i] ? tr("Again") : tr("Take"));
+        keys_[i]->setText(static_cast<int>(i) == next ? tr("Record  P")
+                          : *taken[i]                 ? tr("Redo")
+                                                      : tr("Record"));
         keys_[i]->setToolTip(tip_ ? keys_[i]->accessibleName() : obstacle_);
     }
     const bool wrong = found.problem != Problem::None && found.problem != Problem::Incomplete;
@@ -191,7 +193,7 @@ void FrameTeacher::refresh() {
     const char* const role = wrong ? "warning" : "";
     if (feedback_->property("role") != QLatin1String(role)) {
         feedback_->setProperty("role", QLatin1String(role));
-        feedback_->setStyleSheet(feedback_->styleSheet());  // re-evaluates the role
+        feedback_->setStyleSheet(feedback_->styleSheet());  // makes Qt evaluate the role again
     }
     make_->setEnabled(found.ok());
     make_->setToolTip(found.ok() ? QString() : words);
@@ -199,8 +201,9 @@ void FrameTeacher::refresh() {
 
 void FrameTeacher::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    // The size of the feedback is constant, so that buttons do not move when the text changes.
-    constexpr int kLongest = 850;  // width of its longest sentence in one line [px]
+    // The height of the feedback does not depend on its text, so that buttons do not move when the text
+    // changes.
+    constexpr int kLongest = 850;  // width of the longest feedback text on one line [px]
     const int lines = std::clamp(kLongest / std::max(1, feedback_->width()) + 1, 2, 5);
     feedback_->setMinimumHeight(lines * QFontMetrics(textFont(15)).lineSpacing());
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Teaches a frame by three points, recorded one after the other at the TCP position. Shows the next point, the
-// distance of the TCP, and problems of points that do not define a frame.
+// Teaches a frame from three points, which are recorded one after the other at the TCP position. Shows the
+// next point, the distance of the TCP, and why the recorded points do not define a frame.
 
 #include <QWidget>
 #include <array>
@@ -23,21 +23,25 @@ class FrameTeacher : public QWidget {
 public:
     explicit FrameTeacher(QWidget* parent = nullptr);
 
-    /// Starts teaching. make  label of the finish button
+    /// Starts teaching.
+    /// make  label of the finish button
     void begin(const QString& title, const QString& make);
-    /// The TCP in the base frame [m]; empty, with the reason, if no point can be recorded.
+    /// tip       TCP position in the base frame [m]; empty if no point can be recorded
+    /// obstacle  the reason why no point can be recorded
     void setTip(const std::optional<Eigen::Vector3d>& tip, const QString& obstacle);
-    /// The next missing point; the last one if none is missing.
+    /// Records the next missing point, or the last point again if none is missing.
     void takeNext();
     /// Emits made() if the points define a frame.
     void finish();
 
-    /// The frame of the recorded points; if only one is missing, with the TCP in its place.
+    /// The frame of the recorded points. If only one point is missing, the TCP position is used for the
+    /// missing point.
     std::optional<Pose> preview() const;
     QString feedback() const;
 
 Q_SIGNALS:
-    /// A point is about to be recorded: call setTip() with the newest data before returning.
+    /// Emitted before a point is recorded. Connected slots must call setTip() with the newest data before
+    /// returning.
     void tipWanted();
     void made(const tiller::Pose& T_base_frame);
     void cancelled();

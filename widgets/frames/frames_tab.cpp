@@ -43,14 +43,14 @@ FramesTab::FramesTab(RobotSession& session, ProjectDocument& document, QWidget* 
     connect(table_, &FrameTable::currentRowChanged, this, &FramesTab::onSelection);
     connect(model_, &FrameModel::editRefused, this, &FramesTab::showProblem);
     connect(&document_, &ProjectDocument::framesChanged, this, &FramesTab::onFrames);
-    // Number of waypoints that move with the selected frame.
+    // The number of waypoints that move with the selected frame may have changed.
     connect(&document_, &ProjectDocument::documentChanged, this, &FramesTab::onSelection);
     onFrames();
     showLive();
 }
 
 FramesTab::~FramesTab() {
-    // The table loses its model during destruction, and the document may no longer exist.
+    // The model of the table is destroyed first, and the document may no longer exist.
     disconnect(table_, nullptr, this, nullptr);
 }
 
@@ -82,7 +82,7 @@ void FramesTab::buildLayout() {
 
     auto* empty =
         new QLabel(tr("No frames yet.\nJog the tip to a corner of the tray or table. Press From TCP, or "
-                      "press 3 points to take origin, +X and +Y."));
+                      "press 3 points to record the origin, +X and +Y."));
     empty->setObjectName(QStringLiteral("frame.empty"));
     empty->setProperty("role", "secondary");
     empty->setAlignment(Qt::AlignCenter);
@@ -166,7 +166,7 @@ void FramesTab::onFrames() {
 void FramesTab::showPage() {
     const bool any = model_->rowCount() > 0;
     pages_->setCurrentIndex(any ? kTablePage : kEmptyPage);
-    // Hidden pages do not need space: the tab has little height in a small window.
+    // Hidden content must not take up space, because the tab has little height in a small window.
     pages_->setVisible(!teaching_);
     teacher_->setVisible(teaching_);
     details_->setVisible(!teaching_ && any);
@@ -199,7 +199,7 @@ void FramesTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // Not through the view, which would extend the selection according to the modifiers of the shortcut.
+        // Do not use the view. It would extend the selection according to the modifiers of the shortcut.
         const QModelIndex index = model_->index(row, FrameModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -235,8 +235,9 @@ void FramesTab::updateAvailability() {
     fromTcp_->setToolTip(live ? tr("Create a frame at the TCP with the axes of the tool (Shift+T)")
                               : obstacle);
     threePoints_->setEnabled(live);
-    threePoints_->setToolTip(live ? tr("Origin, a point on +X, a point towards +Y (Ctrl+Shift+T)")
-                                  : obstacle);
+    threePoints_->setToolTip(
+        live ? tr("Create a frame from its origin, a point on +X and a point towards +Y (Ctrl+Shift+T)")
+             : obstacle);
     touchUp_->setEnabled(live && selected);
     touchUp_->setToolTip(!live      ? obstacle
                          : selected ? tr("Move the selected frame to the TCP (Shift+U)")
@@ -263,7 +264,8 @@ QAction* FramesTab::addCommand(const QString& name, const QString& text, const Q
 }
 
 void FramesTab::buildActions() {
-    // Requirements as letters: s frame selected, l live data, t teaching by three points.
+    // Requirements of an action as letters: s = frame selected, l = live data, t = teaching from three
+    // points.
     const auto with = [](QAction* action, const char* needs) {
         action->setProperty("needs", QLatin1String(needs));
         return action;
@@ -271,7 +273,7 @@ void FramesTab::buildActions() {
     auto* menu = new QMenu(this);
     menu->setObjectName(QStringLiteral("frame.menu"));
     const auto everywhere = [&](QAction* action) {
-        // The focus may be on the jog pad while teaching.
+        // The focus may be on the jog pad during teaching.
         addAction(action);
         return action;
     };
@@ -288,7 +290,7 @@ void FramesTab::buildActions() {
         with(addCommand("threePoints", tr("Teach frame from three points"),
                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), [this] { teachThreePoints(); }),
              "l")));
-    everywhere(with(addCommand("takePoint", tr("Take the next point of the frame"), QKeySequence(Qt::Key_P),
+    everywhere(with(addCommand("takePoint", tr("Record the next point of the frame"), QKeySequence(Qt::Key_P),
                                [this] { teacher_->takeNext(); }),
                     "lt"));
     everywhere(with(addCommand("make", tr("Create frame from points"),

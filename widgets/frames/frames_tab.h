@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Frames": teaches frames from the TCP or from three points, and renames, edits and touches them up in the
-// open project. Nothing in this tab moves the robot.
+// The tab "Frames". Teaches frames from the TCP pose or from three points, and renames, edits and touches up
+// the frames of the open project. No function of this tab moves the robot.
 
 #include <QTimer>
 #include <QUuid>
@@ -38,17 +38,18 @@ public:
     ~FramesTab() override;
 
     FrameModel& model() { return *model_; }
-    /// All actions with their shortcuts for menus, the command palette and the help.
+    /// All actions with their shortcuts, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
     std::vector<FrameMark> marks() const;
     /// Row of the selected frame; -1: none.
     int currentRow() const;
 
 public Q_SLOTS:
-    /// Creates a frame at the TCP with its orientation.
+    /// Creates a frame at the TCP pose.
     void teachFromTcp();
     void teachThreePoints();
-    /// Asks for confirmation and shows how the selected frame and its waypoints would move to the TCP.
+    /// Asks for confirmation. The question shows how the selected frame and its waypoints would move to the
+    /// TCP.
     void touchUp();
     void touchUpThreePoints();
     void selectRow(int row);
@@ -56,7 +57,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// marks() has changed.
     void marksChanged();
-    /// The jog column should use this frame.
+    /// The user wants to jog in this frame.
     void jogRequested(const QUuid& frame);
     /// A command needs this tab to be visible.
     void frontWanted();
@@ -90,7 +91,7 @@ private:
     QList<QAction*> actions_;
     QTimer liveTimer_;
     QUuid selected_;
-    QVector<QUuid> known_;  ///< the previous frames, to find the added one
+    QVector<QUuid> known_;  ///< the frames before the last change, to find an added frame
     bool teaching_ = false;
     QUuid teachingInto_;  ///< the frame to touch up; null: a new frame is created
 

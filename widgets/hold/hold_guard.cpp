@@ -10,7 +10,8 @@ using control::StopCause;
 
 namespace {
 
-// Marks widgets with a guard: a press on one of them is discarded while another key is held.
+// Marks widgets with a guard. A press on a marked widget is discarded while another hold-to-run button is
+// held.
 constexpr char kHoldKeyProperty[] = "tillerHoldKey";
 
 }  // namespace
@@ -54,7 +55,7 @@ bool HoldGuard::press(const HoldSource& grip) {
         return false;
     }
     if (const QString why = rules_.obstacle(&key_, grip); !why.isEmpty()) {
-        rules_.endOther();  // rule: a key on the screen is pressed while another input holds
+        rules_.endOther();  // rule: an on-screen button is pressed while another input holds
         Q_EMIT refused({ErrorCode::Cancelled, why, {}});
         return false;
     }

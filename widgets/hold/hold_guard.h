@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Connects a key on the screen with the motion that runs while the key is held. Each guard belongs to one
-// key. It starts the motion on a press, refreshes it as long as no rule of HoldRules applies, and then ends
-// it. A stopped motion needs a new press.
+// Connects an on-screen button with the motion that runs while the button is held. Each guard belongs to one
+// button. It starts the motion on a press, refreshes it until a rule of HoldRules applies, and then ends it.
+// A stopped motion needs a new press.
 
 #include <QObject>
 #include <QPoint>
@@ -29,7 +29,8 @@ public:
     HoldGuard(QWidget& key, HoldPolicy& policy, const Clock& clock = SteadyClock::shared());
     ~HoldGuard() override;
 
-    /// True for a key with a guard: a press that stops another motion must not start one there.
+    /// True for a button with a guard. A press that stops another motion must not start a motion on this
+    /// button.
     static bool isHoldKey(const QObject& widget);
 
     void setMotion(HoldMotion motion);
@@ -37,17 +38,20 @@ public:
 
     bool active() const { return rules_.isActive(); }
 
-    /// Handles a press of the key. Returns false if no motion was started; refused() then reports the reason.
+    /// Handles a press of the button. Returns false if no motion was started; refused() then reports the
+    /// reason.
     bool press(const HoldSource& grip = {});
-    /// Handles the release of the key.
+    /// Handles the release of the button.
     void release();
-    /// Handles a move of the pointer or finger on the pressed key; coordinates of the key.
+    /// Handles a move of the pointer or finger while the button is pressed. position  in coordinates of the
+    /// button
     void pointerMoved(const QPoint& position);
-    /// Forwards an event of the keyboard that the key itself does not receive.
+    /// Forwards a keyboard event that the button itself does not receive.
     void tell(HoldEvent::Kind kind) { rules_.happen(kind); }
-    /// Ends the motion if one is active.
+    /// Ends the active motion, if any.
     void stop(control::StopCause cause);
-    /// One refresh: calls hold(). Called by a timer every 20 ms; tests with virtual time call it directly.
+    /// Performs one refresh by calling hold(). A timer calls this function every 20 ms. Tests with virtual
+    /// time call it directly.
     void pump();
 
     /// Time left until the maximum hold duration [ns].
@@ -60,11 +64,12 @@ public:
 
 Q_SIGNALS:
     void began();
-    /// cause  None: the motion ended without a rule (it arrived, or the session or the robot stopped it)
+    /// cause  None if no rule ended the motion (the arm arrived, or the session or the robot stopped the
+    /// motion)
     void ended(tiller::control::StopCause cause);
-    /// A press started no motion; the error contains the reason.
+    /// A press started no motion; `error` contains the reason.
     void refused(const tiller::Error& error);
-    /// A key that has to be held until the arm arrives was released immediately, like a click.
+    /// A button that must be held until the arm arrives was released immediately, like a click.
     void clicked();
 
 private:

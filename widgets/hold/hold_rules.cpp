@@ -13,6 +13,7 @@
 #include "widgets/common/text_entry.h"
 #include "widgets/hold/hold_guard.h"
 #include "widgets/hold/key_state_probe.h"
+#include "widgets/hold/native_window_event.h"
 
 namespace tiller {
 
@@ -27,8 +28,8 @@ bool isEvent(const HoldEvent& news, QEvent::Type type) {
     return news.kind == Kind::Event && news.event->type() == type;
 }
 
-/// A press is delivered to the native window first and to the widget afterwards. It is evaluated at the
-/// widget, which may be a hold-to-run key itself.
+/// A press is delivered to the native window first and then to the widget. It is evaluated at the widget,
+/// because the widget may be a hold-to-run button.
 bool isAtWidget(const HoldEvent& news) {
     return news.watched->isWidgetType();
 }
@@ -53,7 +54,7 @@ bool isOverTheWindow(const QWidget& widget) {
 
 }  // namespace
 
-// ---- the rules -------------------------------------------------------------------------------------------
+// ---- rules -----------------------------------------------------------------------------------------------
 //
 // A rule checks an event and returns the cause that ends the motion, or None if the rule does not apply.
 
@@ -135,7 +136,7 @@ struct HoldRules::HoldRuleTable {
         if (!isEvent(n, QEvent::FocusOut) || n.watched != h.key_) {
             return StopCause::None;
         }
-        // A key that is disabled or hidden loses the focus first: report the actual reason.
+        // A button that is disabled or hidden loses the focus first. Report the underlying reason.
         const Qt::FocusReason reason = static_cast<QFocusEvent*>(n.event)->reason();
         if (!h.key_->isEnabled()) {
             return StopCause::ControlLost;
@@ -158,8 +159,8 @@ struct HoldRules::HoldRuleTable {
                     hidden ? StopCause::WindowClosed : StopCause::WindowDeactivated);
     }
     static StopCause windowFocusLost(const HoldRules&, const HoldEvent& n) {
-        // A floating panel shares the activation state of its window: only the focus shows that the operator
-        // switched to another window.
+        // A floating panel shares the activation state of its window. Only the focus change shows that the
+        // operator switched to another window.
         return when(isEvent(n, QEvent::FocusOut) && n.watched->isWindowType(), StopCause::WindowDeactivated);
     }
     static StopCause windowMinimised(const HoldRules& h, const HoldEvent& n) {
@@ -192,6 +193,15 @@ struct HoldRules::HoldRuleTable {
     }
     static StopCause applicationQuits(const HoldRules&, const HoldEvent& n) {
         return when(isEvent(n, QEvent::Quit), StopCause::WindowClosed);
+    }
+
+    // events of the display server; Qt reports them 100 ms later, in case the focus returns
+
+    static StopCause nativeFocusLost(const HoldRules&, const HoldEvent& n) {
+        return when(n.kind == Kind::NativeFocus, StopCause::WindowDeactivated);
+    }
+    static StopCause nativeHidden(const HoldRules&, const HoldEvent& n) {
+        return when(n.kind == Kind::NativeHide, StopCause::WindowDeactivated);
     }
 
     // timeouts
@@ -231,7 +241,8 @@ struct HoldRules::HoldRuleTable {
     // conditions for starting a motion
 
     static QString inactiveWindow(const HoldRules&, const QWidget* key, const HoldSource&) {
-        // The press that activates a window must not move the arm, and only the active program may move it.
+        // The press that activates a window must not move the arm. Only the active application may move the
+        // arm.
         if (key != nullptr) {
             return QApplication::activeWindow() == key->window()
                        ? QString()
@@ -240,7 +251,7 @@ struct HoldRules::HoldRuleTable {
         return QApplication::activeWindow() != nullptr ? QString() : tr("Click in the window first.");
     }
     static QString openDialog(const HoldRules&, const QWidget*, const HoldSource& grip) {
-        // A dialog blocks mouse and touch input, but not keyboard jogging and input devices.
+        // A dialog already blocks mouse and touch input. Keyboard jogging and input devices need this check.
         if (grip.by != HoldSource::By::Keys && grip.by != HoldSource::By::Device) {
             return {};
         }
@@ -250,12 +261,13 @@ struct HoldRules::HoldRuleTable {
         return open ? tr("A dialog or a menu is open. Close it first.") : QString();
     }
     static QString anotherInput(const HoldRules& h, const QWidget*, const HoldSource&) {
-        return h.policy_.holding != nullptr && h.policy_.holding != &h ? tr("Another key is already held.")
-                                                                       : QString();
+        return h.policy_.holding != nullptr && h.policy_.holding != &h
+                   ? tr("Another button or key is already held.")
+                   : QString();
     }
     static QString probeNotResponding(const HoldRules& h, const QWidget*, const HoldSource& grip) {
         return h.hasKeyStateProbe(grip) && h.policy_.witness->waitingNs() > kStallNs
-                   ? tr("The display server does not respond: the release of the key could not be detected.")
+                   ? tr("The display server does not respond: the release of a key cannot be detected.")
                    : QString();
     }
 
@@ -291,6 +303,8 @@ const HoldRules::HoldRuleTable::Row HoldRules::HoldRuleTable::rows[] = {
     {"a window is closed", &HoldRuleTable::windowClosed},
     {"the window is blocked", &HoldRuleTable::windowBlocked},
     {"a window opens", &HoldRuleTable::windowOpened},
+    {"the display server moves the focus", &HoldRuleTable::nativeFocusLost},
+    {"the display server hides the window", &HoldRuleTable::nativeHidden},
     {"the application is left", &HoldRuleTable::applicationLeft},
     {"the application is inactive", &HoldRuleTable::applicationInactive},
     {"the application quits", &HoldRuleTable::applicationQuits},
@@ -362,6 +376,7 @@ void HoldRules::begin(QWidget* key, const HoldSource& grip, const HoldBounds& bo
         policy_.witness->want(true);
     }
     qApp->installEventFilter(this);
+    qApp->installNativeEventFilter(this);
 }
 
 void HoldRules::end() {
@@ -370,6 +385,7 @@ void HoldRules::end() {
     }
     active_ = false;
     qApp->removeEventFilter(this);
+    qApp->removeNativeEventFilter(this);
     if (policy_.holding == this) {
         policy_.holding = nullptr;
     }
@@ -431,7 +447,7 @@ bool HoldRules::anyKeyState(const Test& test) const {
 }
 
 StopCause HoldRules::hiddenCause() const {
-    // Hiding a window also hides its keys.
+    // Hiding a window also hides its buttons.
     return key_ != nullptr && key_->window()->isHidden() ? StopCause::WindowClosed
                                                          : StopCause::SelectionChanged;
 }
@@ -465,6 +481,17 @@ bool HoldRules::eventFilter(QObject* watched, QEvent* event) {
                        event->type() == QEvent::MouseButtonDblClick || event->type() == QEvent::TouchBegin ||
                        event->type() == QEvent::TabletPress;
     return ended && press && HoldGuard::isHoldKey(*watched);
+}
+
+bool HoldRules::nativeEventFilter(const QByteArray& type, void* message, qintptr*) {
+    const NativeWindowEvent event = nativeWindowEvent(type, message);
+    if (event.kind == NativeWindowEvent::Kind::FocusLost) {
+        happen(Kind::NativeFocus);
+    } else if (event.kind == NativeWindowEvent::Kind::Hidden && window_ != nullptr &&
+               event.window == window_->internalWinId()) {
+        happen(Kind::NativeHide);
+    }
+    return false;
 }
 
 }  // namespace tiller

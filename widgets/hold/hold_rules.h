@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The rules for starting and ending hold-to-run motions. They apply to keys on the screen, held by the mouse,
-// a finger or a key of the keyboard (HoldGuard), and to jogging without such a key: by keyboard, gamepad or
-// SpaceMouse (AxisJog). Each rule is one row of a table in hold_rules.cpp; the first row that applies ends
-// the motion and sets the cause. Conditions known only to the owner (another selection, a lost device, sleep)
-// end the motion directly.
+// The rules for starting and ending hold-to-run motions. They apply to on-screen buttons that are held by the
+// mouse, a finger or a key of the keyboard (HoldGuard). They also apply to jogging by keyboard, gamepad or
+// SpaceMouse without an on-screen button (AxisJog). Each rule is one row of a table in hold_rules.cpp. The
+// first row that applies ends the motion and sets the cause. Conditions that only the owner can detect
+// (another selection, a lost device, system sleep) end the motion directly.
 //
-// Evidence that a key is still held:
+// Evidence that the input is still held:
 // - mouse button or keyboard key: the events of the window and, where available, a query of the display
 //   server (KeyStateProbe) within the last 100 ms;
 // - finger on the screen, gamepad, SpaceMouse: their events. A finger or stick that is held still may send no
 //   events. The motion then continues for at most 25 mm or 15 deg, at least 100 ms and at most 2 s
-//   (HoldBounds::holdTimeoutNs); after that it needs a new press. For a stick whose driver reports continuously
-//   the limit is 100 ms.
+//   (HoldBounds::holdTimeoutNs). After that the operator must press again. The limit is 100 ms for a stick
+//   whose driver reports continuously.
 
+#include <QAbstractNativeEventFilter>
 #include <QEvent>
 #include <QObject>
 #include <QPoint>
@@ -45,15 +46,16 @@ struct HoldSource {
         Nobody,  ///< a short step that runs to its end without being held
     };
     By by = By::Mouse;
-    QList<KeyCode> keys = {};  ///< By::Keys: all of them are pressed
+    QList<KeyCode> keys = {};  ///< By::Keys: all keys that hold the motion
 };
 
-/// Settings and state shared by all hold-to-run keys of a window. Owned by the window, outlives its keys.
+/// Settings and state shared by all hold-to-run buttons of a window. Owned by the window; outlives the
+/// buttons.
 struct HoldPolicy {
-    KeyStateProbe* witness = nullptr;  ///< null: not available
-    /// Limit for motions without an end of their own [ns].
+    KeyStateProbe* witness = nullptr;  ///< null if not available
+    /// Maximum duration of a motion that has no defined end [ns].
     std::int64_t longestNs = kUsualLongestNs;
-    /// The active hold; only one is allowed at a time.
+    /// The active hold. Only one hold is allowed at a time.
     HoldRules* holding = nullptr;
 
     /// Ends the active hold, if any.
@@ -62,19 +64,21 @@ struct HoldPolicy {
     static constexpr std::int64_t kUsualLongestNs = 20 * kNsPerSecond;
 };
 
-/// An event that is checked by the rules while a motion is held.
+/// An event that the rules check while a motion is held.
 struct HoldEvent {
     enum class Kind {
         Event,         ///< any event of the application
+        NativeFocus,   ///< the display server gave the input focus to another window
+        NativeHide,    ///< the display server hid the window
         Application,   ///< the state of the application changed
         LetGo,         ///< the key, button or finger was released
-        PointerAt,     ///< position of the pointer or finger in coordinates of the key
-        PressedAgain,  ///< the same key was pressed again, with a second finger, or another key was pressed
+        PointerAt,     ///< position of the pointer or finger in coordinates of the button
+        PressedAgain,  ///< pressed again with a second finger, or another button was pressed
         OtherKey,      ///< another key of the keyboard was pressed
         Modifier,      ///< a modifier of the keyboard was pressed or released
-        Unmatched,     ///< a press or release of the keyboard that does not match the known state
+        Unmatched,     ///< a press or release of a keyboard key that does not match the recorded state
         Refresh,       ///< 20 ms have elapsed
-        Input,         ///< the device was read
+        Input,         ///< the input device was read
     };
     Kind kind = Kind::Event;
     QObject* watched = nullptr;
@@ -84,7 +88,7 @@ struct HoldEvent {
 };
 
 /// Threads  GUI
-class HoldRules : public QObject {
+class HoldRules : public QObject, public QAbstractNativeEventFilter {
     Q_OBJECT
 
 public:
@@ -96,29 +100,29 @@ public:
 
     void setClock(const Clock& clock) { clock_ = &clock; }
 
-    /// The reason why no motion may start now, as a sentence; empty if one may start.
-    /// key  the held key; null if the input is not a key on the screen
+    /// Returns the reason why no motion may start, as a sentence; empty if a motion may start.
+    /// key  the held button; null if the input is not an on-screen button
     QString obstacle(const QWidget* key, const HoldSource& grip) const;
 
-    /// This input requested a motion. Ends a motion that is held by another input: two inputs at once are not
-    /// allowed.
+    /// Called when this input requests a motion. Ends a motion held by another input, because two
+    /// simultaneous inputs are not allowed.
     void endOther();
 
-    /// A motion was started; the rules apply from now on.
+    /// Called when a motion has started. The rules apply until end().
     void begin(QWidget* key, const HoldSource& grip, const HoldBounds& bounds);
-    /// The motion has ended.
+    /// Called when the motion has ended.
     void end();
     /// Ends an active motion with this cause.
     void stop(control::StopCause cause);
     bool isActive() const { return active_; }
 
-    /// Checks the event against all rules and ends the motion if one applies.
+    /// Checks the event against all rules and ends the motion if a rule applies.
     /// Returns  true if the motion was ended
     bool happen(const HoldEvent& news);
     bool happen(HoldEvent::Kind kind) { return happen(HoldEvent{kind}); }
-    /// The finger or the device sent an event.
+    /// Called for every event from the finger or the device.
     void heard() { heardNs_ = clock_->nowNs(); }
-    /// Replaces the keys that hold the motion.
+    /// Replaces the set of keys that hold the motion.
     void setKeys(const QList<KeyCode>& keys);
     void setHoldTimeout(std::int64_t ns) { bounds_.holdTimeoutNs = ns; }
     const HoldSource& grip() const { return grip_; }
@@ -131,13 +135,15 @@ public:
 
     /// Period of the refresh [ms].
     static constexpr int kRefreshMs = 20;
-    /// Maximum distance of the pointer from the key [px].
+    /// Maximum distance of the pointer from the button [px].
     static constexpr int kPointerSlack = 30;
-    /// Maximum gap between refreshes, or between answers of the key-state check, before the motion ends [ms].
+    /// The motion ends if the gap between two refreshes, or between two replies of the key-state check,
+    /// exceeds this limit [ms].
     static constexpr int kStallMs = 100;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    bool nativeEventFilter(const QByteArray& type, void* message, qintptr* result) override;
 
 private:
     struct HoldRuleTable;

@@ -26,8 +26,8 @@ HoldToRunButton::HoldToRunButton(const QString& text, HoldPolicy& policy, QWidge
     : QAbstractButton(parent), guard_(*this, policy) {
     setText(text);
     setAccessibleName(text);
-    // The guard sets the focus on a press. A focus policy would set it earlier and take it from a key held by
-    // another finger, so that this press would look like the first one.
+    // The guard sets the focus on a press. With a focus policy, Qt would move the focus earlier, away from a
+    // button held by another finger. The second press would then look like the first one.
     setFocusPolicy(Qt::NoFocus);
     setMouseTracking(true);  // a move without a pressed button shows that the release was not received
     setAttribute(Qt::WA_AcceptTouchEvents);
@@ -89,14 +89,14 @@ QString HoldToRunButton::detail() const {
 void HoldToRunButton::showHoldHint() {
     holdHint_.start();
     QToolTip::showText(mapToGlobal(QPoint(0, height())),
-                       tr("Hold this key: the arm moves only while it is held."), this);
+                       tr("Hold this button: the arm moves only while it is held."), this);
     update();
 }
 
 QSize HoldToRunButton::sizeHint() const {
     const int words = std::max(QFontMetrics(textFont(15)).horizontalAdvance(text()),
                                QFontMetrics(textFont(kDetailSize)).horizontalAdvance(widestDetail_));
-    // As high as the neighbouring push buttons including their border.
+    // The same height as the neighbouring push buttons including their border.
     return {words + 24, keyHeight(currentDensity()) + 2};
 }
 
@@ -143,7 +143,7 @@ void HoldToRunButton::paintEvent(QPaintEvent*) {
     if (detail().isEmpty()) {
         painter.drawText(rect(), Qt::AlignCenter, text());
     } else if (both > height()) {
-        // There is no space for two lines: a temporary hint replaces the name.
+        // There is no space for two lines, so a temporary hint replaces the name.
         painter.drawText(rect(), Qt::AlignCenter, showsHoldHint() ? detail() : text());
     } else {
         const int top = (height() - both) / 2;
@@ -156,7 +156,7 @@ void HoldToRunButton::paintEvent(QPaintEvent*) {
 void HoldToRunButton::mousePressEvent(QMouseEvent* event) {
     event->accept();
     if (event->button() == Qt::LeftButton && event->buttons() == Qt::LeftButton) {
-        // Some window systems synthesize mouse events from touch: identify the finger by its device.
+        // Some window systems synthesize mouse events from touch. The device type identifies a finger.
         const bool finger =
             event->device() != nullptr && event->device()->type() == QInputDevice::DeviceType::TouchScreen;
         guard_.press({finger ? HoldSource::By::Touch : HoldSource::By::Mouse});
@@ -166,13 +166,13 @@ void HoldToRunButton::mousePressEvent(QMouseEvent* event) {
 }
 
 void HoldToRunButton::mouseDoubleClickEvent(QMouseEvent* event) {
-    mousePressEvent(event);  // the second of two quick presses counts as a normal press
+    mousePressEvent(event);  // the second press of a double click counts as a normal press
 }
 
 void HoldToRunButton::mouseMoveEvent(QMouseEvent* event) {
     event->accept();
     if (!event->buttons().testFlag(Qt::LeftButton)) {
-        guard_.release();  // the release was delivered elsewhere
+        guard_.release();  // the release was delivered to another widget
         return;
     }
     guard_.pointerMoved(event->position().toPoint());
@@ -194,7 +194,7 @@ void HoldToRunButton::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void HoldToRunButton::wheelEvent(QWheelEvent* event) {
-    event->accept();  // the wheel must not scroll the key away from the pointer
+    event->accept();  // the wheel must not scroll the button away from the pointer
 }
 
 bool HoldToRunButton::event(QEvent* event) {
@@ -211,7 +211,7 @@ bool HoldToRunButton::event(QEvent* event) {
 
 bool HoldToRunButton::touchEvent(QEvent* event) {
     event->accept();
-    // A cancelled touch has already been ended by HoldRules.
+    // HoldRules has already ended the motion of a cancelled touch.
     if (!isEnabled() || event->type() == QEvent::TouchCancel) {
         return true;
     }

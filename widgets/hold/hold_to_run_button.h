@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A hold-to-run button: the arm moves only while the button is pressed (jog keys, joint keys, "Go to (hold)",
-// "Home (hold)"). It accepts the left mouse button or one touch point; keyboard and wheel do not press it
-// directly. HoldRules decides when the motion ends.
+// A hold-to-run button: the arm moves only while the button is pressed (jog buttons, joint buttons, "Go to
+// (hold)", "Home (hold)"). The button accepts the left mouse button or one touch point. Keyboard and wheel do
+// not press it directly. HoldRules determines when the motion ends.
 
 #include <QAbstractButton>
 #include <QTimer>
@@ -26,18 +26,19 @@ public:
     /// Time left until the maximum hold duration [ns].
     std::int64_t holdLeftNs() const { return guard_.leftNs(); }
 
-    /// True while the robot confirms the requested motion: blue border and tint.
+    /// Set to true while the robot confirms the requested motion. The button then has a blue border and tint.
     void setConfirmed(bool confirmed);
     bool isConfirmed() const { return confirmed_; }
-    /// A smaller second line below the name, for the speed of the motion. Empty: no second line.
+    /// Sets a smaller second line below the name, for the speed of the motion. Empty: no second line.
     void setDetail(const QString& detail);
-    /// Reserves the width of this text, so that a change of the detail does not move the neighbours.
+    /// Reserves the width of this text, so that a change of the detail does not move the neighbouring
+    /// widgets.
     void setWidestDetail(const QString& detail);
-    /// The displayed second line: "hold" for two seconds after a click.
+    /// The displayed second line. It is "hold" for two seconds after a click.
     QString detail() const;
-    /// True for two seconds after a click, because the key has to be held.
+    /// True for two seconds after a click, to remind the user that the button must be held.
     bool showsHoldHint() const { return holdHint_.isActive(); }
-    /// Disables the key and shows the reason in its tooltip; an empty reason enables it.
+    /// Disables the button and shows the reason in its tooltip. An empty reason enables the button.
     void setUnavailable(const QString& reason);
 
     QSize sizeHint() const override;
@@ -54,7 +55,8 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     bool event(QEvent* event) override;
 
-    /// Draws background and border for the current state of the key; used by subclasses that paint more.
+    /// Draws background and border for the current state of the button. For subclasses that paint additional
+    /// content.
     void paintSurface(QPainter& painter) const;
     QColor textColor() const;
 

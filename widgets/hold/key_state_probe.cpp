@@ -23,7 +23,7 @@ public:
     QString description() const override {
         return QCoreApplication::translate("KeyStateProbe",
                                            "Key-state check unavailable on this platform (%1): Tiller relies "
-                                           "on window events for held keys.")
+                                           "on window events to detect key releases.")
             .arg(QGuiApplication::platformName());
     }
 };

@@ -13,7 +13,7 @@ constexpr quint32 kFirstCode = 0;
 constexpr quint32 kFirstCode = 8;  // offset of the key codes of X11 and Wayland
 #endif
 
-/// E.g. Cyrillic, Greek, Hebrew; signs and digits do not count.
+/// E.g. Cyrillic, Greek, Hebrew. Punctuation and digits do not count.
 bool writesLetterOfAnotherScript(const QKeyEvent& event) {
 #ifdef Q_OS_MACOS
     return event.key() < 0;  // Qt itself maps shortcuts to Latin letters on this platform
@@ -27,7 +27,7 @@ bool writesLetterOfAnotherScript(const QKeyEvent& event) {
 #endif
 }
 
-/// The letter at this position of a US keyboard; 0 if there is none.
+/// The letter at this key position on a US keyboard; 0 if the key is not a letter.
 int letterAt(quint32 scanCode) {
     struct Row {
         quint32 first;
@@ -74,7 +74,7 @@ PhysicalKeys::Change PhysicalKeys::take(const QKeyEvent& event, int meaning) {
     const bool pair = event.timestamp() != 0 && code == releasedCode_ && event.timestamp() == releasedAt_;
     down_.insert(code, meaning);
     if (pair) {
-        return Change::Repeat;  // rule: a keyboard that repeats in pairs
+        return Change::Repeat;  // rule: a keyboard that repeats with release and press events
     }
     return known ? Change::DownAgain : Change::Down;
 }

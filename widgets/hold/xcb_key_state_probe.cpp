@@ -66,7 +66,7 @@ public:
     /// Reads received data. Returns true once both replies have arrived.
     bool answered(bool& button, std::array<bool, kKeys>& keys) {
         while (const Owned<xcb_generic_event_t> news{xcb_poll_for_event(link_)}) {
-            // Events are not requested; discard them.
+            // No events are requested; discard any received event.
         }
         if (!isAsking()) {
             return false;
@@ -99,7 +99,7 @@ private:
 XcbKeyStateProbe::XcbKeyStateProbe() {
     std::array<int, 2> ends{-1, -1};
     if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-        return;  // without a thread the check is unavailable
+        return;  // without a thread, the check is unavailable
     }
     wakeRead_ = ends[0];
     wakeWrite_ = ends[1];
@@ -120,7 +120,7 @@ XcbKeyStateProbe::~XcbKeyStateProbe() {
 
 void XcbKeyStateProbe::wake() {
     const char token = 0;
-    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: already waking up
+    [[maybe_unused]] const auto written = ::write(wakeWrite_, &token, 1);  // full: a wake-up is pending
 }
 
 void XcbKeyStateProbe::want(bool wanted) {
@@ -147,11 +147,12 @@ std::int64_t XcbKeyStateProbe::waitingNs() const {
 QString XcbKeyStateProbe::description() const {
     return isThere()
                ? QCoreApplication::translate("KeyStateProbe",
-                                             "Key-state check active: Tiller asks the display server every "
-                                             "10 ms whether the button or key is still pressed.")
-               : QCoreApplication::translate("KeyStateProbe",
-                                             "Key-state check unavailable: no second connection to the "
-                                             "display server. Tiller relies on window events for held keys.");
+                                             "Key-state check active: Tiller checks with the display server "
+                                             "every 10 ms whether the button or key is still pressed.")
+               : QCoreApplication::translate(
+                     "KeyStateProbe",
+                     "Key-state check unavailable: no second connection to the display server. Tiller relies "
+                     "on window events to detect key releases.");
 }
 
 void XcbKeyStateProbe::note(std::int64_t askedNs, bool button, const std::array<bool, kKeys>& keys) {
@@ -196,7 +197,7 @@ void XcbKeyStateProbe::run() {
             waitingSinceNs_ = 0;
         }
         if (!link.isAlive()) {
-            // The connection is lost and will not answer again. This ends every hold.
+            // The connection is lost and no more replies will arrive. This ends every hold.
             waitingSinceNs_ = waitingSinceNs_ == 0 ? clock.nowNs() - kNsPerSecond : waitingSinceNs_.load();
             return;
         }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Key-state check on X11. It uses a separate connection to the display server, on which a separate thread
-// queries the pointer buttons and the keymap. A server that hangs does not answer, and a server that has
-// exited closes the connection. Neither case blocks the caller: the GUI thread only sees that no new answers
-// arrive. Key numbers are the same as in window events.
+// Key-state check on X11. A separate thread queries the pointer buttons and the keymap over a separate
+// connection to the display server. A server that hangs does not respond, and a server that has exited closes
+// the connection. Neither case blocks the GUI thread, which receives no new results. Key numbers are the same
+// as in window events.
 
 #include <array>
 #include <atomic>
@@ -15,11 +15,11 @@
 
 namespace tiller {
 
-/// Threads  a separate thread with normal priority connects, sends queries and waits for replies. Results are
+/// Threads  A separate thread with normal priority connects, sends queries and waits for replies. Results are
 /// passed to the GUI thread under a lock that is held only while copying.
 class XcbKeyStateProbe final : public KeyStateProbe {
 public:
-    /// Connects in the background to the display of the window.
+    /// Connects to the display of the window in the background.
     XcbKeyStateProbe();
     ~XcbKeyStateProbe() override;
     XcbKeyStateProbe(const XcbKeyStateProbe&) = delete;

@@ -88,7 +88,7 @@ AnalogRow::AnalogRow(const QString& terminal, bool output, QWidget* parent)
             wanted_->setRange(lowest(wantedDomain()), highest(wantedDomain()));
             wanted_->setSuffix(unitOf(wantedDomain()));
         };
-        // Fits in the tab of the smallest window.
+        // These widths fit in the tab of the smallest window.
         domain_->setFixedWidth(106);
         wanted_->setFixedWidth(92);
         set_->setProperty("dense", true);
@@ -159,7 +159,7 @@ void AnalogRow::describe() {
     setAccessibleName(name_.isEmpty() ? terminal_ : QStringLiteral("%1, %2").arg(terminal_, name_));
     setAccessibleDescription(valueLabel_->text());
     setToolTip(
-        tr("%1: %2\nRight-click or F2 to rename and scale.").arg(accessibleName(), valueLabel_->text()));
+        tr("%1: %2\nRight-click or press F2 to rename or scale.").arg(accessibleName(), valueLabel_->text()));
 }
 
 void AnalogRow::contextMenuEvent(QContextMenuEvent* event) {
@@ -205,7 +205,7 @@ void AnalogRow::askForScale() {
     high->setValue(scale_.high);
     auto* unit = new QLineEdit(scale_.unit);
     unit->setMaxLength(12);
-    unit->setPlaceholderText(tr("e.g. bar; empty: not scaled"));
+    unit->setPlaceholderText(tr("e.g. bar; empty: no scaling"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     auto* form = new QFormLayout(dialog);
     form->addRow(tr("At 4 mA or 0 V"), low);

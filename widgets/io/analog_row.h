@@ -17,7 +17,7 @@ namespace tiller {
 
 class DecimalSpinBox;
 
-/// Values at the ends of the electrical range in the user's unit. Without a unit: not scaled.
+/// Values in the user's unit at the ends of the electrical range. Not scaled if the unit is empty.
 struct AnalogScale {
     double low = 0;
     double high = 10;
@@ -26,7 +26,7 @@ struct AnalogScale {
     bool isSet() const { return !unit.isEmpty(); }
     /// level  position in the range, 0 ... 1
     double at(double level) const { return low + level * (high - low); }
-    /// e.g. "0|10|bar"
+    /// Text form, e.g. "0|10|bar".
     QString toText() const;
     static AnalogScale fromText(const QString& text);
 };
@@ -47,11 +47,11 @@ public:
     void setScale(const AnalogScale& scale);
     /// value  as reported by the robot [mA or V]
     void setValue(double value, Domain domain, bool valid, bool stale);
-    /// The reason why the output cannot be set; empty if it can.
+    /// Sets the reason why the output cannot be set; empty if it can be set.
     void setObstacle(const QString& why);
-    /// e.g. "12.00 mA · 5.0 bar"
+    /// The displayed value, e.g. "12.00 mA · 5.0 bar".
     QString valueText() const;
-    /// Opens the dialog for the name.
+    /// Opens the dialog for editing the name.
     void askForName();
 
     /// Limits of the range of a domain [mA or V].
@@ -59,7 +59,7 @@ public:
     static double highest(Domain domain) { return domain == Domain::Current ? 20 : 10; }
 
 Q_SIGNALS:
-    /// The user changed name or scale.
+    /// The user changed the name or the scale.
     void changed();
     /// level  position in the range of the domain, 0 ... 1
     void setRequested(tiller::io::AnalogDomain domain, double level);

@@ -27,7 +27,8 @@ using io::RobotiqActivation;
 using io::RobotiqObject;
 
 constexpr int kGripperRefreshMs = 50;
-/// Prevents the second click of a double click on the gripper list from pressing a button that has just appeared.
+/// Delay [ms] during which a newly shown button is disabled, so that a double click on the gripper list
+/// cannot press it.
 constexpr int kSettleMs = 500;
 constexpr int kMaxTcpPort = 65535;
 /// Low initial speed; not saved.
@@ -48,12 +49,12 @@ QLabel* valueLabel(const QString& name, const QString& accessible) {
     label->setObjectName(name);
     label->setAccessibleName(accessible);
     label->setFont(textFont(15));
-    // The text may change without moving the rows around it.
+    // A change of the text must not move the surrounding rows.
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     return label;
 }
 
-/// Accepts the text in the box, or explains the error.
+/// Returns false if the text in the box is valid; otherwise shows the error and returns true.
 bool isRefused(DecimalSpinBox* box) {
     if (box->isRefused()) {
         box->explainRefusal();
@@ -86,7 +87,7 @@ int byteOf(double percent) {
     return static_cast<int>(std::lround(percent / 100.0 * io::kRobotiqMost));
 }
 
-/// The choice without its outputs, as in the list of grippers.
+/// The kind of the choice without its outputs, as in the list of grippers.
 QString kindOf(const GripperChoice& choice) {
     using Kind = GripperChoice::Kind;
     return choice.kind == Kind::None         ? QStringLiteral("none")
@@ -137,11 +138,11 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
             return;
         }
         const double opening = position_->value() * format::metresPerUnit();
-        move(robotiq_.position(opening), tr("Gripper: to %1").arg(format::length(opening, 1)));
+        move(robotiq_.position(opening), tr("Gripper: move to %1").arg(format::length(opening, 1)));
     });
     connect(&robotiq_, &RobotiqLink::changed, this, &GripperPanel::refresh);
     connect(&session_, &RobotSession::stateChanged, this, &GripperPanel::follow);
-    // Also updated by a timer: the state becomes old when no data arrive.
+    // The timer also updates the display, because the state becomes outdated when no data arrive.
     refreshTimer_.setInterval(kGripperRefreshMs);
     connect(&refreshTimer_, &QTimer::timeout, this, &GripperPanel::refresh);
     refreshTimer_.start();
@@ -230,13 +231,13 @@ void GripperPanel::build() {
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(page);
-    // The panel below is visible.
+    // Transparent, so that the panel behind it is visible.
     scroll->viewport()->setAutoFillBackground(false);
     page->setAutoFillBackground(false);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(scroll);
-    // With constant height, so that nothing moves when a suggestion appears.
+    // Constant height, so that nothing moves when a suggestion appears.
     remedy_->setMinimumHeight(kRemedyLines * QFontMetrics(textFont(15)).lineSpacing() + 10);
     listOutputs();
     fitValues();
@@ -312,7 +313,7 @@ void GripperPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
 }
 
-// ---- which gripper --------------------------------------------------------------------------------------
+// ---- selection of the gripper ---------------------------------------------------------------------------
 
 void GripperPanel::setMemory(GripperMemory memory) {
     memory_ = std::move(memory);
@@ -324,7 +325,7 @@ void GripperPanel::readAgain() {
     if (robot_.isEmpty() || !memory_.load) {
         return;
     }
-    // The same gripper: following it again would drop its connection.
+    // Do not select the same gripper again, because this would close its connection.
     if (const GripperChoice choice = GripperChoice::fromText(memory_.load(robot_)); choice != choice_) {
         choose(choice);
         chosen_.start();
@@ -375,7 +376,7 @@ void GripperPanel::chosenByUser() {
     }
     choose(choice);
     chosen_.start();
-    // Two outputs with the same number are not saved as a gripper.
+    // A gripper with the same output for opening and closing is not saved.
     const bool complete =
         choice.kind != GripperChoice::Kind::TwoOutputs || choice.closeOutput != choice.openOutput;
     if (!robot_.isEmpty() && memory_.keep && complete) {
@@ -443,7 +444,7 @@ QString GripperPanel::robotiqObstacle() const {
     if (now->activation != io::RobotiqActivation::Active) {
         return tr("Activate the gripper first.");
     }
-    // With an invalid input, the previous value would be sent.
+    // With invalid input in the box, the previous value would be sent.
     return speed_->isRefused() || force_->isRefused() ? tr("Speed or force is out of range.") : QString();
 }
 
@@ -478,11 +479,11 @@ void GripperPanel::setHand(bool close) {
     refresh();
 }
 
-// ---- what is shown --------------------------------------------------------------------------------------
+// ---- display --------------------------------------------------------------------------------------------
 
 QString GripperPanel::obstacleOfLink() const {
     if (robot_.isEmpty()) {
-        return tr("Connect to a robot first: each robot remembers its gripper.");
+        return tr("Connect to a robot first: the gripper is stored for each robot.");
     }
     if (state_.link != LinkState::Live) {
         return tr("No data from the robot.");
@@ -537,7 +538,7 @@ void GripperPanel::refreshRobotiq() {
     const QString fault = robotiq_.faultText();
     const bool noPort = io::kRobotiqPort + state_.portOffset > kMaxTcpPort && !address_;
     const QString unknown =
-        noPort ? tr("The gripper cannot be reached with this port offset.") : robotiq_.reason();
+        noPort ? tr("The gripper is not available with this port offset.") : robotiq_.reason();
     const QString why = !link.isEmpty() ? link : !now ? unknown : QString();
     const QString moving = !why.isEmpty() ? why
                            : activating   ? tr("Activating: the fingers open and close once.")

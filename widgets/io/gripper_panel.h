@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The gripper panel: a Robotiq gripper (activate, open, close, position, speed, force, object detection), or a
-// gripper controlled by outputs. Each click sends one command, as for an output; the display shows the state
-// reported by the gripper, or by the robot for its outputs. The selected gripper is saved per robot.
+// The gripper panel. Supports Robotiq grippers (activate, open, close, position, speed, force, object
+// detection) and grippers controlled by outputs. Each click sends one command, as for an output. The display
+// shows the state reported by the gripper, or by the robot for its outputs. The selected gripper is saved per
+// robot.
 
 #include <QElapsedTimer>
 #include <QMap>
@@ -29,7 +30,8 @@ namespace tiller {
 
 class DecimalSpinBox;
 
-/// Stores the gripper by robot: its address, or "simulator". Format of GripperChoice::toText().
+/// Stores the gripper of each robot. The key is the address of the robot, or "simulator". The value has the
+/// format of GripperChoice::toText().
 struct GripperMemory {
     std::function<QString(const QString& robot)> load;
     std::function<void(const QString& robot, const QString& choice)> keep;
@@ -42,9 +44,9 @@ public:
     explicit GripperPanel(RobotSession& session, QWidget* parent = nullptr);
 
     void setMemory(GripperMemory memory);
-    /// Reload: the stored gripper of this robot may have changed.
+    /// Loads the stored gripper of this robot again, because it may have changed.
     void readAgain();
-    /// The user's names of outputs, by terminal.
+    /// Sets the user's names of outputs, by terminal.
     void setNames(const QMap<QString, QString>& names);
 
     const GripperChoice& choice() const { return choice_; }
@@ -52,7 +54,7 @@ public:
     /// Interface for other panels, valid for the lifetime of the panel.
     GripperPort port();
 
-    /// For tests: the receiver of output commands, the clock, and the address of the gripper.
+    /// For tests: replace the receiver of output commands, the clock, and the address of the gripper.
     using OutputSetter = std::function<void(std::uint32_t mask, std::uint32_t values, const QString& what)>;
     void setOutputSetter(OutputSetter setter) { setOutputs_ = std::move(setter); }
     void setClock(const Clock& clock) { clock_ = &clock; }
@@ -91,8 +93,8 @@ private:
     SessionState state_;
     QString robot_;  ///< address of the robot; empty: no robot
     GripperChoice choice_;
-    std::optional<std::pair<QString, int>> address_;  ///< replaces the robot's address
-    QElapsedTimer chosen_;                            ///< runs since the buttons appeared
+    std::optional<std::pair<QString, int>> address_;  ///< if set, used instead of the robot's address
+    QElapsedTimer chosen_;                            ///< time since the gripper was selected
     QTimer refreshTimer_;
 
     OutputGripper outputs_;
@@ -116,7 +118,7 @@ private:
     QVector<QWidget*> ofOutputs_;
     QVector<QWidget*> ofTwoOutputs_;
 
-    RobotiqLink robotiq_;  // last member, so that its destructor does not use other members
+    RobotiqLink robotiq_;  // last member, so that its destruction does not use destroyed members
 };
 
 }  // namespace tiller

@@ -26,7 +26,7 @@ int rowHeightNow() {
 IoChannel::IoChannel(const QString& terminal, bool output, QWidget* parent)
     : QAbstractButton(parent), terminal_(terminal), output_(output) {
     setText(terminal);
-    setFocusPolicy(output ? Qt::StrongFocus : Qt::NoFocus);  // P pulses the row that was clicked
+    setFocusPolicy(output ? Qt::StrongFocus : Qt::NoFocus);  // the shortcut P pulses the row with the focus
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     describe();
@@ -87,10 +87,11 @@ void IoChannel::describe() {
                                                                 : stateWord());
     QString tip = QStringLiteral("%1: %2").arg(accessibleName(), accessibleDescription());
     if (output_) {
-        tip += stale_                 ? tr("\nCannot be switched while the robot sends no data.")
-               : !obstacle_.isEmpty() ? QLatin1Char('\n') + obstacle_
-                                      : tr("\nClick to switch it %1. P: pulse. Right-click: pulse, rename.")
-                                            .arg(state_ == State::On ? tr("off") : tr("on"));
+        tip += stale_ ? tr("\nThe output cannot be switched while the robot sends no data.")
+               : !obstacle_.isEmpty()
+                   ? QLatin1Char('\n') + obstacle_
+                   : tr("\nClick to switch it %1. Press P to pulse it. Right-click to pulse or rename it.")
+                         .arg(state_ == State::On ? tr("off") : tr("on"));
     }
     setToolTip(tip);
 }
@@ -103,7 +104,7 @@ void IoChannel::changeEvent(QEvent* event) {
 }
 
 bool IoChannel::hitButton(const QPoint& position) const {
-    // Not disabled while data are old: it can still be renamed.
+    // Not disabled while data are outdated, because the row can still be renamed.
     return output_ && !stale_ && obstacle_.isEmpty() && QAbstractButton::hitButton(position);
 }
 
@@ -148,7 +149,8 @@ void IoChannel::paintEvent(QPaintEvent*) {
     painter.drawText(nameBox, Qt::AlignVCenter | Qt::AlignLeft,
                      painter.fontMetrics().elidedText(shown, Qt::ElideRight, nameBox.width()));
 
-    // A filled circle, a ring, or a half-filled one while not confirmed: distinguishable without colour.
+    // A filled circle, a ring, or a half-filled circle while unconfirmed, so that the states are
+    // distinguishable without colour.
     const QRectF lamp(width() - kStateWidth, (height() - kLamp) / 2.0, kLamp, kLamp);
     const QColor ink = live ? theme.text : theme.disabledText;
     const bool pending = state_ == State::PendingOff || state_ == State::PendingOn;
@@ -171,6 +173,9 @@ void IoChannel::paintEvent(QPaintEvent*) {
 void IoChannel::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_F2) {
         rename();
+    } else if (event->key() == Qt::Key_Escape && editor_ != nullptr && editor_->isVisible()) {
+        editor_->setText(name_);
+        finishRename();
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
         if (!event->isAutoRepeat() && output_ && !stale_ && obstacle_.isEmpty()) {
             click();
@@ -180,7 +185,7 @@ void IoChannel::keyPressEvent(QKeyEvent* event) {
             Q_EMIT pulseRequested();
         }
     } else {
-        event->ignore();  // Space stops the arm everywhere and must not press a button
+        event->ignore();  // Space always stops the arm and must not press a button
     }
 }
 
@@ -213,6 +218,9 @@ void IoChannel::rename() {
 void IoChannel::finishRename() {
     if (!editor_->isVisible()) {
         return;
+    }
+    if (editor_->hasFocus()) {
+        setFocus(Qt::OtherFocusReason);  // otherwise the next widget of the window gets it
     }
     editor_->hide();
     const QString name = editor_->text().trimmed();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A row for a digital input or output: terminal, name, and state as symbol and text. An output is a button; an
-// input is read-only.
+// A row for a digital input or output with terminal, name, and the state as symbol and text. An output is a
+// button. An input is read-only.
 
 #include <QAbstractButton>
 
@@ -25,14 +25,14 @@ public:
     void setName(const QString& name);
     State state() const { return state_; }
     void setState(State state);
-    /// Old data: the last state is shown in grey.
+    /// Marks the data as outdated; the last state is then shown in grey.
     void setStale(bool stale);
     bool isStale() const { return stale_; }
-    /// why   the reason why the output cannot be switched, as a sentence; empty if it can
-    /// word  shown after the name
+    /// why   the reason why the output cannot be switched, as a sentence; empty if it can be switched
+    /// word  text shown after the name
     void setObstacle(const QString& why, const QString& word = {});
     QString obstacle() const { return obstacle_; }
-    /// "on", "off", "pending…", "no data"
+    /// The displayed state: "on", "off", "pending…", "no data".
     QString stateWord() const;
     /// Opens the editor for the name.
     void rename();
@@ -40,11 +40,12 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    static constexpr int kHeight = 30;  ///< for a mouse; for touch the height of a button
+    /// Row height for a mouse [px]; for touch, rows are as high as buttons.
+    static constexpr int kHeight = 30;
 
 Q_SIGNALS:
     void nameChanged();
-    /// The output should be switched on for a moment and then off again.
+    /// The user requested to switch the output on for a moment and then off again.
     void pulseRequested();
 
 protected:

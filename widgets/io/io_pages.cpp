@@ -16,7 +16,7 @@ IoPages::IoPages(IoTab* signalsPage, GripperPanel* gripperPage, QWidget* parent)
     , choice_(new SegmentedControl({tr("Signals"), tr("Gripper")}))
     , pages_(new QStackedWidget(this)) {
     setObjectName(QStringLiteral("ioPages"));
-    choice_->setNames(QStringLiteral("io.part"), tr("Page of I/O"));
+    choice_->setNames(QStringLiteral("io.part"), tr("I/O page"));
     pages_->addWidget(signalsPage);
     pages_->addWidget(gripperPage);
     auto* top = new QHBoxLayout;

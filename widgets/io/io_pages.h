@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The two pages of the tab "I/O": signals, and gripper. Separate pages, so that the rows of one do not move when
-// the other changes.
+// The two pages of the tab "I/O": signals and gripper. They are separate, so that a change on one page does
+// not move the rows of the other.
 
 #include <QWidget>
 
@@ -20,7 +20,7 @@ class IoPages : public QWidget {
 public:
     enum class Page { Signals, Gripper };
 
-    /// Takes ownership of both.
+    /// Takes ownership of both pages.
     IoPages(IoTab* signalsPage, GripperPanel* gripperPage, QWidget* parent = nullptr);
 
     Page page() const;

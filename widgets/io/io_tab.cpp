@@ -21,9 +21,9 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about an unconfirmed output.
+/// Notice cause of an unconfirmed output.
 constexpr char kUnconfirmed[] = "output";
-/// After this time without confirmation by the robot, "pending" is replaced.
+/// Timeout for the confirmation by the robot; afterwards the state "pending" ends [ns].
 constexpr std::int64_t kConfirmNs = 2 * kNsPerSecond;
 constexpr int kRefreshMs = 50;
 
@@ -74,7 +74,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(page);
-    // The panel below is visible.
+    // Transparent, so that the panel behind it is visible.
     scroll->viewport()->setAutoFillBackground(false);
     page->setAutoFillBackground(false);
     nothing_ = new EmptyState(*scroll);
@@ -94,7 +94,7 @@ IoTab::IoTab(RobotSession& session, QWidget* parent)
     connect(replayBand_, &ReplayBand::liveWanted, this, &IoTab::liveWanted);
     layout->addLayout(top);
     layout->addWidget(scroll, 1);
-    // At the bottom: no button moves under the pointer when it is hidden.
+    // The band is at the bottom, so that hiding it does not move a button under the pointer.
     layout->addWidget(replayBand_);
     notice_->setObjectName(QStringLiteral("io.notice"));
     new BottomOverlay(*notice_, *this, {scroll});
@@ -158,7 +158,7 @@ void IoTab::toggle(int output) {
     if (state_.link != LinkState::Live || replay_) {
         return;
     }
-    // Compared with the requested state, so that a second click reverts the first.
+    // Compare with the requested state, so that a second click reverts the first click.
     const auto asked = pending_.constFind(output);
     const bool now = asked != pending_.constEnd() ? asked->wanted : bit(state_.digitalOutputs, output);
     ask(output, !now);
@@ -201,7 +201,8 @@ int IoTab::chosenOutput() {
     }
     for (int channel = 0; channel < kChannels; ++channel) {
         const IoChannel* row = outputs_[channel];
-        // Of the window, not of the application: the command palette may still be open.
+        // Use the focus widget of the window instead of the application, because the command palette may
+        // still be open.
         if (row != window()->focusWidget()) {
             continue;
         }
@@ -275,7 +276,7 @@ void IoTab::search(const QString& text) {
 void IoTab::refresh() {
     using State = IoChannel::State;
     registers_->setLock(state_.monitorOnly ? texts::monitorOnlyObstacle() : QString());
-    // Past data are shown as old data.
+    // Past data are displayed like outdated data.
     const bool stale = state_.link != LinkState::Live || replay_;
     const bool known = replay_ ? !replay_->sample.isEmpty() : state_.hasData();
     const receive::RobotState then(replay_ ? replay_->sample : sample_);
@@ -304,7 +305,7 @@ void IoTab::refresh() {
                            .cause = QLatin1String(kUnconfirmed)});
             unconfirmed_ = {channel, wanted};
         } else if (unconfirmed_.first == channel && (stale || unconfirmed_.second == on)) {
-            // Confirmed late, or no longer known.
+            // The output was confirmed late, or its state is unknown.
             unconfirmed_ = {-1, false};
             notice_->resolve(QLatin1String(kUnconfirmed));
         }
@@ -407,7 +408,7 @@ void IoTab::refreshAnalog(bool known, bool stale) {
     for (int channel = 0; channel < 2; ++channel) {
         analogInputs_[channel]->setValue(robot.analogInput(channel), domain(channel),
                                          !std::isnan(robot.analogInput(channel)), stale);
-        // Tool inputs are voltages unless configured otherwise, which is not reported.
+        // Tool inputs are assumed to be voltages, because the robot does not report their configuration.
         const std::string field = "tool_analog_input" + std::to_string(channel);
         analogInputs_[2 + channel]->setValue(robot.number(field), io::AnalogDomain::Voltage, robot.has(field),
                                              stale);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "I/O": all digital and analog inputs and outputs of controller and tool by number and name, and the
-// general purpose registers. A click switches an output, which shows "pending" until the robot reports the new
-// state. Setting an output is independent of running programs.
+// The tab "I/O" shows all digital and analog inputs and outputs of controller and tool by number and name,
+// and the general purpose registers. A click switches an output, which shows "pending" until the robot
+// reports the new state. Setting an output is independent of running programs.
 
 #include <QMap>
 #include <QTimer>
@@ -47,14 +47,14 @@ public:
     AnalogRow* analogInput(int channel) const { return analogInputs_[channel]; }
     AnalogRow* analogOutput(int channel) const { return analogOutputs_[channel]; }
     RegisterPanel* registers() const { return registers_; }
-    /// Shows past inputs and outputs, with their time; outputs cannot be switched. Empty: live data.
+    /// Shows past inputs and outputs with their time; outputs cannot be switched. Empty: live data.
     void setReplay(const Replay& moment);
-    /// Shows only rows with this text in terminal or name.
+    /// Shows only rows that contain this text in terminal or name.
     void search(const QString& text);
     void focusSearch();
     static constexpr int kPulseMs = 500;
 
-    /// Actions for the row with the focus; show a hint if there is none.
+    /// Actions for the row with the focus. They show a hint if no row has the focus.
     void renameChosen();
     void switchChosen();
     void pulseChosen();
@@ -76,7 +76,7 @@ private:
     void toggle(int output);
     void pulse(int output);
     void ask(int output, bool on);
-    /// The output with the focus, if it can be switched; otherwise shows a hint and returns -1.
+    /// Returns the output with the focus if it can be switched; otherwise shows a hint and returns -1.
     int chosenOutput();
     void showNoSelection();
     void buildAnalog(QVBoxLayout* layout);
@@ -86,7 +86,7 @@ private:
     std::function<void(int, bool)> setOutput_;
     const Clock* clock_ = &SteadyClock::shared();
     SessionState state_;
-    receive::Sample sample_;  ///< the sample of state_
+    receive::Sample sample_;  ///< the sample that state_ is based on
     Replay replay_;
     ReplayBand* replayBand_ = nullptr;
     QTimer refreshTimer_;
@@ -107,7 +107,8 @@ private:
         std::int64_t sinceNs = 0;
     };
     QMap<int, Pending> pending_;
-    std::pair<int, bool> unconfirmed_{-1, false};  ///< output of the notice, and the requested state
+    /// The output shown in the notice, and the requested state.
+    std::pair<int, bool> unconfirmed_{-1, false};
 };
 
 }  // namespace tiller

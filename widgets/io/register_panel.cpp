@@ -18,7 +18,8 @@ namespace tiller {
 
 namespace {
 
-/// The received registers, in the lower and upper range.
+/// Received registers: kFirst to kLast in the lower range, and the same numbers plus kUpper in the upper
+/// range.
 constexpr int kFirst = 12;
 constexpr int kLast = 19;
 constexpr int kUpper = 24;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// General purpose registers: shows the output registers reported by the robot, and has one line to write an
-// input register for a program on the robot.
+// General purpose registers: shows the output registers reported by the robot and contains one line for
+// writing an input register that a program on the robot can read.
 
 #include <QMap>
 #include <QWidget>
@@ -24,13 +24,13 @@ class RegisterPanel : public QWidget {
 public:
     explicit RegisterPanel(QWidget* parent = nullptr);
 
-    /// Shows the values of this sample; missing fields show a dash.
+    /// Shows the values of this sample. A missing field is shown as a dash.
     void show(const receive::RobotState& robot, bool stale);
     void showNothing();
-    /// reason  why registers cannot be written, as a sentence; empty if they can
+    /// reason  why registers cannot be written, as a sentence; empty if they can be written
     void setLock(const QString& reason);
     /// Hides rows that do not match.
-    /// Returns  whether any row matches
+    /// Returns  true if any row matches
     bool filter(const QString& text);
     QString valueText(const QString& registerName) const;
 

@@ -41,10 +41,10 @@ void ArmKey::setArmed(bool armed) {
     setText(armed ? tr("Keyboard armed") : tr("Arm keyboard"));
     setAccessibleName(text());
     setToolTip(!lock_.isEmpty() ? lock_
-               : armed ? tr("Arrows move X and Y, PgUp and PgDn move Z; with Alt they rotate. 1 to 6 with + "
-                            "and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.")
-                       : tr("While armed, the arrow keys move the arm as long as they are held. A border "
-                            "surrounds the window."));
+               : armed ? tr("Arrow keys move X and Y, PgUp and PgDn move Z; with Alt, they rotate. 1 to 6 "
+                            "with + and − move a joint. Space and Esc stop. To disarm, click or wait 30 s.")
+                       : tr("While the keyboard is armed, the arrow keys move the arm as long as they are "
+                            "held. A border surrounds the window."));
 }
 
 QSize ArmKey::sizeHint() const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The button in the title bar of the jog column that arms the keyboard and shows whether it is armed, in the colour
-// of the window frame. It does not move the arm.
+// The button in the title bar of the jog column that arms the keyboard. It shows whether the keyboard is
+// armed, in the same colour as the window frame. It does not move the arm.
 
 #include <QAbstractButton>
 
@@ -15,7 +15,7 @@ public:
     explicit ArmKey(QWidget* parent = nullptr);
 
     void setArmed(bool armed);
-    /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can
+    /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can be armed
     void setLock(const QString& why);
     bool isArmed() const { return isChecked(); }
 
@@ -23,10 +23,10 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
-    void nextCheckState() override {}  // KeyboardJog sets the state, not the click
+    void nextCheckState() override {}  // the state is set by KeyboardJog, not by a click
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;  ///< Space stops the arm and must not arm the keyboard.
+    void keyPressEvent(QKeyEvent* event) override;  ///< Space stops the arm and must not arm the keyboard
     void focusInEvent(QFocusEvent* event) override;
 
 private:

@@ -22,10 +22,11 @@ control::JogTarget deflectionTarget(const JogSelection& selection, const Deflect
         }
         return target;
     }
-    // Frame and speeds as for a pad button, but with the direction of the device.
+    // Frame and speeds are the same as for a pad button. Only the direction is that of the device.
     control::JogTarget target = cartesianJog(selection, {0, 1}, factor, limits);
     const auto held = [](const Eigen::Vector3d& wish, double most) -> Eigen::Vector3d {
-        return wish * (most / std::max(1.0, wish.norm()));  // diagonal motion is not faster than an axis
+        // Diagonal motion is not faster than motion along an axis.
+        return wish * (most / std::max(1.0, wish.norm()));
     };
     target.twist.linear = held(deflection.axes.head<3>(), std::min(speed.tcp * factor, limits.tcpSpeed));
     target.twist.angular =
@@ -67,7 +68,7 @@ control::JogTarget AxisJog::target() const {
 void AxisJog::setInput(const Deflection& deflection, double factor) {
     const bool released = deflection.isNeutral() || !deflection.deadMan;
     if (isActive() && deflection.grip.by != input_.grip.by) {
-        // Another input source than the active one. It is ignored while it is neutral.
+        // This is not the active input source. It is ignored while it is neutral.
         neutralOf(deflection.grip.by) = deflection.isNeutral();
         if (!released) {
             rules_.happen(HoldEvent::Kind::PressedAgain);
@@ -82,7 +83,7 @@ void AxisJog::setInput(const Deflection& deflection, double factor) {
     }
     if (released) {
         rules_.happen(HoldEvent::Kind::LetGo);
-        // Releasing the enabling button is not sufficient: the stick has to return to the centre.
+        // Releasing the enabling button is not sufficient. The stick must also return to the centre.
         neutralOf(deflection.grip.by) = deflection.isNeutral();
         return;
     }
@@ -99,7 +100,7 @@ void AxisJog::setInput(const Deflection& deflection, double factor) {
 }
 
 void AxisJog::begin() {
-    neutralOf(input_.grip.by) = false;  // In any case the next motion requires a neutral position.
+    neutralOf(input_.grip.by) = false;  // the next motion always requires a neutral position first
     QString why = rules_.obstacle(nullptr, input_.grip);
     if (why.isEmpty()) {
         why = obstacle_();
@@ -144,7 +145,7 @@ void AxisJog::stop(StopCause cause) {
     Q_EMIT ended(cause);
 }
 
-/// The session or the robot has ended the motion.
+/// Handles a motion that the session or the robot has ended.
 void AxisJog::finish() {
     rules_.end();
     timer_.stop();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging by inputs other than buttons on the screen: the armed keyboard, a gamepad, a SpaceMouse. The inputs are
-// deflections with an enabling signal; the rules are those of HoldRules. After the end of a motion, each input
-// source has to return to neutral before it can move the arm again.
+// Jogging by inputs other than on-screen buttons: the armed keyboard, a gamepad or a SpaceMouse. Each input
+// is a deflection with an enabling signal, and the rules of HoldRules apply. After the end of a motion, the
+// input source must return to neutral before it can move the arm again.
 
 #include <QObject>
 #include <QTimer>
@@ -17,23 +17,23 @@
 
 namespace tiller {
 
-/// The current input of a device. All numbers -1 ... 1, relative to the selected speed.
+/// The current input of a device. All values are in the range -1 ... 1, relative to the selected speed.
 struct Deflection {
     Vector6 axes = Vector6::Zero();    ///< X Y Z Rx Ry Rz in the selected frame
-    Vector6 joints = Vector6::Zero();  ///< single joints; only used if all axes are 0
+    Vector6 joints = Vector6::Zero();  ///< single joints; used only if all axes are 0
     bool deadMan = false;
-    /// HoldSource::By::Keys with the held keys, or Device: must be refreshed continuously; a missing refresh means that
-    /// reading the device hangs.
+    /// By::Keys with the held keys, or By::Device. A device must be refreshed continuously; a missing refresh
+    /// means that reading the device hangs.
     HoldSource grip = {HoldSource::By::Keys};
 
     bool isNeutral() const { return axes.isZero() && joints.isZero(); }
 };
 
-/// The velocity for a deflection.
+/// Returns the target velocity for a deflection.
 control::JogTarget deflectionTarget(const JogSelection& selection, const Deflection& deflection,
                                     double factor, const control::MotionLimits& limits);
 
-/// Maximum time without input from a finger or stick at this velocity [ns].
+/// Maximum time without input from a finger or stick at this target velocity [ns].
 std::int64_t jogTimeoutNs(const control::JogTarget& target);
 
 /// Threads  GUI
@@ -50,23 +50,23 @@ public:
     void setClock(const Clock& clock);
     /// The newest state of the device. No effect if unchanged.
     void setInput(const Deflection& deflection, double factor = 1.0);
-    /// Ends an active motion; the device must then return to neutral.
+    /// Ends an active motion. The device must then return to neutral.
     void stop(control::StopCause cause);
     /// Requires a neutral position of this source before the next motion.
     void requireNeutral(HoldSource::By by) { neutralOf(by) = false; }
     bool isActive() const { return rules_.isActive(); }
-    /// The last input of the current motion, and its factor of the selected speed.
+    /// The last input of the current motion, and the factor applied to the selected speed.
     const Deflection& input() const { return input_; }
     double factor() const { return factor_; }
-    /// True while a stopped source has not returned to neutral.
+    /// True while a stopped source has not yet returned to neutral.
     bool waitsForNeutral(HoldSource::By by) { return !neutralOf(by); }
-    /// Forwards a keyboard event to the rules of the motion held by keys.
+    /// Forwards a keyboard event to the rules of a motion that is held by keys.
     void tell(HoldEvent::Kind kind);
     /// Maximum time without input from a stick at the current speed [ns].
     std::int64_t holdTimeoutNs() const;
     /// Remaining time of the maximum hold duration [ns].
     std::int64_t leftNs() const { return rules_.leftNs(); }
-    /// One refresh, called by a timer every 20 ms, or by tests in virtual time.
+    /// Performs one refresh. Called by a timer every 20 ms, or by tests in virtual time.
     void pump();
 
 Q_SIGNALS:

@@ -25,7 +25,7 @@ Vector6 shaped(const Vector6& axes, const DeviceTuning& tuning) {
     Vector6 wish = Vector6::Zero();
     for (int axis = 0; axis < 6; ++axis) {
         const double out = std::min(std::abs(axes[axis]), 1.0);
-        if (!(out > tuning.deadZone)) {  // NaN is neutral as well
+        if (!(out > tuning.deadZone)) {  // NaN counts as neutral
             continue;
         }
         const double beyond = (out - tuning.deadZone) / (1 - tuning.deadZone);
@@ -88,7 +88,7 @@ void DeviceJog::use(const InputDevice* device) {
     silent_ = false;
     heardNs_ = clock_->nowNs();
     if (device != nullptr) {
-        // The first state of a device must be neutral.
+        // The first reading of a device must be neutral.
         jog_.requireNeutral(HoldSource::By::Device);  // rule: neutral before the first motion
     }
     Q_EMIT devicesChanged();
@@ -114,7 +114,7 @@ void DeviceJog::tune(const QString& kind, const DeviceTuning& tuning) {
         return;
     }
     if (used_ != nullptr && used_->shape().kind == kind) {
-        // The same deflection now means another speed.
+        // The same deflection would result in a different speed.
         jog_.stop(StopCause::SelectionChanged);
         jog_.requireNeutral(HoldSource::By::Device);
     }
@@ -193,7 +193,7 @@ void DeviceJog::follow(const DeviceReading& now) {
             Q_EMIT stoppedReporting(used_->name());
         }
     }
-    // A neutral device does not disturb other inputs.
+    // A neutral device must not interfere with other inputs.
     const bool neutral = wanted.isNeutral();
     if (!neutral || !wasNeutral_ || (jog_.waitsForNeutral(HoldSource::By::Device) && !jog_.isActive())) {
         jog_.setInput(wanted);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging with a gamepad or a SpaceMouse. A device moves the arm only after it was enabled here and while its
-// enabling button is held. After a stop it must first return to neutral; see HoldRules.
+// Jogging with a gamepad or a SpaceMouse. A device moves the arm only if it has been enabled here and while
+// its enabling button is held. After a stop, the device must first return to neutral (see HoldRules).
 
 #include <QMap>
 #include <QObject>
@@ -29,12 +29,12 @@ public:
     void addSource(std::unique_ptr<DeviceSource> source);
     const std::vector<std::unique_ptr<InputDevice>>& devices() const { return devices_; }
 
-    /// The device that moves the arm, or null. Not saved: initially null.
+    /// The device that moves the arm, or null. Initially null, because it is not saved.
     const InputDevice* used() const { return used_; }
     void use(const InputDevice* device);
-    /// The device's properties, with the settings for its type.
+    /// Properties of the device, with the settings for its type.
     DeviceShape shape(const InputDevice& device) const;
-    /// Applies settings, limited by sane(), to all devices of a type; ends their motion.
+    /// Applies settings, limited by sane(), to all devices of a type and ends the motion of such a device.
     void tune(const QString& kind, const DeviceTuning& tuning);
 
     /// The newest reading of a device, and the resulting input.
@@ -47,15 +47,15 @@ public:
     void setClock(const Clock& clock);
 
 Q_SIGNALS:
-    /// Devices were added or removed, or another one is used.
+    /// Devices were added or removed, or another device is in use.
     void devicesChanged();
     /// The device in use was disconnected.
     void lost(const QString& name);
-    /// The device in use stopped reporting during a motion, which was ended. It is still connected and has to
-    /// return to neutral.
+    /// The device in use stopped reporting during a motion, and the motion was ended. The device is still
+    /// connected and must return to neutral.
     void stoppedReporting(const QString& name);
     void tuned(const QString& kind, const tiller::DeviceTuning& tuning);
-    /// The stop button of the device in use.
+    /// The stop button of the device in use was pressed.
     void stopPressed();
 
 private:
@@ -71,9 +71,9 @@ private:
     const InputDevice* used_ = nullptr;
     QMap<QString, DeviceTuning> tunings_;  ///< settings by device type; missing types use their defaults
     bool stopHeld_ = false;
-    bool wasNeutral_ = false;   ///< last input
-    bool silent_ = false;       ///< deflected, but not reporting
-    std::int64_t heardNs_ = 0;  ///< time of its last report
+    bool wasNeutral_ = false;   ///< true if the last input was neutral
+    bool silent_ = false;       ///< true if the device is deflected but does not report
+    std::int64_t heardNs_ = 0;  ///< time of the last report of the device [ns]
     QTimer pollTimer_;
     QTimer lookTimer_;
 };

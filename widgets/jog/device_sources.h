@@ -8,7 +8,7 @@
 
 namespace tiller {
 
-/// All device types supported by this build: gamepads with SDL, SpaceMouse with libspnav.
+/// Sources for all device types supported by this build: gamepads with SDL, SpaceMouse with libspnav.
 std::vector<std::unique_ptr<DeviceSource>> deviceSources();
 
 }  // namespace tiller

@@ -26,7 +26,7 @@ namespace {
 constexpr int kRefreshMs = 50;
 constexpr std::array kAxes = {"X", "Y", "Z", "Rx", "Ry", "Rz"};
 
-/// Lines break only between the parts, not between a number and its unit.
+/// Allows line breaks between the parts of the text, but not between a number and its unit.
 QString unbroken(QString text) {
     const QString joiner(QChar(0x2060));
     text.replace(QLatin1Char(' ') + format::speedUnit(), QChar(0xA0) + format::speedUnit());
@@ -61,7 +61,7 @@ QString motionText(const JogSelection& selection, const Deflection& deflection,
                                  .arg(parts.join(QStringLiteral(", ")), frameName(selection));
 }
 
-/// Six bars from the centre: a thin line for the raw value, a thick one for the resulting input.
+/// Six bars that start at the centre: a thin line for the raw value and a thick line for the resulting input.
 class DeviceBars : public QWidget {
 public:
     explicit DeviceBars(QWidget* parent) : QWidget(parent) {
@@ -126,7 +126,7 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     , bars_(new DeviceBars(this))
     , deadMan_(new QLabel)
     , direction_(new QLabel)
-    , use_(new QCheckBox(tr("Moves the arm (until Tiller is closed)")))
+    , use_(new QCheckBox(tr("Enable motion (until Tiller is closed)")))
     , dominant_(new QCheckBox(tr("Dominant axis only"))) {
     setObjectName(QStringLiteral("deviceTrainer"));
     setWindowTitle(tr("Gamepad and SpaceMouse"));
@@ -145,8 +145,8 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
 
     auto* form = new QFormLayout;
     form->addRow(tr("Device"), list_);
-    form->addRow(tr("Dead-man"), deadMan_);
-    form->addRow(tr("Would move"), direction_);
+    form->addRow(tr("Hold-to-run"), deadMan_);
+    form->addRow(tr("Motion"), direction_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(12);
@@ -159,9 +159,9 @@ DeviceTrainer::DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> s
     boxes->addWidget(use_);
     layout->addLayout(boxes);
     auto* keyboard =
-        new QLabel(tr("Keyboard, while armed (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 "
-                      "to 6 with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; "
-                      "Ctrl: slower; Shift: faster. Space and Esc stop."));
+        new QLabel(tr("Armed keyboard (Ctrl+J): arrows: X and Y; PgUp, PgDn: Z; with Alt: rotation; 1 to 6 "
+                      "with + and −: joints; Home: home; End: align; Backspace: back; F: Freedrive; Ctrl: "
+                      "slower; Shift: faster. Space and Esc stop."));
     keyboard->setWordWrap(true);
     keyboard->setProperty("role", "secondary");
     layout->addWidget(keyboard);
@@ -227,7 +227,7 @@ void DeviceTrainer::refresh() {
     deadMan_->setText(wish.deadMan ? tr("● held (%1)").arg(shape.deadManName)
                                    : tr("○ not held: hold the %1").arg(shape.deadManName));
     const QString way = motionText(selection_(), wish, limits_());
-    way_ = way.isEmpty() ? tr("nothing: neutral") : way;
+    way_ = way.isEmpty() ? tr("none (neutral)") : way;
     direction_->setText(unbroken(way_));
     bars_->show(devices_.reading(device).axes, wish.axes, shape.deadZone);
     fitToContents(*this);

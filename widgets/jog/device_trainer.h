@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The page for testing a gamepad or a SpaceMouse: current values, resulting input, and direction of the arm.
-// Devices are enabled and disabled for jogging here.
+// The page for testing a gamepad or a SpaceMouse. It shows the current values, the resulting input, and the
+// direction of the arm. Devices are enabled and disabled for jogging here.
 
 #include <QDialog>
 #include <QTimer>
@@ -18,7 +18,7 @@ namespace tiller {
 
 class DeviceBars;
 
-/// e.g. "X+ 34 mm/s, Rz− 5 °/s in Base"; empty if the arm would not move.
+/// Describes the motion, e.g. "X+ 34 mm/s, Rz− 5 °/s in Base". Empty if the arm would not move.
 QString motionText(const JogSelection& selection, const Deflection& deflection,
                    const control::MotionLimits& limits);
 
@@ -26,7 +26,7 @@ class DeviceTrainer : public QDialog {
     Q_OBJECT
 
 public:
-    /// selection, limits  of the jog column and the session, read at each refresh
+    /// selection, limits  selection of the jog column and limits of the session, read at each refresh
     DeviceTrainer(DeviceJog& devices, std::function<JogSelection()> selection,
                   std::function<control::MotionLimits()> limits, QWidget* parent = nullptr);
 

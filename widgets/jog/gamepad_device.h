@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Gamepads through SDL: left stick X and Y, right stick Z (up and down) and rotation about Z; with the right
-// shoulder button the sticks rotate instead. Enabling button: left shoulder. The right face button stops.
+// Gamepads through SDL. The left stick moves in X and Y, and the right stick moves in Z (up and down) and
+// rotates about Z. While the right shoulder button is held, the sticks rotate instead. The left shoulder
+// button is the enabling button. The right face button stops the arm.
 
 #include "widgets/jog/input_device.h"
 
 namespace tiller {
 
-/// Owns SDL's gamepad subsystem during its lifetime; at most one instance at a time.
+/// Owns the gamepad subsystem of SDL. Only one instance may exist at a time.
 class GamepadSource : public DeviceSource {
 public:
     GamepadSource();

@@ -44,12 +44,12 @@ namespace {
 constexpr int kSideMargin = 12;
 constexpr int kSmallMargin = 6;
 constexpr int kRefusalShownMs = 6000;
-constexpr int kDetailTab = 30;  // height of the selector of pose or joints
-/// Below this height (a screen of 1280 x 720 with a title bar), the buttons of the pad and of the rows above
-/// it are slightly smaller.
+constexpr int kDetailTab = 30;  // height of the selector for pose or joints [px]
+/// Below this column height (a screen of 1280 x 720 with a title bar), the buttons of the pad and of the rows
+/// above the pad are slightly smaller.
 constexpr int kTightBelow = 570;
 
-/// Button sizes of the pad: normal, minimum with all joints, and folded.
+/// Button sizes of the pad [px]: normal, minimum with all joints visible, and folded.
 constexpr int kKey = 72;
 constexpr int kSnugKey = 60;
 constexpr int kFoldedKey = 56;
@@ -74,7 +74,7 @@ double heldFactor() {
     return modifierFactor(QGuiApplication::keyboardModifiers());
 }
 
-/// Uses the number of digits needed for slow joints: "0.36 °/s", "3.6 °/s", "10 °/s".
+/// Uses as many digits as slow joint speeds need: "0.36 °/s", "3.6 °/s", "10 °/s".
 QString keySpeedText(double speed) {
     const double degrees = toDegrees(speed);
     return QStringLiteral("%1 °/s").arg(format::number(degrees, degrees < 1 ? 2 : degrees < 9.95 ? 1 : 0));
@@ -124,7 +124,7 @@ JogColumn::JogColumn(MotionPort port, HoldPolicy& policy, QWidget* parent)
     layout->addStretch(3);
     buildBottom(layout, policy);
     setContent(body);
-    // The column folds to less than the minimum size of its content; see resizeEvent().
+    // The column can be smaller than the minimum size of its content, because it folds; see resizeEvent().
     Panel::layout()->setSizeConstraint(QLayout::SetNoConstraint);
 
     refusalTimer_ = new QTimer(this);
@@ -247,7 +247,8 @@ void JogColumn::applyState(const SessionState& state) {
     pose_->setPose(state.tcpPose, state.moving, valid, stale);
     joints_->setJoints(state.q, state.moving, valid, stale);
     pose_->setTcp(state.tcpOffset);
-    pose_->setSpeed(state.moving || !state.isFresh() ? state.tcpSpeed : Twist());  // late: the last known one
+    // Stale data: keep the last speed.
+    pose_->setSpeed(state.moving || !state.isFresh() ? state.tcpSpeed : Twist());
     lightKeys();
     if (shownJog_) {
         showJog();  // in the tool frame the direction rotates with the tool
@@ -261,7 +262,7 @@ void JogColumn::applyState(const SessionState& state) {
 }
 
 void JogColumn::reportRetracePath() {
-    // Every sixth frame (of sixty per second), because the path can have thousands of positions.
+    // Emit every sixth frame (of sixty per second), because the path can have thousands of positions.
     constexpr int kFrames = 6;
     if (++retracePathFrames_ >= kFrames && track_->revision() != retracePathReported_) {
         retracePathFrames_ = 0;
@@ -290,7 +291,7 @@ void JogColumn::lightKeys() {
     }
 }
 
-/// True if keyboard or device have the same effect as this button of the pad.
+/// True if the current keyboard or device input has the same effect as this pad button.
 bool JogColumn::isDriven(const JogKey& key) const {
     return axisJog_->isActive() && axisJog_->input().axes[key.key().axis] * key.key().direction > 0;
 }
@@ -312,7 +313,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
     if (axisJog_->isActive()) {
         wish = axisJog_->input().axes;
     }
-    // Smaller sideways deflections do not change the displayed direction.
+    // Smaller components are not part of the displayed direction.
     constexpr double kNamed = 0.2;
     const double most = wish.cwiseAbs().maxCoeff();
     for (int axis = 0; axis < 6; ++axis) {
@@ -321,7 +322,7 @@ std::optional<ShownJog> JogColumn::shownJog() const {
         }
     }
     if (!names.isEmpty()) {
-        // Combined translation and rotation: the arrow shows the translation.
+        // For a combined translation and rotation, the arrow shows the translation.
         const Eigen::Vector3d along = wish.head<3>().isZero() ? wish.tail<3>() : wish.head<3>();
         along.cwiseAbs().maxCoeff(&shown.axis);
         shown.turns = wish.head<3>().isZero();
@@ -354,14 +355,14 @@ void JogColumn::showJog() {
     }
 }
 
-/// The speed factor of the current motion, or of the next press.
+/// Shows the speed factor of the current motion, or of the next press.
 void JogColumn::showFactor() {
     double factor = axisJog_->isActive() ? axisJog_->factor()
                     : isHolding()        ? keyFactor_
                     : isActiveWindow()   ? heldFactor()
                                          : 1;
     if (selection().motion == MotionChoice::UntilContact) {
-        factor = std::min(factor, 1.0);  // the speed for contact detection is never increased
+        factor = std::min(factor, 1.0);  // the speed for contact detection must not be increased
     }
     pose_->setFactor(factor);
 }
@@ -374,7 +375,7 @@ HeldSpeed JogColumn::heldSpeed() const {
 /// Displays the speeds of the buttons for joints and positions.
 void JogColumn::showSpeeds() {
     if (speedsKnown_ || isHolding()) {
-        return;  // the current motion keeps its speed
+        return;  // the speed of the current motion does not change
     }
     speedsKnown_ = true;
     speedsAt_ = state_.q;
@@ -451,7 +452,7 @@ int JogColumn::keyFor(Fold fold) const {
 }
 
 int JogColumn::heightFor(Fold fold) const {
-    constexpr int kFrame = 3;  // borders of the panel, and the line below its title
+    constexpr int kFrame = 3;  // borders of the panel and the line below its title
     const auto [row, apart] = rowsFor(fold);
     const int joints = JointRows::heightWhen(fold == Fold::Pairs, fold == Fold::Snug);
     const int header =
@@ -466,7 +467,7 @@ JogColumn::Fold JogColumn::foldFor(int height) const {
     if (height >= heightFor(Fold::Open)) {
         return Fold::Open;
     }
-    // With touch, buttons are not reduced: joints are shown in pairs, or folded.
+    // With Touch density, buttons are not reduced. Joints are shown in pairs, or the column is folded.
     const Fold next = currentDensity() == Density::Touch ? Fold::Pairs : Fold::Snug;
     return height >= heightFor(next) ? next : Fold::Folded;
 }
@@ -499,7 +500,7 @@ void JogColumn::arrange() {
     pad_->setMaximumHeight(folded ? QWIDGETSIZE_MAX : padHeight(kKey));
 }
 
-// ---- buttons, and the motion of each ------------------------------------------------------------
+// ---- buttons and their motions ------------------------------------------------------------------
 
 void JogColumn::buildBottom(QVBoxLayout* layout, HoldPolicy& policy) {
     const auto make = [this, &policy](const QString& text, const char* name, const QString& tip) {
@@ -510,9 +511,9 @@ void JogColumn::buildBottom(QVBoxLayout* layout, HoldPolicy& policy) {
         return key;
     };
     freedrive_ = make(tr("Freedrive"), "freedriveKey", {});
-    homeKey_ = make(tr("Home"), "homeKey", tr("Moves every joint to the home position while held"));
+    homeKey_ = make(tr("Home"), "homeKey", tr("Moves all joints to the home position while held"));
     align_ = make(tr("Align"), "alignKey",
-                  tr("Rotates the tool to the nearest axis of the selected frame while held"));
+                  tr("Aligns the tool with the nearest axis of the selected frame while held"));
     back_ = make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Retraces the last motion while held"));
     back_->setAccessibleName(tr("Back"));
     auto* row = new QHBoxLayout;
@@ -656,7 +657,7 @@ void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
     keyboard.addHoldKey(Qt::Key_Backspace, back_->guard());
     armKey_->show();
     connect(armKey_, &QAbstractButton::clicked, &keyboard, [&keyboard] {
-        // A text field would receive the keys as well.
+        // A text field with the focus would also receive the keys.
         if (QWidget* focus = QApplication::focusWidget(); takesText(focus)) {
             focus->clearFocus();
         }
@@ -677,7 +678,8 @@ Result<RobotSession::MotionId> JogColumn::beginMove(const MoveRequest& request) 
     return port_.beginMove(request);
 }
 
-/// Shown in the last seconds of the maximum hold duration of a motion without another end.
+/// The remaining time, shown in the last seconds before the maximum hold duration of a motion without a
+/// defined end.
 QString JogColumn::countdown() const {
     constexpr std::int64_t kCountdownNs = 3 * kNsPerSecond;
     std::int64_t left = axisJog_->leftNs();
@@ -707,13 +709,13 @@ QString JogColumn::deviceObstacle() const {
         return reason;
     }
     // Only one motion at a time is allowed.
-    return isHolding() ? tr("Another key is already held.") : QString();
+    return isHolding() ? tr("Another button or key is already held.") : QString();
 }
 
 // ---- display ---------------------------------------------------------------------------------------
 
 void JogColumn::showLimiter() {
-    // The search over twelve directions is too slow for every frame of a moving arm.
+    // Evaluating all twelve directions is too slow for every frame of a moving arm.
     const double unchanged = state_.motionActive ? 0.02 : 0.002;
     const bool sameLimit = state_.limiter.kind == limiterSeen_.kind &&
                            std::abs(state_.limiter.scale - limiterSeen_.scale) < 0.03;
@@ -758,8 +760,9 @@ void JogColumn::zeroHere() {
 void JogColumn::setFreedriveAxes(FreedriveAxes axes) {
     freedrive_->guard().stop(StopCause::SelectionChanged);
     freedriveAxes_ = axes;
-    freedrive_->setToolTip(tr("Move the arm by hand while this key is held: %1. Right-click to select axes")
-                               .arg(freedriveAxesText(axes)));
+    freedrive_->setToolTip(
+        tr("Move the arm by hand while this button is held: %1. Right-click to select axes")
+            .arg(freedriveAxesText(axes)));
     freedrive_->setAccessibleName(tr("Freedrive, %1").arg(freedriveAxesText(axes)));
     freedrive_->setText(axes == FreedriveAxes::All ? tr("Freedrive") : tr("Freedrive…"));
 }
@@ -772,21 +775,21 @@ void JogColumn::fillFreedriveMenu(QMenu& menu) {
         action->setChecked(axes == freedriveAxes_);
     }
     menu.addSeparator();
-    QAction* check = menu.addAction(tr("Check the payload first (until the next connection)"), this,
-                                    [this] { payloadChecked_ = !payloadChecked_; });
+    QAction* check = menu.addAction(tr("Check the payload before Freedrive (until the next connection)"),
+                                    this, [this] { payloadChecked_ = !payloadChecked_; });
     check->setCheckable(true);
     check->setChecked(payloadChecked_);
 }
 
 void JogColumn::changeEvent(QEvent* event) {
-    // Not before the column is complete: travel_ is created last.
+    // Not before the column is complete. travel_ is created last.
     if (event->type() == QEvent::StyleChange && travel_ != nullptr) {
         selectors_->refreshTexts();  // units may have changed
         travel_->reset();
         speedsKnown_ = false;
         showSpeeds();
         showReason();
-        fold();  // buttons of another size need more or less space
+        fold();  // the required space depends on the button size
     }
     Panel::changeEvent(event);
 }

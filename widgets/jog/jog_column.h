@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The left column of the window: frame, motion and speed selection, and the jog buttons. Motions are started
-// through a MotionPort; the display shows the confirmation by the robot.
+// The left column of the window with the frame, motion and speed selection and the jog buttons. Motions are
+// started through a MotionPort. The display shows the motion that the robot confirms.
 
 #include <QVector>
 #include <memory>
@@ -40,15 +40,15 @@ class PoseView;
 class SegmentedControl;
 class TravelWatch;
 
-/// The current jog, from a button of the column, the keyboard, a gamepad or a SpaceMouse.
+/// The current jog, started by a button of the column, the keyboard, a gamepad or a SpaceMouse.
 struct ShownJog {
-    QString label;      ///< name as on the buttons: "X+", "X+ Y+", "Wrist 2−"
-    QString frameName;  ///< empty for joints
-    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame; zero for joints
-    int axis = 0;                                         ///< 0-2: axis that defines the colour
-    bool turns = false;  ///< rotation about the direction instead of translation
-    int joint = -1;      ///< rotating joint, 0 ... 5; -1: none
-    int sign = 1;        ///< sign of the joint rotation
+    QString label;      ///< name as on the buttons, e.g. "X+", "X+ Y+", "Wrist 2−"
+    QString frameName;  ///< empty for a joint motion
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame; zero for a joint motion
+    int axis = 0;                                         ///< axis that defines the colour, 0 ... 2
+    bool turns = false;                                   ///< true for a rotation about the direction
+    int joint = -1;                                       ///< rotating joint, 0 ... 5; -1: none
+    int sign = 1;                                         ///< sign of the joint rotation
     friend bool operator==(const ShownJog&, const ShownJog&) = default;
 };
 
@@ -70,18 +70,18 @@ public:
     JogColumn(RobotSession& session, HoldPolicy& policy, QWidget* parent = nullptr);
     ~JogColumn() override;
 
-    /// Frame, motion and speed of the next press.
+    /// Selectors of the frame, motion and speed for the next press.
     JogSelectors& selectors() { return *selectors_; }
     const JogSelection& selection() const;
     /// The selected speed: upper limit for all hold-to-run motions.
     HeldSpeed heldSpeed() const;
-    /// ofProject  true for a position of the project, which the project guard of the session may refuse
+    /// ofProject  true for a position of the project, which the project guard of the session may reject
     void setHome(const JointPositions& home, bool ofProject);
-    /// Axes that are free in freedrive.
+    /// Sets the axes that can move in freedrive.
     void setFreedriveAxes(FreedriveAxes axes);
     /// Sets the zero point of the distance display; a second call removes it.
     void zeroHere();
-    /// The positions of the path retraced by Back, oldest first, for the view.
+    /// The positions of the path that Back would retrace, oldest first, for the view.
     std::vector<JointPositions> retracePath() const;
     /// Remaining distances of the arm, as displayed on the pad buttons.
     TravelWatch& travel() { return *travel_; }
@@ -92,8 +92,8 @@ public:
     bool isHolding() const;
     /// Jogging by devices, with the same frame, speed and rules as the buttons.
     AxisJog& axisJog() { return *axisJog_; }
-    /// Connects the arm button with this keyboard. While the keyboard is armed, these keys work as
-    /// hold-to-run keys: F freedrive, Home home, End align, Backspace back.
+    /// Connects the button that arms the keyboard with this keyboard. While the keyboard is armed, these keys
+    /// work as hold-to-run keys: F freedrive, Home home, End align, Backspace back.
     void addHoldKeys(KeyboardJog& keyboard);
     /// All buttons that move the arm, for tests.
     QVector<HoldToRunButton*> holdKeys() const;
@@ -105,13 +105,13 @@ public Q_SLOTS:
     void applyState(const tiller::SessionState& state);
 
 Q_SIGNALS:
-    /// A press had no effect; a sentence with reason and suggested action.
+    /// A press had no effect. The argument is a sentence with the reason and a suggested action.
     void refused(const QString& reason);
-    /// A jog has started, has changed direction, or has ended (empty).
+    /// A jog has started or changed direction. Empty if the jog has ended.
     void jogShown(const std::optional<tiller::ShownJog>& jog);
     /// heldSpeed() may have changed.
     void speedChanged();
-    /// The pointer is on a button whose motion has a target, or such a button is held.
+    /// The pointer is on a button whose motion has a target, or the user holds such a button.
     void ghostWanted(const tiller::Ghost& ghost);
     void ghostHidden();
     /// retracePath() has changed; emitted at most about ten times per second.
@@ -147,7 +147,7 @@ private:
     int keyFor(Fold fold) const;
     int heightFor(Fold fold) const;
     Fold foldFor(int height) const;
-    /// Selects the layout for the available height and touch size.
+    /// Selects the layout for the available height and the touch height.
     void fold();
     void arrange();
     void showReason();
@@ -169,7 +169,7 @@ private:
     JointPositions home_ = defaultHome();
     bool homeOfProject_ = false;
     FreedriveAxes freedriveAxes_ = FreedriveAxes::All;
-    bool payloadChecked_ = true;  ///< if true, the forces are checked before freedrive starts
+    bool payloadChecked_ = true;  ///< if true, the payload forces are checked before freedrive starts
     QString refusal_;
     HoldBounds bounds_;  ///< limits of the last motion
 
@@ -184,7 +184,7 @@ private:
     HoldToRunButton* align_ = nullptr;
     HoldToRunButton* back_ = nullptr;
     std::unique_ptr<RetracePath> track_;
-    std::uint64_t retracePathReported_ = 0;  ///< RetracePath::revision
+    std::uint64_t retracePathReported_ = 0;  ///< RetracePath::revision of the last signal
     int retracePathFrames_ = 0;              ///< frames since the last signal
     AxisJog* axisJog_ = nullptr;
     ArmKey* armKey_ = nullptr;
@@ -198,8 +198,9 @@ private:
     std::shared_ptr<const collision::CollisionCheck> limiterWith_;
     Eigen::Matrix3d limiterIn_ = Eigen::Matrix3d::Zero();
     control::Limiter limiterSeen_;
-    JointPositions speedsAt_;   ///< position of the arm for which the speeds were computed
-    bool speedsKnown_ = false;  ///< the speeds match the selection, the slider and the position
+    JointPositions speedsAt_;  ///< position of the arm for which the speeds were computed
+    /// True if the displayed speeds match the selection, the slider and the position.
+    bool speedsKnown_ = false;
     QTimer* refusalTimer_ = nullptr;
     Fold fold_ = Fold::Open;
     int finger_ = 0;  ///< touchHeight() of the current layout

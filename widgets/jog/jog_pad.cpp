@@ -21,7 +21,7 @@ void JogKey::paintEvent(QPaintEvent*) {
     paintSurface(painter);
     painter.setFont(textFont(19, QFont::Bold));
     painter.setPen(textColor());
-    // A very small button has no space for the distance; the bar is at the bottom.
+    // A very small button has no space for the distance, and its bar is at the bottom.
     constexpr int kTravel = 23;
     const bool high = height() >= 58;
     const int bar = high ? std::min(49, height() - kTravel) : height() - 10;
@@ -55,7 +55,7 @@ void JogKey::setTravel(const QString& text, bool near) {
     update();
 }
 
-/// The reason on a card in the centre of the disabled pad.
+/// A card in the centre of the disabled pad with the reason.
 class JogPad::ReasonCard : public QWidget {
 public:
     explicit ReasonCard(QWidget* parent) : QWidget(parent) {
@@ -93,7 +93,7 @@ private:
 
 JogPad::JogPad(HoldPolicy& policy, QWidget* parent) : QWidget(parent), card_(new ReasonCard(this)) {
     setObjectName(QStringLiteral("jogPad"));
-    setAccessibleName(tr("Jog keys"));
+    setAccessibleName(tr("Jog buttons"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(8);
@@ -101,7 +101,7 @@ JogPad::JogPad(HoldPolicy& policy, QWidget* parent) : QWidget(parent), card_(new
         const char* name;
         CartesianKey key;
     };
-    // Arranged as on the screen; axis letters are not translated.
+    // Same arrangement as on the screen. Axis letters are not translated.
     static constexpr Place kPlaces[3][4] = {
         {{"Y+", {1, 1}}, {"Z+", {2, 1}}, {"Ry+", {4, 1}}, {"Rz+", {5, 1}}},
         {{"X-", {0, -1}}, {"X+", {0, 1}}, {"Rx-", {3, -1}}, {"Rx+", {3, 1}}},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The twelve buttons that move and rotate the TCP. If the arm cannot move, the buttons are grey and the reason is
-// shown on top of them.
+// The twelve buttons that move and rotate the TCP. If the arm cannot move, the buttons are grey and a card on
+// top of them shows the reason.
 
 #include <QVector>
 #include <QWidget>
@@ -12,7 +12,7 @@
 
 namespace tiller {
 
-/// One button: its name, and below it a bar in the colour of its axis.
+/// A jog button that shows its name and, below it, a bar in the colour of its axis.
 class JogKey : public HoldToRunButton {
     Q_OBJECT
 
@@ -20,10 +20,12 @@ public:
     JogKey(const QString& text, const CartesianKey& key, HoldPolicy& policy, QWidget* parent = nullptr);
 
     const CartesianKey& key() const { return key_; }
-    /// Remaining distance in this direction, e.g. "312 mm"; near: close to the limit. Empty: not displayed.
+    /// Sets the remaining distance in this direction, e.g. "312 mm". Empty: not displayed.
+    /// near  the limit is near
     void setTravel(const QString& text, bool near);
     QString travel() const { return travel_; }
-    /// The distance is being recalculated: the old value is shown in grey, or "…" if there is none.
+    /// Set to true while the distance is recalculated. The old value is then shown in grey, or "…" if there
+    /// is no value.
     void setTravelOutdated(bool outdated);
     bool isTravelOutdated() const { return outdated_; }
     QSize sizeHint() const override { return {85, 72}; }
@@ -46,7 +48,7 @@ public:
     explicit JogPad(HoldPolicy& policy, QWidget* parent = nullptr);
 
     const QVector<JogKey*>& keys() const { return keys_; }
-    /// reason  why the arm cannot move, as a sentence; empty if it can
+    /// reason  why the arm cannot move, as a sentence; empty if it can move
     void setReason(const QString& reason);
     QString reason() const { return reason_; }
 

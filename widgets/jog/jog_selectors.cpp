@@ -25,8 +25,8 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kTaughtSegment = 3;
-constexpr int kMaxNameLength = 84;  // width of a frame name on its button [px]
-/// Segments of the length and angle rows: Hold, three sizes, other.
+constexpr int kMaxNameLength = 84;  // maximum width of a frame name on its button [px]
+/// Segments of the length and angle rows: Hold, three sizes, and a user-defined size.
 constexpr int kHoldSegment = 0;
 constexpr int kOtherSegment = 4;
 constexpr std::array kSizes = {MotionChoice::FineStep, MotionChoice::Step, MotionChoice::CoarseStep};
@@ -53,7 +53,7 @@ int angleSegment(double angle) {
     return kOtherSegment;
 }
 
-/// Uses as few digits as possible: "0.1", "45".
+/// Formats a number with as few digits as possible, e.g. "0.1", "45".
 QString angleNumber(double angle) {
     const double degrees = toDegrees(angle);
     const bool whole = std::abs(degrees - std::round(degrees)) < 1e-6;
@@ -75,13 +75,13 @@ JogSelectors::JogSelectors(std::function<control::MotionLimits()> limits, QWidge
     grid->setColumnMinimumWidth(0, 62);
     frame_ = new SegmentedControl({tr("Base"), tr("Tool"), tr("View"), tr("Frame")}, this);
     frame_->setNames(QStringLiteral("jogFrame"), tr("Frame"));
-    // The other texts depend on the user's units; see refreshTexts().
+    // The other texts depend on the user's units (see refreshTexts()).
     motion_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
     motion_->setNames(QStringLiteral("jogMotion"), tr("Motion"));
-    motion_->segment(kHoldSegment)->setToolTip(tr("Moves while the key is held"));
+    motion_->segment(kHoldSegment)->setToolTip(tr("Moves while the button is held"));
     turn_ = new SegmentedControl({tr("Hold"), {}, {}, {}, {}}, this);
     turn_->setNames(QStringLiteral("jogTurn"), tr("Rotation"));
-    turn_->segment(kHoldSegment)->setToolTip(tr("Rotates while the key is held"));
+    turn_->segment(kHoldSegment)->setToolTip(tr("Rotates while the button is held"));
     speed_ = new SegmentedControl(QStringList(kSpeedClassCount), this);
     speed_->setNames(QStringLiteral("jogSpeed"), tr("Speed"));
     speed_->setCurrentIndex(kStartSpeedClass);
@@ -118,7 +118,7 @@ void JogSelectors::connectControls() {
     offerChoices(motion_, kOtherSegment, [this](QMenu& menu) { fillLengthMenu(menu); });
     offerChoices(turn_, kOtherSegment, [this](QMenu& menu) { fillAngleMenu(menu); });
     offerChoices(speed_, kSpeedClassCount - 1, [this](QMenu& menu) { fillSpeedMenu(menu); });
-    // With several taught frames, the fourth button opens a list.
+    // If there are several taught frames, the fourth button opens a list.
     connect(frame_->segment(kTaughtSegment), &QAbstractButton::clicked, this, [this] {
         if (frames_.size() < 2) {
             return;
@@ -146,11 +146,11 @@ void JogSelectors::chooseFrame(int segment) {
 void JogSelectors::showFrames() {
     frame_->setSegmentEnabled(
         static_cast<int>(FrameChoice::View), hasView_,
-        hasView_ ? tr("Axes of the view: X right, Y away from you, Z up") : tr("Needs the 3D view"));
+        hasView_ ? tr("Axes of the view: X right, Y away from you, Z up") : tr("Requires the 3D view"));
     const bool any = !frames_.isEmpty();
     const QString name =
         any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");
-    // A name may be longer than the button.
+    // A name may be wider than the button.
     const QString shown =
         QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kMaxNameLength);
     frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
@@ -179,7 +179,7 @@ void JogSelectors::setTaughtFrames(const QVector<TaughtFrame>& frames) {
     frames_ = frames;
     const TaughtFrame* same = nullptr;
     for (const TaughtFrame& taught : frames_) {
-        // By id: a renamed frame is the same frame.
+        // Frames are compared by id, because a frame may be renamed.
         if (selection_.taught && taught.id == selection_.taught->id) {
             same = &taught;
         }
@@ -349,7 +349,7 @@ void JogSelectors::offerChoices(SegmentedControl* control, int segment, std::fun
         fill(menu);
         menu.exec(key->mapToGlobal(QPoint(0, key->height())));
     };
-    // The first click selects the button, the next one opens its menu.
+    // The first click selects the button. The next click opens the menu of the button.
     connect(key, &QAbstractButton::pressed, this, [control, key, segment] {
         key->setProperty("chosenBefore", control->currentIndex() == segment);
     });
@@ -379,7 +379,7 @@ void JogSelectors::fillLengthMenu(QMenu& menu) {
     menu.addSeparator();
     menu.addAction(tr("Until contact, %1 N").arg(selection_.contactForce, 0, 'f', 0), this,
                    [this] { setUntilContact(selection_.contactForce); });
-    menu.addAction(tr("Until contact, other force…"), this, [this] { askFor(Entry::ContactForce); });
+    menu.addAction(tr("Other contact force…"), this, [this] { askFor(Entry::ContactForce); });
 }
 
 void JogSelectors::fillSpeedMenu(QMenu& menu) {

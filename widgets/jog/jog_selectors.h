@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The rows at the top of the jog column: frame, motion, rotation and speed of the next press, selected by a button,
-// in its menu, or entered manually. Motion and rotation are the lengths and angles of steps: each row has a
-// separate selection, except that Hold applies to both.
+// The rows at the top of the jog column: frame, motion, rotation and speed of the next press. A value is
+// selected by a button or in the menu of a button, or entered manually. The rows "Motion" and "Rotation"
+// contain the step lengths and step angles. Each row has its own selection, except that Hold applies to both
+// rows.
 
 #include <QVector>
 #include <QWidget>
@@ -26,36 +27,36 @@ public:
 
     const JogSelection& selection() const { return selection_; }
 
-    /// The axes of the view in the base frame. Enables the frame "View".
+    /// Sets the axes of the view in the base frame, and enables the frame "View".
     void setViewRotation(const Eigen::Matrix3d& R_base_view);
-    /// The frames offered by the fourth button of "Frame".
+    /// Sets the frames that the fourth button of "Frame" offers.
     void setTaughtFrames(const QVector<TaughtFrame>& frames);
-    /// Selects a frame, as the fourth button of "Frame".
+    /// Selects a taught frame, like the fourth button of "Frame".
     void chooseTaughtFrame(const QUuid& frame);
     /// index  index into speedClasses()
     void setSpeedClass(int index);
-    /// A TCP speed entered manually [m/s]; rotation and joint speeds in proportion.
+    /// Sets a TCP speed entered manually [m/s]. Rotation and joint speeds are proportional to it.
     void setFreeSpeed(double tcpSpeed);
-    /// A step entered manually. Above 10 mm or 10 deg it runs only while the button is held.
+    /// Sets a step entered manually. A step above 10 mm or 10 deg runs only while the button is held.
     void setFreeStep(const StepSize& step);
     /// Changes only the length [m] or only the angle [rad].
     void setStepLength(double length);
     void setStepAngle(double angle);
-    /// Moves until contact with this force [N].
+    /// Sets the motion mode: moves until contact with this force [N].
     void setUntilContact(double force);
     enum class Entry { Step, Turn, Speed, ContactForce };
     /// Opens the field for entering one of these values.
     void askFor(Entry entry);
 
-    /// Height of the buttons, and spacing of the rows [px].
+    /// Sets the height of the buttons and the spacing of the rows [px].
     void setRowHeight(int height, int spacing);
-    /// Minimum height with such rows.
+    /// Minimum height with rows of this height and spacing [px].
     int heightWhen(int height, int spacing) const;
     /// Updates all numbers after a change of units.
     void refreshTexts();
 
 Q_SIGNALS:
-    /// Emitted before the selection changes or a menu opens: the current motion must end.
+    /// Emitted before the selection changes or a menu opens. The current motion must end.
     void changing(tiller::control::StopCause cause);
     /// The selection has changed.
     void changed();
@@ -78,9 +79,9 @@ private:
     JogSelection selection_;
     QVector<TaughtFrame> frames_;
     bool hasView_ = false;
-    bool following_ = false;                  ///< true while the program updates the buttons
-    StepSize step_{0.001, toRadians(1.0)};    ///< last selected step, even if Hold is active
-    StepSize other_{0.050, toRadians(45.0)};  ///< values of the last button of each row
+    bool following_ = false;                  ///< true while the code updates the buttons
+    StepSize step_{0.001, toRadians(1.0)};    ///< last selected step, also stored while Hold is active
+    StepSize other_{0.050, toRadians(45.0)};  ///< user-defined value of the last button of each row
     SegmentedControl* frame_ = nullptr;
     SegmentedControl* motion_ = nullptr;
     SegmentedControl* turn_ = nullptr;

@@ -31,7 +31,7 @@ constexpr int kBarWithSpeed = 34;  // minimum remaining width of the bar [px]
 JointBar::JointBar(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(
-        Qt::WA_OpaquePaintEvent);  // Repainted at every motion: do not paint the background each time.
+        Qt::WA_OpaquePaintEvent);  // The row is repainted often, so do not paint the background each time.
 }
 
 bool JointBar::isNearLimit() const {
@@ -39,7 +39,7 @@ bool JointBar::isNearLimit() const {
 }
 
 void JointBar::setAngle(double angle, bool valid) {
-    // The border of the marker is drawn with subpixel accuracy; a quarter of a pixel is visible.
+    // The marker is drawn with subpixel accuracy, and a shift of a quarter of a pixel is visible.
     const auto looks = [this] { return std::tuple(valid_, isNearLimit(), std::lround(4 * place())); };
     const auto before = looks();
     angle_ = angle;
@@ -145,7 +145,7 @@ void JointRow::setSpeed(const QString& speed) {
     update(speedWidth_ > 0 ? speedRect() : textRect());
 }
 
-/// Width of the longest joint name, so that all rows are aligned [px].
+/// Width of the longest joint name, used to align all rows [px].
 int JointRow::nameRoom() const {
     constexpr int kMinValue = 86;
     constexpr int kApart = 8;
@@ -180,7 +180,7 @@ QRect JointRow::speedRect() const {
     return {left, 0, bar_->x() - left, height() - 1};
 }
 
-/// Rows without space for the speed show it as a tooltip.
+/// Adds the speed to the tooltip if the row has no space for it.
 void JointRow::describe() {
     const QString speed = speed_.isEmpty() ? name_ : tr("%1: %2").arg(name_, speed_);
     setToolTip(compact_ || (low_ && speedWidth_ == 0) ? speed : QString());
@@ -206,7 +206,7 @@ void JointRow::resizeEvent(QResizeEvent*) {
     const int high = std::max(26, finger);
     speedWidth_ = 0;
     if (compact_) {
-        // Limited by the width of the angle.
+        // Limited by the width of the angle text.
         const int wide = finger > 0 ? 36 : 26;
         plus_->setGeometry(width() - wide, middle - high / 2, wide, high);
         minus_->setGeometry(width() - 2 * wide - 3, middle - high / 2, wide, high);
@@ -237,11 +237,11 @@ void JointRow::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
     const QRect text = textRect();
-    // With wide buttons there is no space for both in one line, but high rows have space for two lines.
+    // Wide buttons leave no space for both texts on one line, but high rows have space for two lines.
     const bool two = compact_ && touchHeight() > 0;
     painter.setPen(theme.text);
     painter.setFont(nameFont());
-    // In a full-height row, the speed of the buttons is shown below the name.
+    // In a full-height row, the speed is shown below the name.
     const bool named = !compact_ && !low_ && !speed_.isEmpty();
     painter.drawText(text, Qt::AlignLeft | (two || named ? Qt::AlignTop : Qt::AlignVCenter),
                      compact_ ? shortName() : name_);

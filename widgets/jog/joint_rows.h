@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One row per joint: angle, position in its range, and a button for each direction. In compact form, the six rows
-// are arranged in pairs for small windows.
+// One row per joint with its angle, its position in the joint range, and a button for each direction. The
+// compact form arranges the six rows in pairs for small windows.
 
 #include <QTimer>
 #include <QVector>
@@ -15,14 +15,15 @@ class QGridLayout;
 
 namespace tiller {
 
-/// Position of a joint in its range; amber near the limits.
+/// Position of a joint in its range. Amber near the limits.
 class JointBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit JointBar(QWidget* parent = nullptr);
 
-    /// angle  [rad]; valid false: no marker
+    /// angle  [rad]
+    /// valid  false: no marker
     void setAngle(double angle, bool valid);
     /// True within 15 deg of a limit of the range.
     bool isNearLimit() const;
@@ -53,13 +54,14 @@ public:
     JointBar* bar() const { return bar_; }
     QString valueText() const { return value_; }
     void setAngle(double angle, bool moving, bool valid, bool stale);
-    /// Speed of the buttons, e.g. "3.6 °/s". Empty: unknown.
+    /// Sets the speed of the buttons, e.g. "3.6 °/s". Empty: unknown.
     void setSpeed(const QString& speed);
     QString speedText() const { return speed_; }
-    /// Updates the displayed number if it has changed. The marker is updated separately at every motion.
+    /// Updates the displayed number if it has changed. The marker is updated separately whenever the arm
+    /// moves.
     void showNumber();
     void setCompact(bool compact);
-    /// Use a full-width row with reduced height.
+    /// Selects a full-width row with reduced height.
     void setLow(bool low);
     /// True if name and value do not overlap.
     bool isNameApart() const;
@@ -91,7 +93,7 @@ private:
     JointBar* bar_;
     bool compact_ = false;
     bool low_ = false;
-    int speedWidth_ = 0;  ///< width before the bar [px]; 0: the speed is shown elsewhere
+    int speedWidth_ = 0;  ///< width of the speed before the bar [px]; 0: the speed is shown elsewhere
     bool grey_ = true;
 };
 
@@ -102,11 +104,12 @@ public:
     explicit JointRows(HoldPolicy& policy, QWidget* parent = nullptr);
 
     const QVector<JointRow*>& rows() const { return rows_; }
-    /// Updates the markers immediately and the numbers ten times per second, which is the limit of legibility.
+    /// Updates the markers immediately and the numbers ten times per second. Faster changes would not be
+    /// legible.
     void setJoints(const JointPositions& q, bool moving, bool valid, bool stale);
     void setCompact(bool compact);
     void setLow(bool low);
-    /// Height of all rows, one per line or in pairs.
+    /// Total height of the rows, one joint per row or in pairs [px].
     static int heightWhen(bool pairs, bool low);
 
 private:

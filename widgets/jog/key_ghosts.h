@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows the target of a button as a ghost while the pointer is on it or it is held.
+// Shows the target of a button as a ghost while the pointer is on the button or the button is held.
 
 #include <QHash>
 #include <QObject>
@@ -23,7 +23,7 @@ public:
 
     explicit KeyGhosts(QObject* parent = nullptr) : QObject(parent) {}
 
-    /// target  returns the target of a press now; empty if the button has no target
+    /// target  returns the target that a press would have now; empty if the button has no target
     void offer(HoldToRunButton& key, const QString& name, Target target);
     void setState(const SessionState& state);
 

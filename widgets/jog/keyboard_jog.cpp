@@ -16,7 +16,7 @@ namespace tiller {
 
 namespace {
 
-/// Flag for an arrow key that rotates.
+/// Flag for the combination of an arrow key with rotation.
 constexpr int kTurns = 0x4000'0000;
 
 constexpr Qt::KeyboardModifiers kMeaningful = Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier;
@@ -26,7 +26,7 @@ bool isModifier(int key) {
         case Qt::Key_Shift:
         case Qt::Key_Control:
         case Qt::Key_Alt:
-        case Qt::Key_Meta:  // name of Alt in combination with Shift
+        case Qt::Key_Meta:  // key name of Alt in combination with Shift
         case Qt::Key_AltGr:
             return true;
         default:
@@ -34,7 +34,7 @@ bool isModifier(int key) {
     }
 }
 
-/// The arrow keys of X, Y and Z: plus, then minus.
+/// The key pairs for X, Y and Z: positive, then negative direction.
 constexpr std::array<std::pair<int, int>, 3> kOpposites = {
     {{Qt::Key_Right, Qt::Key_Left}, {Qt::Key_Up, Qt::Key_Down}, {Qt::Key_PageUp, Qt::Key_PageDown}}};
 
@@ -57,8 +57,9 @@ bool isJointKey(int meaning) {
            meaning == Qt::Key_Minus;
 }
 
-/// The meaning of a key, determined by the symbol when it is pressed. "+" and "-" are the key with this sign,
-/// with and without Shift, but not a key on which a layout has "=" or "_".
+/// The meaning of a key, determined by its symbol when it is pressed. "=" without Shift counts as "+", and
+/// "_" with Shift counts as "-", as on a US keyboard. Keys that produce "=" with Shift or "_" without Shift
+/// in other layouts do not count.
 int meaningOf(const QKeyEvent& event) {
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     if (event.key() == Qt::Key_Equal && !shift) {
@@ -88,7 +89,7 @@ void KeyboardJog::addHoldKey(Qt::Key key, HoldGuard& guard) {
     holdKeys_[key] = &guard;
 }
 
-/// True while the keyboard input belongs to a text field, a menu, a dialog or another window.
+/// True while keyboard input is handled by a text field, a menu, a dialog or another window.
 bool KeyboardJog::belongsElsewhere() const {
     return !window_.isActiveWindow() || takesText(QApplication::focusWidget()) ||
            QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr;
@@ -103,8 +104,8 @@ bool KeyboardJog::isMoving() const {
                                           [](const HoldGuard* guard) { return guard->active(); });
 }
 
-/// Ends the motion held by keys because of a keyboard event. The keys remain known as pressed, so that their
-/// releases match, but have no effect until all of them are released.
+/// Ends the motion held by keys because of a keyboard event. The keys remain registered as pressed, so that
+/// their releases match. They have no effect until all of them are released.
 void KeyboardJog::tell(HoldEvent::Kind kind) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->tell(kind);
@@ -113,7 +114,7 @@ void KeyboardJog::tell(HoldEvent::Kind kind) {
     jog_.requireNeutral(HoldSource::By::Keys);  // rule: release all keys first
 }
 
-/// Releases in other windows are not received, so all keys are considered released.
+/// Clears all pressed keys, because releases in other windows are not received.
 void KeyboardJog::forget(control::StopCause cause) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->stop(cause);
@@ -181,7 +182,7 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::KeyRelease:
             return watched->isWidgetType() && keyEvent(*static_cast<QKeyEvent*>(event));
         case QEvent::ShortcutOverride: {
-            // Armed keys are not used as shortcuts.
+            // Keys with a function in armed mode are not used as shortcuts.
             const auto& key = *static_cast<QKeyEvent*>(event);
             if ((isJogKey(meaningOf(key)) || keys_.isDown(PhysicalKeys::codeOf(key))) &&
                 !belongsElsewhere()) {
@@ -195,11 +196,11 @@ bool KeyboardJog::eventFilter(QObject* watched, QEvent* event) {
                 followWindow();
             }
             return false;
-        case QEvent::FocusOut:  // the focus moved to a floating panel: the window remains active
+        case QEvent::FocusOut:  // the focus moved to a floating panel, but the window remains active
         case QEvent::WindowDeactivate:
             if (watched == (event->type() == QEvent::FocusOut ? static_cast<QObject*>(window_.windowHandle())
                                                               : &window_)) {
-                // The keyboard stays armed only while the window is active.
+                // The keyboard remains armed only while the window is active.
                 forget(control::StopCause::WindowDeactivated);
                 setArmed(false);
             }
@@ -214,7 +215,7 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
         if (!event.isAutoRepeat()) {
             modifierChanged();
         }
-        // Alt selects rotation here instead of opening the menu.
+        // In armed mode, Alt selects rotation instead of opening the menu.
         return event.key() == Qt::Key_Alt && !belongsElsewhere();
     }
     const KeyCode code = PhysicalKeys::codeOf(event);
@@ -223,7 +224,8 @@ bool KeyboardJog::keyEvent(const QKeyEvent& event) {
     int meaning = known ? keys_.meaningOf(code) : meaningOf(event);
     // The release of a key pressed here is processed regardless of the focus.
     if (!known && !press) {
-        // Release without a press. For keys without a number, it may be the release of a motion key.
+        // This is a release without a press. For keys without a number, it may be the release of a motion
+        // key.
         if (!event.isAutoRepeat() && isMoving() && (isJogKey(meaning) || !PhysicalKeys::hasNumber(code))) {
             tell(HoldEvent::Kind::Unmatched);  // rule: release of a key that was not down
         }
@@ -264,7 +266,7 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
     if (held) {
         tell(HoldEvent::Kind::OtherKey);  // rule: a jog key in addition to a hold key
     } else if (jog_.isActive() && modifiers != modifiers_) {
-        tell(HoldEvent::Kind::Modifier);  // rule: other modifiers than at the start
+        tell(HoldEvent::Kind::Modifier);  // rule: the modifiers differ from those at the start
     } else {
         modifiers_ = modifiers;
         follow();
@@ -272,7 +274,7 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
 }
 
 void KeyboardJog::holdKeyPressed(HoldGuard& guard, KeyCode code) {
-    // One motion at a time: the second key stops the first one and starts nothing.
+    // Only one motion is allowed at a time. The second key stops the first motion and starts none.
     if (isMoving()) {
         tell(HoldEvent::Kind::OtherKey);  // rule: a hold key in addition to another motion
     } else {
@@ -293,7 +295,7 @@ void KeyboardJog::modifierChanged() {
     }
 }
 
-/// Sends the input of the held keys.
+/// Passes the input of the held keys to AxisJog.
 void KeyboardJog::follow() {
     const auto both = [this](int one, int other) { return keys_.means(one) && keys_.means(other); };
     bool opposite = both(Qt::Key_Plus, Qt::Key_Minus);
@@ -302,13 +304,13 @@ void KeyboardJog::follow() {
     }
     Deflection wish = deflection();
     wish.grip = {HoldSource::By::Keys, keys_.codes()};
-    // Opposite keys are not a valid input, nor are joints and Cartesian axes together. Releasing one of the two
-    // keys is not a new press.
+    // Opposite keys, and joints together with Cartesian axes, are not a valid input. Releasing one of the two
+    // keys does not count as a new press.
     if (opposite || (!wish.axes.isZero() && !wish.joints.isZero())) {
         tell(HoldEvent::Kind::OtherKey);  // rule: opposite keys
         return;
     }
-    // Some layouts need Shift for digits and signs; it then does not change the speed.
+    // Some layouts need Shift for digits and signs. Shift then does not change the speed.
     const bool joints = wish.axes.isZero();
     jog_.setInput(wish, modifierFactor(joints ? modifiers_ & ~Qt::ShiftModifier : modifiers_));
 }
@@ -318,7 +320,7 @@ Deflection KeyboardJog::deflection() const {
         return (keys_.means(plus) ? 1.0 : 0.0) - (keys_.means(minus) ? 1.0 : 0.0);
     };
     Deflection wish;
-    wish.deadMan = true;  // the key itself is the enabling signal while held
+    wish.deadMan = true;  // a held key is also the enabling signal
     for (int axis = 0; axis < 3; ++axis) {
         const auto& [plus, minus] = kOpposites.at(static_cast<std::size_t>(axis));
         wish.axes[axis] = pair(plus, minus);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Jogging by keyboard while it is armed. Armed mode is shown by a frame around the window and ends after half
-// a minute without a key. Keys are tracked by PhysicalKeys: the meaning of a key is determined when it is
-// pressed, and an unexpected press or release ends the motion. Keys with opposite directions also end it, and
-// so does a change of a modifier, because it selects another speed or direction.
+// Jogging by keyboard in armed mode. Armed mode is indicated by a frame around the window and ends after 30 s
+// without a key press. PhysicalKeys tracks the keys. The meaning of a key is determined when it is pressed.
+// An unexpected press or release ends the motion. Keys with opposite directions also end it. A change of a
+// modifier ends it as well, because it selects another speed or direction.
 
 #include <QMap>
 #include <QObject>
@@ -24,19 +24,19 @@ class KeyboardJog : public QObject {
     Q_OBJECT
 
 public:
-    /// window  receives the keys and shows the frame
+    /// window  receives the keys and displays the frame
     KeyboardJog(AxisJog& jog, QWidget& window, QObject* parent = nullptr);
     ~KeyboardJog() override;
 
     void setClock(const Clock& clock) { clock_ = &clock; }
-    /// While armed, this key presses and releases this button of the jog column.
+    /// In armed mode, this key presses and releases this button of the jog column.
     void addHoldKey(Qt::Key key, HoldGuard& guard);
     /// Has no effect while the keyboard is locked.
     void setArmed(bool armed);
-    /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can
+    /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can be armed
     void setLock(const QString& why);
     bool isArmed() const { return armed_; }
-    /// Checks the timeout of half a minute. Called by a timer every second.
+    /// Checks the timeout of 30 s. Called by a timer every second.
     void checkIdle();
 
     static constexpr int kIdleSeconds = 30;
@@ -68,7 +68,7 @@ private:
     const Clock* clock_ = &SteadyClock::shared();
     QTimer idle_;
     QMap<int, HoldGuard*> holdKeys_;
-    PhysicalKeys keys_;                  ///< motion and hold keys; the meaning is a Qt::Key, or a rotation
+    PhysicalKeys keys_;  ///< motion and hold keys; the meaning is a Qt::Key, possibly with a rotation flag
     Qt::KeyboardModifiers modifiers_{};  ///< modifiers at the start of the motion
     std::int64_t lastKeyNs_ = 0;
     bool armed_ = false;

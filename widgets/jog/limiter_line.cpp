@@ -12,10 +12,10 @@ namespace tiller {
 
 namespace {
 
-constexpr int kTextLeft = 28;  // text position to the right of the triangle [px]
+constexpr int kTextLeft = 28;  // left edge of the text, to the right of the triangle [px]
 constexpr int kQuietLeft = 4;
 constexpr int kTextRight = 6;
-constexpr int kLargest = 13;  // font size [px]
+constexpr int kLargest = 13;  // largest font size [px]
 constexpr int kSmallest = 10;
 
 /// The largest font with which the text fits on one line.
@@ -27,7 +27,7 @@ QFont fittingFont(const QString& text, QFont::Weight weight, int width) {
     return textFont(size, weight);
 }
 
-/// Splits a text at the space nearest to its middle.
+/// Splits a text at the space that is nearest to its middle.
 QStringList halves(const QString& text) {
     qsizetype best = -1;
     for (qsizetype at = text.indexOf(QLatin1Char(' ')); at >= 0;
@@ -71,7 +71,7 @@ QList<LimiterLine::Line> LimiterLine::lines() const {
         return {line(limiter_.what, QFont::Bold, Qt::ElideRight),
                 line(limiter_.advice, QFont::Normal, Qt::ElideMiddle)};
     }
-    // A sentence: the suggested action is at its end.
+    // The text is a sentence that ends with the suggested action.
     const bool quiet = limiter_.what.isEmpty();
     const QString& sentence = quiet ? quiet_ : limiter_.what;
     const QFont::Weight weight = quiet ? QFont::Normal : QFont::Bold;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows the limit of the arm and, on a second line, how to move away from it; otherwise the measured stop of the
-// last jog. Its height is constant, so that nothing below it moves.
+// Shows the limit that the arm has reached and, on a second line, how to move away from it. Without a limit,
+// it shows the measured stop of the last jog. The height is constant, so that widgets below do not move.
 
 #include <QFont>
 #include <QList>
@@ -21,14 +21,14 @@ public:
 
     void setLimiter(const LimiterAdvice& limiter);
     const LimiterAdvice& limiter() const { return limiter_; }
-    /// Sets the text that is shown without a limit.
+    /// Sets the text that is shown while no limit is reached.
     void setQuietText(const QString& text);
     QString quietText() const { return quiet_; }
 
     /// The displayed lines from top to bottom.
     QStringList shownLines() const;
 
-    /// Always two lines: the limit, and below it the suggested action, which is never elided.
+    /// Always two lines: the limit and, below it, the suggested action. The suggested action is never elided.
     QSize sizeHint() const override { return {366, 38}; }
     QSize minimumSizeHint() const override { return {200, 32}; }
 

@@ -18,12 +18,12 @@ namespace {
 
 constexpr int kDigitPeriodMs = 100;
 constexpr int kCaptionHeight = 17;
-/// Below these values the arm counts as stopped: measurement noise of the speed at rest.
+/// Below these speeds the arm counts as stopped, because the measured speed is noisy at standstill.
 constexpr double kStandstillTolerance = 5e-5;  // [m/s]
 constexpr double kTurnsNot = toRadians(0.5);   // [rad/s]
 constexpr double kAtFlange = 5e-5;             // [m]
 
-/// Two decimals at rest; one during motion, padded with a space.
+/// Formats with two decimals at standstill. During motion one decimal is padded with a space.
 QString paced(double metres, bool moving) {
     const QString text = format::lengthNumber(metres, moving ? 1 : 2, true);
     return moving ? text + QChar(0x2007) : text;
@@ -85,7 +85,7 @@ QStringList PoseView::figures() const {
     return texts;
 }
 
-// Variations of an arm at rest are smaller than the displayed digits.
+// The noise of an arm at standstill is smaller than the displayed digits.
 void PoseView::updateValueTexts() {
     if (const QStringList now = figures(); now != shown_) {
         shown_ = now;
@@ -172,10 +172,10 @@ void PoseView::describe() {
     const QString name = tr("TCP pose in %1").arg(frame_);
     setAccessibleName(name);
     setToolTip(name + QStringLiteral(", ") +
-               (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement since zero. Click: "
-                              "displacement since the last key press")
-                         : tr("orientation as set in Settings. Δ: displacement since the last key press. "
-                              "Click: zero here")) +
+               (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement since zero. Click to show "
+                              "the displacement since the start of the last motion")
+                         : tr("orientation as set in Settings. Δ: displacement since the start of the last "
+                              "motion. Click to zero here")) +
                QLatin1Char('\n') + tr("TCP in the frame of the flange: %1").arg(format::pose(tcp_)));
     setAccessibleDescription(toolTip());
 }
@@ -215,7 +215,8 @@ void PoseView::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(theme.moving, 2));
         painter.drawRect(rect().adjusted(1, 1, -2, -2));
     }
-    // The speed always has enough space: the frame name may be elided, and is complete in the tooltip.
+    // There is always enough space for the speed. The frame name may be elided, and the tooltip contains the
+    // full name.
     const QRect caption(4, 0, right - 6, kCaptionHeight);
     painter.setFont(textFont(13, QFont::Bold));
     const QString factor = factorText();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The current TCP pose in the selected frame: position in mm with the distance since the press (or since "zero
-// here"), and orientation as roll, pitch and yaw in degrees or in the selected notation. Above it the TCP speed and
-// the factor of a pressed modifier key. Numbers change at most ten times per second; values older than 0.3 s are
-// grey.
+// The current TCP pose in the selected frame. The position is shown in mm with the distance since the press
+// (or since "zero here"). The orientation is shown as roll, pitch and yaw in degrees, or in the selected
+// notation. The line above shows the TCP speed and the factor of a pressed modifier key. Numbers change at
+// most ten times per second. Values older than 0.3 s are grey.
 
 #include <QTimer>
 #include <QWidget>
@@ -21,29 +21,29 @@ public:
 
     /// pose    in the base frame
     /// moving  shows one decimal less
-    /// valid   false: dashes
-    /// stale   grey
+    /// valid   if false, dashes are shown
+    /// stale   shows grey values
     void setPose(const Pose& pose, bool moving, bool valid, bool stale);
-    /// Name and pose of the frame.
+    /// Sets the name and pose of the selected frame.
     void setFrame(const QString& name, const Pose& T_base_frame);
     void setTcp(const Pose& offset);
     void setSpeed(const Twist& tcpSpeed);
-    /// Factor of the selected speed: 1, 3 or 0.1.
+    /// Sets the factor of the selected speed: 1, 3 or 0.1.
     void setFactor(double factor);
     /// Sets the zero point of the distances; a second call returns to distances since the press. Also triggered by
     /// a click or Enter on the view.
     void zeroHere();
-    /// Start of a motion: new zero point, unless the user has set one.
+    /// Called at the start of a motion. Sets the zero point unless the user has set one.
     void pressedHere();
 
     QString positionText(int axis) const;
     QString deltaText(int axis) const;
     QString rotationText(int axis) const;
-    /// e.g. "in Base · TCP 120.0 mm from the flange"
+    /// Text of the caption, e.g. "in Base · TCP 120.0 mm from the flange".
     QString frameText() const;
-    /// e.g. "50 mm/s", while rotating "0.0 mm/s · 15 °/s".
+    /// E.g. "50 mm/s"; while rotating "0.0 mm/s · 15 °/s".
     QString speedText() const;
-    /// e.g. "× 0.1"; empty at the selected speed.
+    /// E.g. "× 0.1"; empty if the factor is 1.
     QString factorText() const;
 
     QSize sizeHint() const override { return {366, 110}; }
@@ -60,7 +60,7 @@ protected:
 private:
     void describe();
     void changed(bool atOnce);
-    /// All texts that change with the arm.
+    /// All displayed texts that change with the arm.
     QStringList figures() const;
     void updateValueTexts();
     Eigen::Vector3d inFrame(const Eigen::Vector3d& way) const;
@@ -76,7 +76,7 @@ private:
     QStringList shown_;
     bool pending_ = false;
     bool hasZero_ = false;
-    bool ownZero_ = false;  ///< set by the user, not by the press
+    bool ownZero_ = false;  ///< true if the user has set the zero point
     bool moving_ = false;
     bool valid_ = false;
     bool stale_ = false;

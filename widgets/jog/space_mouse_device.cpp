@@ -10,7 +10,7 @@ namespace tiller {
 
 namespace {
 
-/// Value of the driver at full deflection.
+/// Value that the driver reports at full deflection.
 constexpr double kFullDeflection = 350;
 
 class SpaceMouse : public InputDevice {
@@ -22,7 +22,7 @@ public:
         DeviceShape shape;
         static_cast<DeviceTuning&>(shape) = kSpaceMouseTuning;
         shape.kind = kSpaceMouseKind;  // reports continuously while deflected
-        shape.deadManName = QCoreApplication::translate("SpaceMouse", "left key");
+        shape.deadManName = QCoreApplication::translate("SpaceMouse", "left button");
         shape.directions =
             QCoreApplication::translate("SpaceMouse", "The tool follows the motion of the cap.");
         return shape;
@@ -34,7 +34,8 @@ public:
             now_.fresh = true;
             if (event.type == SPNAV_EVENT_MOTION) {
                 const spnav_event_motion& m = event.motion;
-                // The driver has Y up and Z towards the user; the jog frame has Y away from the user and Z up.
+                // In the driver's frame, Y points up and Z points towards the user. In the jog frame, Y
+                // points away from the user and Z points up.
                 now_.axes << m.x / kFullDeflection, -m.z / kFullDeflection, m.y / kFullDeflection,
                     m.rx / kFullDeflection, -m.rz / kFullDeflection, m.ry / kFullDeflection;
             } else if (event.type == SPNAV_EVENT_BUTTON) {
@@ -43,7 +44,7 @@ public:
                 return std::nullopt;
             }
         }
-        // If the driver ends, a return to neutral is no longer reported.
+        // If the driver exits, it does not report the return to neutral.
         pollfd socket{spnav_fd(), POLLIN, 0};
         if (socket.fd < 0 ||
             (::poll(&socket, 1, 0) > 0 && (socket.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0)) {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Space and Esc stop all motion while this program is in control, in every window of the application and with any
-// focus: motions of this program, and other programs on the robot. While only monitoring, both keys belong to the
-// focus widget. One object serves the whole application; during its lifetime it receives every key first.
+// Space and Esc stop all motion while this application is in control, in every window of the application and
+// with any focus widget. They stop motions of this application and other programs on the robot. While the
+// application only monitors, the focus widget receives both keys. One object serves the whole application.
+// During its lifetime it receives every key first.
 //
-// Qt drops the key events of a window that is blocked by a modal dialog before any event filter, and window
-// managers let such a window keep the keyboard. Qt still looks up shortcuts there: each modal dialog gets
-// application-wide shortcuts for the stop keys. They trigger in blocked windows only, because other windows claim
-// the keys beforehand (ShortcutOverride) and receive them as plain key presses.
+// Qt discards the key events of a window that is blocked by a modal dialog before any event filter is called,
+// and window managers let such a window keep the keyboard focus. Qt still evaluates shortcuts in this window.
+// Each modal dialog therefore gets application-wide shortcuts for the stop keys. The shortcuts trigger only
+// in blocked windows, because other windows accept the keys beforehand (ShortcutOverride) and receive them as
+// plain key presses.
 
 #include <QObject>
 #include <QPointer>
@@ -32,15 +34,15 @@ class StopKeys : public QObject {
 
 public:
     enum class Use {
-        Control,         ///< the key belongs to the focus widget
-        StopAndControl,  ///< no motion: the key stops, and the focus widget receives it as well
-        StopOnly,        ///< actual or possible motion: the key only stops
+        Control,         ///< the focus widget receives the key
+        StopAndControl,  ///< no motion: the key stops the arm, and the focus widget also receives it
+        StopOnly,        ///< actual or possible motion: the key only stops the arm
     };
 
-    /// use  called at each press
+    /// use  called at each press of a stop key
     StopKeys(std::function<void(control::StopCause)> stop, std::function<Use()> use,
              QObject* parent = nullptr);
-    /// clock  for the time after a motion
+    /// clock  measures the time after a motion
     explicit StopKeys(RobotSession& session, const Clock& clock = SteadyClock::shared(),
                       QObject* parent = nullptr);
     ~StopKeys() override;
@@ -51,8 +53,8 @@ protected:
 private:
     /// Time after a motion during which the keys only stop [ms].
     static constexpr int kReflexMs = 1000;
-    /// Time after a loss of control during which the keys still stop, because the operator has to notice it first
-    /// [ms].
+    /// Time after a loss of control during which the keys still stop the arm, because the operator may not
+    /// have noticed the loss [ms].
     static constexpr int kControlLostMs = 3000;
     void follow(const SessionState& state, std::int64_t nowNs);
     Use useAt(std::int64_t nowNs) const;
@@ -62,14 +64,14 @@ private:
 
     std::function<void(control::StopCause)> stop_;
     std::function<Use()> use_;
-    std::vector<QPointer<QWidget>> modals_;  ///< modal dialogs with the shortcuts
-    int claimedKey_ = 0;                     ///< last pressed stop key without another function; 0: none
+    std::vector<QPointer<QWidget>> modals_;  ///< modal dialogs that have the shortcuts
+    int claimedKey_ = 0;  ///< last stop key that was pressed without another function; 0: none
 
-    bool owned_ = false;  ///< true if in control or taking control at the last state
+    bool owned_ = false;  ///< true if the last state was in control or taking control
     bool inControl_ = false;
-    std::optional<std::int64_t> controlLostNs_;  ///< time of the loss; not set if control was released
+    std::optional<std::int64_t> controlLostNs_;  ///< time of the loss; empty if control was released
     std::optional<std::int64_t> lastMotionNs_;   ///< last motion while in control, or shortly after
-    bool dark_ = false;                          ///< no data: the motion of the arm is unknown
+    bool dark_ = false;                          ///< true without data: the motion of the arm is unknown
     bool movedBeforeDark_ = false;               ///< the arm moved when the data ended, or shortly before
     std::optional<std::int64_t> stoppedDarkNs_;  ///< time of the first stop since the data ended
 };

@@ -13,8 +13,8 @@ namespace tiller {
 namespace {
 
 constexpr int kLookMs = 40;
-constexpr int kTicksMoving = 3;       ///< computed every third tick while the arm moves
-constexpr double kSamePlace = 0.002;  ///< change of the joint that moved most [rad]
+constexpr int kTicksMoving = 3;       ///< ticks between computations while the arm moves
+constexpr double kSamePlace = 0.002;  ///< maximum joint change for an unchanged position [rad]
 
 bool isOpen(const control::JogReach& travel) {
     return travel.end.kind == control::LimiterKind::None;
@@ -61,7 +61,8 @@ void TravelWatch::reset() {
     }
 }
 
-/// Recomputes all directions; until then the buttons show their old values marked as outdated.
+/// Requests a new computation of all directions. Until then, the buttons show their old values marked as
+/// outdated.
 void TravelWatch::setOutdated() {
     for (JogKey* key : pad_.keys()) {
         key->setTravelOutdated(true);
@@ -88,7 +89,8 @@ void TravelWatch::look() {
         return;
     }
     const Eigen::Matrix3d axes = frameAxes(selection_, state_.tcpPose);
-    // While the arm moves, the tool frame rotates in smaller steps; a larger change means another frame.
+    // While the arm moves, the tool frame rotates only in smaller steps. A larger change means that another
+    // frame was selected.
     const bool otherFrame = !state_.motionActive && !axes.isApprox(lookedIn_, 2e-2);
     if (otherFrame || state_.check != lookedWith_) {
         setOutdated();
@@ -136,7 +138,7 @@ QString TravelWatch::heldText() const {
                     .arg(key->text(), key->travel(), linkText(end.link), format::length(end.distance, 0),
                          limiterText(end, state_.check->surroundings()));
             default:
-                return tr("%1: %2 left to the end of reach or a singularity").arg(key->text(), key->travel());
+                return tr("%1: %2 left to the reach limit or a singularity").arg(key->text(), key->travel());
         }
     }
     return {};

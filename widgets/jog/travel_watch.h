@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes the remaining distance for each button of the pad and shows it on the button. Only one direction
-// is computed at a time, because all twelve would take too long for one frame.
+// Computes the remaining distance for each button of the pad and shows it on the button. One call computes
+// one direction, because computing all twelve would take longer than a frame.
 
 #include <Eigen/Core>
 #include <QObject>
@@ -27,12 +27,13 @@ public:
     TravelWatch(JogPad& pad, const JogSelection& selection, QObject* parent = nullptr);
 
     void setState(const SessionState& state) { state_ = state; }
-    /// Computes the next direction; while a button is held, every other time its direction. Called by a timer every
-    /// 40 ms, and less often while the arm moves, because the values then change continuously.
+    /// Computes the next direction. While a button is held, every second call computes the direction of that
+    /// button. Called by a timer every 40 ms, and less often while the arm moves, because the values then
+    /// change continuously.
     void look();
     /// Updates the texts of all buttons, e.g. after a change of units.
     void reset();
-    /// While a button is held: the remaining distance and the limit at its end; otherwise empty.
+    /// While a button is held, the remaining distance and the limit at its end; otherwise empty.
     QString heldText() const;
 
 private:
@@ -51,7 +52,7 @@ private:
     Eigen::Matrix3d lookedIn_ = Eigen::Matrix3d::Zero();
     std::shared_ptr<const collision::CollisionCheck> lookedWith_;
     int next_ = 0;  ///< index of the next direction
-    int left_ = 0;  ///< number of directions still to compute
+    int left_ = 0;  ///< number of directions that remain to be computed
     JointPositions tickedAt_;
     int ticks_ = 0;              ///< ticks since the last computation
     bool lookedAtHeld_ = false;  ///< true if the last computation was for the held button

@@ -100,7 +100,8 @@ QString LogModel::rowText(int row) const {
         text += QStringLiteral(". ") + entry.detail;
     }
     text.replace(QLatin1Char('\n'), QLatin1Char(' ')).replace(QLatin1Char('\t'), QLatin1Char(' '));
-    static const char* const kWords[] = {"Info", "Warning", "Error"};  // not translated, for other programs
+    // Not translated, because other programs read the text.
+    static const char* const kWords[] = {"Info", "Warning", "Error"};
     return QStringLiteral("%1\t%2\t%3")
         .arg(entry.first.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")),
              QLatin1String(kWords[static_cast<int>(entry.severity)]), text);
@@ -178,7 +179,7 @@ QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role
     return section == Time             ? tr("Time")
            : section == SeverityColumn ? tr("Severity")
            : section == Open           ? QString()
-                                       : tr("What happened");
+                                       : tr("Event");
 }
 
 void LogFilter::setLeastSeverity(Severity severity) {

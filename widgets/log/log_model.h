@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Table model of the log, oldest entry first. A message equal to the previous one increases its count instead of
-// being added; its row shows the first and last time. Only consecutive messages are merged, so that the order is
-// chronological. Beyond kCapacity the oldest rows are removed.
+// Table model of the log, oldest entry first. A message equal to the previous one increases the count of that
+// row instead of adding a row. The row shows the first and last time. Only consecutive messages are merged,
+// so that the order remains chronological. If the log exceeds kCapacity, the oldest rows are removed.
 
 #include <QAbstractTableModel>
 #include <QDateTime>
@@ -27,21 +27,22 @@ public:
     explicit LogModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
     /// recording  related file; empty: none
-    /// moment     position in it [s]; empty: at the incident
+    /// moment     position in the recording [s]; empty: the time of the incident
     void append(const QDateTime& time, Severity severity, const QString& text, Origin origin = Origin::Tiller,
                 const QString& detail = {}, const QString& recording = {}, std::optional<double> moment = {});
     void clear();
-    /// The last row that starts at or before this time; -1: none.
+    /// Returns the last row that starts at or before this time; -1 if there is none.
     int rowAt(const QDateTime& time) const;
-    /// All details of a row: time, count, origin, meaning, suggested action.
+    /// All details of a row: time, count, origin, meaning and suggested action.
     QString details(int row) const;
-    /// Row as text, fields separated by tabs: date and time (the first), severity, text with count and last time.
+    /// A row as text with fields separated by tabs: date and time of the first occurrence, severity, and text
+    /// with count and last time.
     QString rowText(int row) const;
 
     static QString severityWord(Severity severity);
     static QFont columnFont(int column);
-    static QString openWord();  ///< Text of the column Open for rows with a recording.
-    /// "the robot", "the operator", "Tiller"
+    static QString openWord();  ///< text of the column Open for rows with a recording
+    /// Name of an origin: "the robot", "the operator", "Tiller".
     static QString originWord(Origin origin);
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -66,7 +67,7 @@ private:
     std::deque<Entry> entries_;
 };
 
-/// Filters by minimum severity, and by words that must all occur.
+/// Sets the minimum severity and the words that must all occur in a row.
 class LogFilter : public QSortFilterProxyModel {
     Q_OBJECT
 

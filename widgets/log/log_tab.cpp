@@ -103,7 +103,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
               {LogModel::severityWord(Severity::Info), LogModel::severityWord(Severity::Warning),
                LogModel::severityWord(Severity::Error)});
     fitColumn(LogModel::Open, {LogModel::openWord()});
-    table_->setColumnHidden(LogModel::Open, true);  // until there is a recording to open
+    table_->setColumnHidden(LogModel::Open, true);  // hidden until there is a recording to open
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -122,7 +122,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
     ofLine->addWidget(details_, 1);
     ofLine->addWidget(open_, 0, Qt::AlignVCenter);
     layout->addLayout(ofLine);
-    // At the bottom: no button moves under the pointer when it is hidden.
+    // The band is at the bottom, so that hiding it does not move a button under the pointer.
     layout->addWidget(band_);
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &LogTab::showDetails);
     connect(filter_, &QAbstractItemModel::dataChanged, this, &LogTab::showDetails);
@@ -154,7 +154,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
 
 LogTab::~LogTab() = default;
 
-/// The text column receives the remaining width.
+/// Makes the text column fill the remaining width.
 void LogTab::fitColumn(int column, const QStringList& words) {
     const QFontMetrics metrics(LogModel::columnFont(column));
     int width = table_->horizontalHeader()->sectionSizeHint(column);
@@ -247,7 +247,7 @@ void LogTab::setReplay(const Replay& moment) {
 
 void LogTab::add(Severity severity, const QString& text, Origin origin, const QString& detail,
                  const QString& recording, std::optional<double> moment) {
-    // Scrolls to the newest line unless the user has scrolled back.
+    // Scrolls to the newest row unless the user has scrolled back.
     const QScrollBar* bar = table_->verticalScrollBar();
     const bool follow = bar->value() == bar->maximum();
     model_->append(now_(), severity, text, origin, detail, recording, moment);
@@ -262,7 +262,7 @@ void LogTab::add(Severity severity, const QString& text, Origin origin, const QS
 void LogTab::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     if (follows_) {
-        // After the page has its size.
+        // Scroll after the tab has its final size.
         QMetaObject::invokeMethod(table_, &QTableView::scrollToBottom, Qt::QueuedConnection);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Log": events with time and severity, newest at the bottom; repetitions are merged. The log can be
-// filtered, copied and saved to a file.
+// The tab "Log" shows events with time and severity, newest at the bottom. Repeated messages are merged. The
+// log can be filtered, copied and saved to a file.
 
 #include <QDateTime>
 #include <QWidget>
@@ -35,13 +35,13 @@ public:
     ~LogTab() override;
 
     LogModel& model() { return *model_; }
-    /// Shows the log of a recording or of a time in the history, with the row selected. Empty: live.
+    /// Shows the log of a recording, or of a past time, and selects the row of that time. Empty: live.
     void setReplay(const Replay& moment);
     /// For tests.
     void setTimeSource(std::function<QDateTime()> now) { now_ = std::move(now); }
     /// The displayed rows, one per line, fields separated by tabs.
     QString shownText() const;
-    /// All rows, one per line.
+    /// All rows, one per line, including the rows hidden by the filter.
     QString allText() const;
     /// Writes all displayed rows.
     /// Errors  FileNotWritable, DiskFull
@@ -50,15 +50,15 @@ public:
 public Q_SLOTS:
     void append(tiller::Severity severity, const QString& text,
                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
-    /// As append(), with the recording of an incident, which can be opened from the row.
+    /// As append(), with the recording of an incident. The recording can be opened from the row.
     void appendRecording(tiller::Severity severity, const QString& text, const QString& detail,
                          const QString& path);
-    /// As append(), with a position in a recording [s], at which it is opened.
+    /// As append(), with the position in the recording [s] at which it is opened.
     void appendMoment(tiller::Severity severity, const QString& text, const QString& detail,
                       const QString& path, double seconds);
     /// Requests to open the recording of the current row, if any.
     void openRecording();
-    /// Copies the selected rows, or all displayed rows without a selection.
+    /// Copies the selected rows, or all displayed rows if none is selected.
     void copy();
     /// Asks for a file and writes the displayed rows.
     void exportToFile();
@@ -67,8 +67,8 @@ public Q_SLOTS:
     void showFrom(tiller::Severity severity);
 
 Q_SIGNALS:
-    /// The recording of a row should be opened.
-    /// moment  position in it [s]; empty: at its incident
+    /// The user requested to open the recording of a row.
+    /// moment  position in the recording [s]; empty: the time of the incident
     void recordingWanted(const QString& path, std::optional<double> moment);
     /// The user wants to return to live data.
     void liveWanted();
@@ -92,7 +92,7 @@ private:
     std::function<QDateTime()> now_;
     LogModel* model_;
     LogModel* replayModel_;  ///< the log of the replayed recording
-    std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< its events
+    std::shared_ptr<const std::vector<recording::RecordedEvent>> replayed_;  ///< the events of that log
     bool replay_ = false;  ///< true while the replayed log is shown
     LogFilter* filter_;
     ReplayBand* band_;
@@ -102,7 +102,7 @@ private:
     QTableView* table_;
     EmptyState* nothing_;
     QLabel* details_;
-    bool follows_ = true;  ///< true if the newest line was visible when the page was left
+    bool follows_ = true;  ///< true if the newest row was visible when the tab was hidden
 };
 
 }  // namespace tiller

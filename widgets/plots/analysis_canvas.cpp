@@ -15,9 +15,9 @@ namespace {
 constexpr double kRoomLeft = 64;  // space for the labels of the vertical axis [px]
 constexpr double kRoomBelow = 36;
 constexpr double kRoomAround = 10;
-constexpr qsizetype kSmooth = 4000;  // more points are drawn without antialiasing
+constexpr qsizetype kSmooth = 4000;  // curves with more points are drawn without antialiasing
 
-/// 1, 2 or 5 times a power of ten, so that at most this number of steps fits.
+/// Returns 1, 2 or 5 times a power of ten, so that at most `most` steps fit in the span.
 double roundStep(double span, double most) {
     const double rough = span / std::max(most, 1.0);
     const double power = std::pow(10, std::floor(std::log10(rough)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A line plot without a time axis: a spectrum, or one signal over another. All points are drawn.
+// A line plot without a time axis: a spectrum, or one signal over another. Draws every point.
 
 #include <QPointF>
 #include <QVector>
@@ -22,7 +22,7 @@ public:
     explicit AnalysisCanvas(QWidget* parent = nullptr);
 
     /// Scales both axes to the points.
-    /// message  shown instead if there are no points
+    /// message  shown if there are no points
     void show(const QVector<QPointF>& points, const QString& xTitle, const QString& yTitle,
               const QString& message);
     const QVector<QPointF>& points() const { return points_; }

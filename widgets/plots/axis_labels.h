@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The axis labels of a plot. The axes of a chart would update the layout of the whole chart for every change of a
-// label, i.e. in each frame of a zoom; these labels are only texts at positions.
+// The axis labels of a plot. The axes of a chart would update the layout of the whole chart for every change
+// of a label, i.e. in each frame of a zoom. These labels are plain text items at fixed positions.
 
 #include <QColor>
 #include <QFont>
@@ -20,7 +20,7 @@ public:
         friend bool operator==(const Label&, const Label&) = default;
     };
 
-    /// alignment  of each text in its box
+    /// alignment  alignment of each text in its box
     AxisLabels(Qt::Alignment alignment, QGraphicsItem* parent);
 
     void setLook(const QFont& font, const QColor& color);

@@ -8,8 +8,8 @@ namespace tiller {
 
 namespace {
 
-constexpr double kEdge = 0.55;   // distance from the outermost grid line to the end of the scale, in steps
-constexpr double kReach = 0.35;  // permitted excess of a curve beyond that line, in steps
+constexpr double kEdge = 0.55;   // distance from the outermost grid line to the end of the scale [steps]
+constexpr double kReach = 0.35;  // permitted excess of a curve beyond the outermost grid line [steps]
 
 double niceStep(double least) {
     const double decade = std::pow(10.0, std::floor(std::log10(least)));
@@ -34,7 +34,7 @@ AxisRange::AxisRange(double smallestStep) : smallestStep_(smallestStep) {
 AxisRange::Scale AxisRange::best(double low, double high) const {
     const double fewest = std::min(3, mostLines_) - 1;
     for (double step = niceStep(smallestStep_);; step = niceStep(step * 1.5)) {
-        // The outermost grid lines, in steps; a curve may exceed them slightly.
+        // The outermost grid lines [steps]. A curve may exceed them slightly.
         double bottom = std::floor(low / step + kReach);
         double top = std::ceil(high / step - kReach);
         // Include zero if it is near.
@@ -96,7 +96,7 @@ bool AxisRange::fit(double low, double high, double seconds) {
         return false;
     }
     if (low < min_ || high > max_) {
-        // Extend one side without reducing the other.
+        // Extend one side of the scale without reducing the other side.
         return set(best(std::min(low, min_ + kEdge * step_), std::max(high, max_ - kEdge * step_)));
     }
     const Scale narrower = best(low, high);

@@ -29,7 +29,7 @@ ComparisonBand::ComparisonBand(QWidget* parent)
     compare_->setObjectName(QStringLiteral("plots.comparison.compare"));
     compare_->setText(tr("Compare…"));
     compare_->setAccessibleName(compare_->text());
-    compare_->setToolTip(tr("Compare this recording with the arm model, with different limits"));
+    compare_->setToolTip(tr("Compare this recording with the arm model using other limits"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(kFlagRoom, 4, 8, 4);
     layout->setSpacing(8);
@@ -44,7 +44,8 @@ ComparisonBand::ComparisonBand(QWidget* parent)
         }
     });
     connect(compare_, &QToolButton::clicked, this, &ComparisonBand::comparisonWanted);
-    tell({}, {}, Key::None, false);  // the button needs its text before there is a result
+    // The width of the button depends on its text, even before there is a result.
+    tell({}, {}, Key::None, false);
     style();
     hide();
 }
@@ -58,7 +59,7 @@ void ComparisonBand::tell(const QString& words, const QString& details, Key key,
     setAccessibleDescription(words_->toolTip());
     what_ = key;
     key_->setVisible(key != Key::None);
-    const QString text = key == Key::Cancel ? tr("Cancel") : tr("Go there");
+    const QString text = key == Key::Cancel ? tr("Cancel") : tr("Go to time");
     key_->setText(text);
     key_->setAccessibleName(text);
     key_->setToolTip(key == Key::Cancel ? tr("Stop comparing")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A band below the plots of a recording with the result of the comparison of arm and model: progress, or the time
-// of the first deviation.
+// A band below the plots of a recording. It shows the progress of the comparison between arm and model, or
+// the time of the first deviation.
 
 #include <QFrame>
 
@@ -21,7 +21,7 @@ public:
 
     explicit ComparisonBand(QWidget* parent = nullptr);
 
-    /// parted  true if the deviation is marked in the plots with the same flag
+    /// parted  true if the plots mark the deviation with the same flag as the band
     void tell(const QString& words, const QString& details, Key key, bool parted);
     QString words() const;
     QString details() const { return details_; }
@@ -29,7 +29,7 @@ public:
 Q_SIGNALS:
     void cancelWanted();
     void momentWanted();
-    /// The user wants other limits or another model.
+    /// The user wants to compare with other limits or another model.
     void comparisonWanted();
 
 protected:

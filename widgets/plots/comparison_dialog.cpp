@@ -28,7 +28,7 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
     setWindowTitle(tr("Compare with the arm model"));
     auto* words =
         new QLabel(tr("The simulated arm follows the recorded joint targets, and its motion is compared with "
-                      "the recorded motion. The model has no contact and no friction."));
+                      "the recorded motion. The model includes neither contact nor friction."));
     words->setWordWrap(true);
     words->setMinimumWidth(kWidth);
     model_->setObjectName(QStringLiteral("plots.comparison.model"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Dialog for the comparison of a recording with the model of its arm: model and limits.
+// Dialog with the model and the limits for comparing a recording with the model of its arm.
 
 #include <QDialog>
 #include <optional>
@@ -19,7 +19,7 @@ class ComparisonDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// model  initial selection; empty: the user has to select one
+    /// model  initial selection; empty: the user must select a model
     ComparisonDialog(const divergence::Limits& limits, std::optional<RobotModelId> model,
                      QWidget* parent = nullptr);
 

@@ -39,7 +39,7 @@ void Curve::sample(const SeriesBuffer& history, int column, const ColumnGrid& gr
     if (grid.edges.empty()) {
         return;
     }
-    // One sample beyond each edge, so that the line continues to the edge.
+    // Include one sample beyond each edge, so that the line continues to the edge.
     const std::int64_t begin = std::max(grid.edges.front() - 1, history.first());
     const std::int64_t end = std::min(grid.edges.back() + 1, history.end());
     if (end - begin <= grid.columns()) {
@@ -65,7 +65,8 @@ void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const Column
         if (last != none && !gap) {
             const double before = (envelope_[last].min + envelope_[last].max) / 2;
             if (last + 1 == i) {
-                // A value of both columns if they overlap; otherwise the middle of the step between them.
+                // Use a value that is in both columns if they overlap; otherwise the middle of the step
+                // between them.
                 const double bottom = std::max(envelope_[last].min, envelope_[i].min);
                 const double top = std::min(envelope_[last].max, envelope_[i].max);
                 const double edge =
@@ -82,7 +83,8 @@ void Curve::sampleEnvelope(const SeriesBuffer& history, int column, const Column
 }
 
 void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnGrid& grid) {
-    // Columns are on a time raster: while the curve moves, most of them contain the same samples as before.
+    // Columns are on a fixed time raster. While the curve moves, most columns contain the same samples as
+    // before.
     const double shift = (grid.start - cachedStart_) / grid.width;
     const bool sameRaster = grid.width == cachedWidth_ && std::abs(shift - std::round(shift)) < 1e-3 &&
                             std::abs(shift) < static_cast<double>(cachedEdges_.size()) &&
@@ -91,9 +93,9 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
     const auto known = sameRaster ? static_cast<std::int64_t>(envelope_.size()) : 0;
     fresh_.resize(static_cast<std::size_t>(grid.columns()));
     edges_ = grid.edges;
-    // Align the start of wide columns to summaries, so that the finer summaries or samples, which are scattered in
-    // memory, are not needed. Each sample is still in exactly one column, displaced by at most 1/kCoarse of its
-    // width.
+    // Align the start of wide columns to summaries. The finer summaries and the samples are scattered in
+    // memory, and are then not needed. Each sample is still in exactly one column, displaced by at most
+    // 1/kCoarse of the column width.
     std::int64_t summary = 1;
     for (const std::int64_t rows : {SeriesColumn::kSummary, SeriesColumn::kCoarseSummary}) {
         const bool isFar = grid.edges.back() - grid.edges.front() > kCoarse * rows * grid.columns();
@@ -120,8 +122,8 @@ void Curve::fetchEnvelope(const SeriesBuffer& history, int column, const ColumnG
 }
 
 void Curve::samplePoints(const SeriesBuffer& history, int column, std::int64_t begin, std::int64_t end) {
-    // Positions relative to the integer time raster: the position of a sample in its column remains exactly equal
-    // while the view moves.
+    // Positions are relative to the integer time raster, so that the position of a sample in its column
+    // remains exactly equal while the view moves.
     const auto origin = static_cast<double>(raster_);
     bool any = false;
     bool gap = false;
@@ -191,7 +193,7 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         std::fill(drawn.begin(), drawn.end(), std::uint8_t{1});
         return;
     }
-    // Relative to the origin of time, so that the dashes move with the curve.
+    // Relative to the origin of the time axis, so that the dashes move with the curve.
     double place = std::fmod(static_cast<double>(raster_), dashLength_);
     place = place < 0 ? place + dashLength_ : place;
     constexpr double kRounding = 1e-6;  // rounding error of the accumulated value
@@ -205,7 +207,8 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         place += 1;
         place = place + kRounding >= dashLength_ ? std::max(0.0, place - dashLength_) : place;
     }
-    // The eye interpolates between two dashes; values outside of their ends are drawn.
+    // A viewer interpolates between two dashes. Draw values in the gap that are outside the range of the
+    // adjacent dash ends.
     const std::size_t count = std::min(drawn.size(), columns_.size());
     for (std::size_t i = 0; i < count;) {
         if (drawn[i] != 0) {
@@ -216,7 +219,7 @@ void Curve::findDrawn(std::span<std::uint8_t> drawn, double beyond) const {
         while (i < count && drawn[i] == 0) {
             ++i;
         }
-        // A dash that ends in a spike does not hide another one: the smaller end counts.
+        // A dash that ends in a spike must not hide another spike, so the smaller dash end is used.
         MinMax ends;
         double half = std::numeric_limits<double>::infinity();
         for (const std::size_t end :

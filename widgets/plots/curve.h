@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One curve, represented by its extent in every pixel column: from minimum to maximum, connected to the neighbours,
-// independent of the length of the history. CurveRaster renders the columns.
+// One curve, represented by its extent in every pixel column. The extent ranges from minimum to maximum and
+// is connected to the neighbouring columns. The drawing effort does not depend on the length of the history.
+// CurveRaster renders the columns.
 
 #include <QPainterPath>
 #include <QPen>
@@ -17,16 +18,16 @@ namespace tiller {
 
 class Curve {
 public:
-    /// Extent of the curve in one pixel column, in its own unit. NaN in `left`: no data.
+    /// Extent of the curve in one pixel column, in the unit of the curve. NaN in `left`: no data.
     struct Column {
         double left, right;  ///< values at the left and right edge of the column
-        /// Minimum and maximum of the samples in the column, and of the line to the adjacent samples up to the edges
-        /// of the column. They include `left` and `right`.
+        /// Minimum and maximum of the samples in the column, and of the connecting lines to the adjacent
+        /// samples up to the edges of the column. Includes `left` and `right`.
         double low, high;
 
         bool isEmpty() const { return std::isnan(left); }
-        void setLeft(double value);   ///< Extends the minimum and maximum if necessary.
-        void setRight(double value);  ///< As setLeft().
+        void setLeft(double value);   ///< extends the minimum and maximum if necessary
+        void setRight(double value);  ///< as setLeft()
         friend bool operator==(const Column& a, const Column& b) {
             return (a.isEmpty() && b.isEmpty()) ||
                    (a.left == b.left && a.right == b.right && a.low == b.low && a.high == b.high);
@@ -36,7 +37,7 @@ public:
     explicit Curve(int signal) : signal_(signal) {}
 
     int signal() const { return signal_; }
-    /// Colour, width and dash pattern; dashes are along the time axis and move with the curve.
+    /// Sets colour, width and dash pattern. Dashes are along the time axis and move with the curve.
     void setPen(const QPen& pen);
     const QPen& pen() const { return pen_; }
     void setVisible(bool visible) { visible_ = visible; }
@@ -45,19 +46,20 @@ public:
     void setOffset(double offset) { offset_ = offset; }
     double offset() const { return offset_; }
 
-    /// Reads the data of the columns of this grid. `column` must always be the same column of the same
+    /// Reads the data for the columns of this grid. `column` must always be the same column of the same
     /// history.
     void sample(const SeriesBuffer& history, int column, const ColumnGrid& grid);
-    /// Minimum and maximum of the data read.
+    /// Minimum and maximum of the data that was read.
     const MinMax& range() const { return range_; }
     const std::vector<Column>& columns() const { return columns_; }
-    /// Number of the first column on the time raster: columns with the same width and number cover the same time.
+    /// Number of the first column on the time raster. Columns with the same width and number cover the same
+    /// time.
     std::int64_t raster() const { return raster_; }
     double columnWidth() const { return width_; }
-    /// True if this column has changed since the last sample(), or is new.
+    /// True if this column is new or has changed since the last sample().
     bool hasChanged(std::size_t column) const;
-    /// Determines for each column whether it is drawn: in the dashes of the pen, and where the curve exceeds the
-    /// adjacent dashes, so that no spike is hidden between them.
+    /// Determines for each column whether it is drawn. This is the case in the dashes of the pen and where
+    /// the curve exceeds the adjacent dashes, so that no spike is hidden between dashes.
     /// drawn   one entry per column; 0: not drawn
     /// beyond  minimum excess, in the unit of the curve
     void findDrawn(std::span<std::uint8_t> drawn, double beyond) const;
@@ -73,17 +75,18 @@ private:
 
     int signal_;
     QPen pen_;
-    std::vector<double> dashes_;  // dash pattern of the pen [columns]: alternately drawn and not drawn
-    double dashLength_ = 0;       // length of the whole pattern [columns]
+    // Dash pattern of the pen [columns]: lengths of dashes and gaps, alternating.
+    std::vector<double> dashes_;
+    double dashLength_ = 0;  // total length of the dash pattern [columns]
     bool visible_ = true;
     double offset_ = 0;
-    std::vector<MinMax> envelope_;  // minimum and maximum of the columns at cachedEdges_
+    std::vector<MinMax> envelope_;  // minimum and maximum of each column between cachedEdges_
     std::vector<MinMax> fresh_;
     std::vector<std::int64_t> edges_;
     std::vector<std::int64_t> cachedEdges_;
     double cachedStart_ = 0;
     double cachedWidth_ = 0;
-    std::uint64_t cachedRevision_ = 0;  // revision of the history
+    std::uint64_t cachedRevision_ = 0;  // revision of the history at the last update of the cache
     std::vector<Column> columns_;
     std::int64_t raster_ = 0;
     double width_ = 0;

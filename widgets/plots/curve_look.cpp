@@ -17,8 +17,8 @@ bool isOneFamily(const SignalStore& store, const std::vector<int>& shown) {
 }
 
 QList<qreal> dashesOf(std::size_t curve) {
-    // The first four are solid; then two dash patterns alternate, which become finer with every round of
-    // colours.
+    // The first four curves are solid. The next ones alternate between two dash patterns, with a different
+    // dash length for each round of colours.
     if (curve < 4) {
         return {};
     }
@@ -38,7 +38,7 @@ bool isFreeFor(const std::vector<QPen>& pens, const QColor& color) {
 std::vector<QPen> curvePens(const SignalStore& store, const std::vector<int>& shown, const Theme& theme) {
     std::vector<QPen> pens;
     QList<QRgb> axesUsed;
-    std::size_t next = 0;  // in the curve colours
+    std::size_t next = 0;  // next index in the curve colours
     for (const int signal : shown) {
         const int axis = store.info(signal).axis;
         QPen pen(Qt::black, 1.6);
@@ -47,7 +47,7 @@ std::vector<QPen> curvePens(const SignalStore& store, const std::vector<int>& sh
             axesUsed.append(theme.axis(axis).rgb());
         } else {
             const auto colorOf = [&](std::size_t curve) { return theme.curves[curve % theme.curves.size()]; };
-            // Axis colours are also curve colours: solid curves skip those in use.
+            // Axis colours are also curve colours. Solid curves skip the axis colours in use.
             while (dashesOf(next).isEmpty() && axesUsed.contains(colorOf(next).rgb())) {
                 ++next;
             }

@@ -16,17 +16,17 @@ namespace tiller {
 namespace {
 
 constexpr int kOpaque = 255;
-/// A column whose extent is this multiple of its slope is drawn as a bar.
+/// A column is drawn as a bar if its extent exceeds this multiple of its slope.
 constexpr double kBand = 2;
-/// A curve with larger changes in many of its columns is drawn as bars without slanted ends.
+/// A curve that changes by more than this value in many columns is drawn as bars without slanted ends.
 constexpr double kSteep = 6;  // [px]
 constexpr std::size_t kDenseShare = 4;
-/// An excess beyond the adjacent dashes of more than this is drawn between them.
+/// A curve that exceeds the adjacent dashes by more than this value is also drawn between the dashes.
 constexpr double kSpike = 3;  // [px]
 /// Number of columns painted together.
 constexpr std::size_t kBlock = 16;
 
-/// Colour multiplied by coverage, premultiplied, for coverages 0 ... 255.
+/// Returns the colour multiplied by coverages 0 ... 255, premultiplied.
 std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
     std::array<QRgb, kOpaque + 1> out{};
     for (int i = 0; i <= kOpaque; ++i) {
@@ -38,7 +38,7 @@ std::array<QRgb, kOpaque + 1> shadesOf(const QColor& color) {
 
 /// Composites premultiplied `above` over `below`.
 QRgb over(QRgb above, QRgb below) {
-    // Two channels at a time, with sixteen bits each.
+    // Process two channels at a time, with sixteen bits each.
     constexpr QRgb kTwo = 0x00FF00FF;
     constexpr QRgb kHalf = 0x00800080;
     const auto rest = static_cast<QRgb>(kOpaque - qAlpha(above));
@@ -59,7 +59,8 @@ void fill(QRgb* pixel, int count, QRgb color) {
     std::fill_n(pixel, count, color);
 }
 
-/// Transposes four columns of four pixels to four rows. Columns and rows have constant strides.
+/// Transposes four columns of four pixels into four rows. The pitch values are the strides between columns
+/// and between rows.
 void transposeFour(const QRgb* columns, std::ptrdiff_t columnPitch, QRgb* rows, std::ptrdiff_t rowPitch) {
 #ifdef __SSE2__
     const auto load = [&](int i) {
@@ -116,7 +117,8 @@ void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, d
         update();
         return;
     }
-    // Units are columns of the grid from here on: they are device pixels, and rows have the same size.
+    // From here on, the unit is one column of the grid. A column is one device pixel wide, and a row has the
+    // same height.
     const double width = (*found)->columnWidth();
     const double pitch = width * area_.width() / (t1_ - t0_);
     Painted now{width,
@@ -129,8 +131,8 @@ void CurveRaster::setView(const QRectF& area, double t0, double t1, double y0, d
     }
     const std::int64_t raster = (*found)->raster();
     const bool keeps = painted_ == now && std::abs(raster - raster_) < static_cast<std::int64_t>(columns);
-    // Strides of an odd number of cache lines, so that the pixels of a column do not evict each other from the
-    // cache.
+    // The stride is an odd number of cache lines, so that the pixels of neighbouring columns do not evict
+    // each other from the cache.
     constexpr int kCacheLine = 16;  // pixels
     const int lines = (now.size.width() + kCacheLine - 1) / kCacheLine;
     if (const QSize wide((lines | 1) * kCacheLine, now.size.height()); ring_.size() != wide) {
@@ -179,8 +181,8 @@ void CurveRaster::paintColumns(const std::vector<std::uint8_t>& wanted, double p
     for (std::size_t c = 0; c < drawn.size(); ++c) {
         drawn[c]->findDrawn(std::span(dashes).subspan(c * wanted.size(), wanted.size()), kSpike / perUnit);
     }
-    // Paint all curves of some columns, each column from top to bottom, before the next columns, for cache
-    // locality. The result is then transposed to the rows of the image.
+    // Paint all curves of a block of columns before the next block, each column from top to bottom, for cache
+    // locality. Then transpose the result into the rows of the image.
     for (std::size_t begin = 0; begin < wanted.size(); begin += kBlock) {
         const std::size_t end = std::min(begin + kBlock, wanted.size());
         if (std::none_of(&wanted[begin], &wanted[begin] + (end - begin),
@@ -202,7 +204,8 @@ void CurveRaster::paintColumns(const std::vector<std::uint8_t>& wanted, double p
 }
 
 std::ptrdiff_t CurveRaster::blockPitch() const {
-    // Whole groups of four rows, and an odd stride, so that columns do not evict each other from the cache.
+    // Whole groups of four rows. The number of groups is odd, so that columns do not evict each other from
+    // the cache.
     return ((ring_.height() + 3) / 4 | 1) * std::ptrdiff_t{4};
 }
 
@@ -233,23 +236,24 @@ void CurveRaster::keepBlock(std::span<const std::uint8_t> wanted, std::size_t fi
 
 void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit, double bottom, bool isDense,
                               const QRgb* shades, QRgb* pixels) const {
-    // A slanted line through the column, with the thickness of the pen plus the extent of the curve. The coverage
-    // of a pixel follows from the intersections of its two edges with the column.
+    // Draws a slanted line through the column. Its thickness is that of the pen plus the extent of the curve.
+    // The coverage of a pixel follows from the intersections of the two edges of the line with the column.
     const Curve::Column& column = curve.columns()[at];
     const double half = curve.pen().widthF() / 2;
     const double zero = bottom + (y0_ + curve.offset()) * perUnit;
     const auto rowOf = [&](double value) { return zero - value * perUnit; };
     const double slant = std::abs(column.right - column.left) * perUnit;
     const double extent = (column.high - column.low) * perUnit;
-    // In columns that are mostly noise, slanted ends are not visible; horizontal ends save computing each row. The
-    // extent is unchanged.
+    // In columns with mostly noise, slanted ends are not visible. Horizontal ends avoid the computation of
+    // each row. The extent is unchanged.
     const bool isBand = isDense || extent > kBand * slant;
     const double thickness =
         isBand ? half + extent / 2 : half * std::sqrt(1 + slant * slant) + std::max(0.0, extent - slant) / 2;
-    // The line is centred on the extent, unless it only slants.
+    // The line is centred on the extent unless it is only slanted.
     const double middle = (rowOf(column.low) + rowOf(column.high)) / 2;
     const double ramp = isBand ? 1.0 : std::max(slant, 1.0);
-    // A steep line is high in its column: beyond the extent of the curve, at most the pen width is painted.
+    // A steep line covers many rows of its column. Beyond the extent of the curve, paint at most the pen
+    // width.
     constexpr double kRounding = 1e-6;
     const double upper = rowOf(column.high) - curve.pen().widthF() + kRounding;
     const double lower = rowOf(column.low) + curve.pen().widthF() - kRounding;
@@ -263,12 +267,13 @@ void CurveRaster::paintColumn(const Curve& curve, std::size_t at, double perUnit
     };
     const int from = floorRow(std::max(middle - ramp / 2 - thickness, upper));
     const int to = std::max(ceilRow(std::min(middle + ramp / 2 + thickness + 1, lower)), from);
-    // Fully covered rows need no arithmetic; these are most rows of a noisy signal.
+    // Fully covered rows, which are most rows of a noisy signal, need no arithmetic.
     const int fullFrom = std::clamp(ceilRow(middle + ramp / 2 - thickness), from, to);
     const int fullTo = std::clamp(floorRow(middle - ramp / 2 + thickness), fullFrom, to);
-    // The coverage of a row is linear in its number: computed incrementally, in units of 1/65536.
+    // The coverage is a linear function of the row number. It is computed incrementally in units of 1/65536.
     constexpr int kWhole = 1 << 16;
-    constexpr double kFar = 20000;  // beyond any row, but the incremental value does not overflow
+    // Beyond any row, but small enough that the incremental value does not overflow.
+    constexpr double kFar = 20000;
     const double perRow = 1 / ramp;
     const auto step = static_cast<int>(kWhole * perRow);
     const auto passed = [&](double edge, int y) {
@@ -300,7 +305,7 @@ void CurveRaster::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
     painter->setClipRect(area_, Qt::IntersectClip);
     const QPaintEngine::Type device = painter->paintEngine()->type();
     if (device == QPaintEngine::SVG || device == QPaintEngine::Pdf) {
-        // Not time-critical: use Qt's stroker.
+        // This path is not time-critical, so use Qt's stroker.
         painter->setBrush(Qt::NoBrush);
         for (const auto& curve : curves_) {
             if (curve->isVisible()) {
@@ -310,11 +315,11 @@ void CurveRaster::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
         }
         return;
     }
-    // Whole pixels only: resampling would blur the curve and make it flicker during motion.
+    // Shift by whole pixels only. Resampling would blur the curve and make it flicker during motion.
     double pitch = painted_.columnWidth * area_.width() / (t1_ - t0_);
     constexpr double kRounding = 1e-6;
     if (std::abs(pitch - 1) < kRounding) {
-        pitch = 1;  // an unscaled image is copied, others are stretched
+        pitch = 1;  // copies the image without scaling, because the difference is a rounding error
     }
     const double x =
         std::round(static_cast<double>(raster_) - t0_ / painted_.columnWidth) * pitch + area_.left();

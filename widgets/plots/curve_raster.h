@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Renders all curves of a plot into an image that is reused from frame to frame: a ring of pixel columns. While the
-// view moves in time, only new or changed columns are painted. The columns are rasterized here, because Qt's
-// stroker takes twenty times as long for a noisy polyline with two points per column, and even longer for a dashed
-// one. No pixel of a column is farther than the pen width from the minimum and maximum of the curve in this column
-// (rounded to whole pixels), however steep the curve is.
+// Renders all curves of a plot into a ring of pixel columns that is reused in every frame. While the view
+// moves in time, only new or changed columns are painted. The columns are rasterized here, because Qt's
+// stroker takes twenty times as long for a noisy polyline with two points per column, and even longer for a
+// dashed polyline. The distance of any painted pixel from the minimum and maximum of the curve in its column
+// is at most the pen width (rounded to whole pixels), even for steep curves.
 
 #include <QGraphicsItem>
 #include <QImage>
@@ -19,7 +19,7 @@ namespace tiller {
 
 class CurveRaster : public QGraphicsItem {
 public:
-    /// curves  drawn in this order; all sampled with the same grid before each setView(). Must outlive the
+    /// curves  drawn in this order; all sampled with the same grid before each setView(); must outlive the
     /// object
     /// parent  the chart whose coordinates are used
     CurveRaster(const std::vector<std::unique_ptr<Curve>>& curves, QGraphicsItem* parent);
@@ -27,7 +27,7 @@ public:
     /// Paints the changes since the last call.
     /// area  rectangle of t0 ... t1 and y0 ... y1 in chart coordinates
     void setView(const QRectF& area, double t0, double t1, double y0, double y1);
-    /// Call after a change of a pen or of the visibility: everything is painted again.
+    /// Repaints everything at the next setView(). Call this after a change of a pen or of the visibility.
     void forget() { painted_ = {}; }
     /// Number of columns painted by the last setView(); for tests and benchmarks.
     int columnsPainted() const { return columnsPainted_; }
@@ -36,7 +36,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
 private:
-    /// The parameters for which painted columns are valid.
+    /// The parameters that the painted columns depend on.
     struct Painted {
         double columnWidth = 0;
         double y0 = 0, y1 = 0;
@@ -46,13 +46,13 @@ private:
     };
     std::size_t place(std::int64_t column) const;
     void paintColumns(const std::vector<std::uint8_t>& wanted, double pitch);
-    /// pixels  pixels of this column, from top to bottom
+    /// pixels  pixels of this column from top to bottom
     void paintColumn(const Curve& curve, std::size_t column, double perUnit, double bottom, bool isDense,
                      const QRgb* shades, QRgb* pixels) const;
     /// Stride between the columns of a block.
     std::ptrdiff_t blockPitch() const;
     /// Copies the required columns of a block to the ring.
-    /// first  number of its first column
+    /// first  number of the first column of the block
     void keepBlock(std::span<const std::uint8_t> wanted, std::size_t first);
 
     const std::vector<std::unique_ptr<Curve>>& curves_;

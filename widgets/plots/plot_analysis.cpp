@@ -24,10 +24,10 @@ namespace {
 
 constexpr int kAnalyseAfter = 120;  // delay after the last change [ms]
 constexpr std::int64_t kMaxAnalysisSamples = 2'000'000;
-constexpr std::int64_t kMaxPoints = 50'000;  // maximum number of points for one signal over another
+constexpr std::int64_t kMaxPoints = 50'000;  // maximum number of points in an XY plot
 constexpr int kMinLetters = 8;               // minimum width of a signal's name [characters]
 constexpr int kSecondDigits = 3;
-/// With more samples, the worker is used.
+/// Number of samples above which the worker computes the result.
 constexpr std::int64_t kOnTheSpot = 65'536;
 
 }  // namespace
@@ -44,7 +44,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     setObjectName(QStringLiteral("plots.analysis"));
     setAccessibleName(tr("Spectrum and XY"));
     kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Type of analysis"));
-    // Fixed size, so that elements shown or hidden next to it do not move it away from the pointer.
+    // Fixed size, so that showing or hiding adjacent elements does not move the box away from the pointer.
     kind_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     y_->setObjectName(QStringLiteral("plots.analysis.signal"));
     y_->setAccessibleName(tr("Signal"));
@@ -73,7 +73,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     connect(&soon_, &QTimer::timeout, this, &PlotAnalysis::fill);
     connect(kind_, &SegmentedControl::currentChanged, this, &PlotAnalysis::fill);
     connect(&store_, &SignalStore::signalAdded, this, [this](int signal) {
-        if (signal < 0) {  // recordings were closed
+        if (signal < 0) {  // the recording of the signal was closed
             cancel();
         }
     });
@@ -148,7 +148,7 @@ void PlotAnalysis::fillChoices() {
             box->addItem(nameOf(signal), signal);
         }
         const int first = box->findData(before);
-        // Select the signal read by the cursors instead of the previous one.
+        // Select the signal read by the cursors if the previous signal is not available.
         const int read = box->findData(view_->readoutSignal());
         box->setCurrentIndex(first >= 0 && before.isValid() ? first : box == y_ ? std::max(read, 0) : 0);
     }
@@ -173,7 +173,7 @@ void PlotAnalysis::fill() {
     if (task) {
         run(*task);
     } else {
-        cancel();  // the displayed result is for this range
+        cancel();  // the displayed result already covers this range
     }
 }
 
@@ -236,7 +236,7 @@ void PlotAnalysis::run(const Task& task) {
         return;
     }
     if (task_ && !outcome_ && task_->kind == task.kind && task_->wanted == task.wanted) {
-        again_ = true;  // the range moves faster than the computation: run once more afterwards
+        again_ = true;  // the range changes faster than the result is computed, so run again afterwards
         return;
     }
     const bool goesOn = task_ && outcome_ && !outcome_->points.isEmpty() && task_->kind == task.kind &&
@@ -261,7 +261,7 @@ void PlotAnalysis::run(const Task& task) {
 void PlotAnalysis::cancel() {
     cancel_.cancel();
     cancel_ = {};
-    worker_.cancelAll();  // cancels waiting jobs as well
+    worker_.cancelAll();  // also cancels pending jobs
     task_.reset();
     outcome_.reset();
     again_ = false;
@@ -351,7 +351,7 @@ PlotAnalysis::Outcome PlotAnalysis::compute(const Task& task, const Columns& col
     outcome.segment = spectrum->segment;
     outcome.segments = spectrum->segments;
     outcome.resolution = spectrum->resolution;
-    // Without the line of 0 Hz, which is the mean and much larger than the others.
+    // Omit the line at 0 Hz. It is the mean and usually much larger than the other lines.
     for (std::size_t i = 1; i < spectrum->amplitude.size(); ++i) {
         outcome.points.append({static_cast<double>(i) * spectrum->resolution, spectrum->amplitude[i]});
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Analysis below the plots: spectrum of a signal, or one signal over another, for the range between the cursors or,
-// without cursors, for the displayed range.
+// Analysis below the plots: the spectrum of a signal, or one signal over another. It uses the range between
+// the cursors or, without cursors, the displayed range.
 
 #include <QPointF>
 #include <QTimer>
@@ -34,11 +34,11 @@ public:
 
     explicit PlotAnalysis(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// The view, its range or its cursors have changed; null: no view.
+    /// Call this when the view, its range or its cursors have changed. Null: no view.
     void follow(const PlotView* view);
     void setKind(Kind kind);
     Kind kind() const;
-    /// e.g. "Fz · Hann window of 4 096 samples · 0.122 Hz a line · mean of 5 · 12.000 … 42.000 s"
+    /// E.g. "Fz · Hann window of 4 096 samples · 0.122 Hz a line · mean of 5 · 12.000 … 42.000 s".
     QString title() const;
     const AnalysisCanvas& canvas() const { return *canvas_; }
 
@@ -50,13 +50,13 @@ private:
         double from = 0;
         double to = 0;
     };
-    /// A computation with its samples.
+    /// A computation and the samples it uses.
     struct Task {
         Kind kind = Kind::Spectrum;
-        std::vector<int> wanted;  ///< signals; for XY, the signal of the horizontal axis is first
-        std::int64_t begin = 0;   ///< first used sample in the history of the first signal
+        std::vector<int> wanted;  ///< signals to read; for XY, the first is the signal of the horizontal axis
+        std::int64_t begin = 0;   ///< index of the first sample in the history of the first signal
         std::int64_t end = 0;
-        std::int64_t every = 1;  ///< step between used samples
+        std::int64_t every = 1;  ///< step between the samples
         Range range;             ///< [s]
         double period = 0;       ///< [s]
 
@@ -66,7 +66,7 @@ private:
     };
     struct Outcome {
         QVector<QPointF> points;
-        QString message;  ///< reason for a missing result
+        QString message;  ///< the reason if there is no result
         int segment = 0, segments = 0;
         double resolution = 0;
     };
@@ -75,15 +75,16 @@ private:
     void fill();
     void fillChoices();
     std::optional<Task> taskFor(Kind kind, const std::vector<int>& wanted);
-    /// Displays the result or its progress; starts the task if it has changed.
+    /// Displays the result or the progress of the task. Starts the task if it differs from the last one.
     void run(const Task& task);
-    /// goesOn  the displayed result is of the same task, and remains until the new one
+    /// goesOn  true if the displayed result belongs to the same task and remains until the new result is
+    /// available
     void readAndCompute(const Task& task, bool goesOn);
     void finish(const Task& task, const Outcome& outcome);
     void present(const Task& task, const Outcome& outcome);
     void explainMissingResult(const QString& message);
     Columns gather(const Task& task) const;
-    /// The data are in a file and have to be read by the worker.
+    /// True if the data are in a file and must be read by the worker.
     bool isFar(const Task& task) const;
     void cancel();
     Range range() const;
@@ -98,11 +99,11 @@ private:
     QLabel* title_;
     AnalysisCanvas* canvas_;
     QTimer soon_;
-    std::optional<Task> task_;        ///< task started last
-    std::optional<Outcome> outcome_;  ///< result of the task; empty: in progress
-    bool again_ = false;              ///< another task has to be started when the current one ends
+    std::optional<Task> task_;        ///< the last started task
+    std::optional<Outcome> outcome_;  ///< result of the task; empty while the task is running
+    bool again_ = false;              ///< true if another task must be started after the current task
     CancelToken cancel_;              ///< cancels the current task
-    SerialExecutor worker_;           ///< last member: its jobs end before other members are destroyed
+    SerialExecutor worker_;  ///< last member, so that its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

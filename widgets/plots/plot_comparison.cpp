@@ -90,7 +90,7 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
         divergence::Choice choice;
         choice.limits = limits_;
         choice.model = model;
-        // Opens the file separately, because the plots use their own instance.
+        // Open the file separately, because the plots use their own instance.
         worker_.post(this, [this, recording, choice, cancel, number = entry.run,
                             path = file->path()](const CancelToken& ending) {
             auto mine = choice;

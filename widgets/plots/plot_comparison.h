@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Compares the arm of an opened recording with its model in the background, marks the first deviation, and reports
-// it below the plots and in the log of the recording.
+// Compares the arm in an opened recording with its model in the background. Marks the first deviation in the
+// plots and reports it below the plots and in the log of the recording.
 
 #include <QHash>
 #include <QObject>
@@ -24,12 +24,12 @@ class PlotReplay;
 class RobotSession;
 class SignalStore;
 
-/// Threads  GUI; files are compared by a worker
+/// Threads  GUI; a worker reads and compares the files
 class PlotComparison : public QObject {
     Q_OBJECT
 
 public:
-    /// Widgets that display the result; all of them must outlive the object.
+    /// Objects that provide the data and display the result. All of them must outlive the object.
     struct Place {
         SignalStore& store;
         PlotPages& pages;
@@ -44,28 +44,29 @@ public:
     const divergence::Limits& limits() const { return limits_; }
     void setLimits(const divergence::Limits& limits) { limits_ = limits; }
 
-    /// Compares an opened recording with the model stated in it, or with that of its robot while it is connected.
+    /// Compares an opened recording with the model specified in the recording or, if there is none, with the
+    /// model of its robot while that robot is connected.
     void begin(const QString& recording);
-    /// Asks for the model and the limits, then runs the comparison.
+    /// Shows a dialog for the model and the limits, then runs the comparison.
     void ask(const QString& recording);
     void cancel(const QString& recording);
-    /// All recordings were closed.
+    /// Call this when all recordings were closed.
     void forgetAll();
-    /// Moves cursor A to the first deviation of the page in front.
+    /// Moves cursor A to the first deviation of the current page.
     void goThere();
-    /// The text for the page in front; empty: none.
+    /// The text for the current page; empty: no text.
     QString words() const;
-    /// Updates the display after a change of the page in front or of its content.
+    /// Updates the display. Call this after the current page or its content has changed.
     void follow();
-    /// The recording of the page in front; empty: none.
+    /// The recording of the current page; empty: none.
     QString recordingInFront() const;
 
 Q_SIGNALS:
-    /// Arm and model deviate in this file: emitted once per file.
-    /// seconds  on the time axis of the recording
+    /// Emitted once per file if arm and model deviate.
+    /// seconds  time on the time axis of the recording
     void parted(const QString& text, const QString& details, const QString& path, double seconds);
     void limitsChanged();
-    /// The band was shown or hidden, which changes the space for the plots.
+    /// The band was shown or hidden, which changes the space available for the plots.
     void bandChanged();
 
 private:
@@ -73,9 +74,9 @@ private:
     struct Entry {
         State state = State::Running;
         std::uint64_t run = 0;
-        double done = 0;  ///< completed fraction
+        double done = 0;  ///< progress, 0 ... 1
         CancelToken cancel;
-        std::optional<RobotModelId> model;  ///< empty: unknown
+        std::optional<RobotModelId> model;  ///< empty if unknown
         divergence::Report report;
         QString problem;
     };
@@ -90,7 +91,7 @@ private:
     QHash<QString, Entry> entries_;
     std::uint64_t runs_ = 0;
     QSet<QString> told_;     ///< files for which parted() was emitted
-    SerialExecutor worker_;  ///< last member: its jobs end before other members are destroyed
+    SerialExecutor worker_;  ///< last member, so that its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

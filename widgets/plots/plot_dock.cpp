@@ -87,8 +87,7 @@ QToolButton* quietButton(const QString& name, const QString& accessibleName, QWi
     return button;
 }
 
-/// Changes the text only if it differs, because this updates the layout of the title bar. The width fits the
-/// longest text, so that adjacent elements do not move.
+/// Sets a fixed width that fits the longest text, so that adjacent elements do not move.
 void keepWidth(QToolButton* key, const QStringList& texts) {
     const QString now = key->text();
     int width = 0;
@@ -100,14 +99,14 @@ void keepWidth(QToolButton* key, const QStringList& texts) {
     key->setFixedWidth(width);
 }
 
-/// Names of the time column in recordings.
+/// True for the name of a time column in a recording.
 bool isTime(const QString& column) {
     static const QStringList kNames{QStringLiteral("timestamp"), QStringLiteral("time"),
                                     QStringLiteral("seconds"), QStringLiteral("t")};
     return kNames.contains(column, Qt::CaseInsensitive);
 }
 
-/// All signals of the page in front, plot by plot, then the lanes.
+/// All signals of the current page in the order of the plots, followed by the lanes.
 std::vector<int> shownInOrder(const SignalStore& store, const PlotPages& pages) {
     std::vector<int> all;
     const PageLayout page = pages.view().page();
@@ -239,7 +238,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
     announceContent();
     connect(&session_, &RobotSession::linkBegan, this, [this] {
         feed_->beginLink();
-        pages_->clearZero();  // another robot or tool
+        pages_->clearZero();  // another robot or tool is connected
     });
     connect(&session_, &RobotSession::samplesReceived, this, &PlotDock::take);
     connect(&session_, &RobotSession::stateChanged, this, &PlotDock::onState);
@@ -301,13 +300,13 @@ void PlotDock::setSignalsShown(bool shown) {
 void PlotDock::setValuesShown(bool shown) {
     values_->follow(view());
     values_->setVisible(shown);
-    // The plots shrink to make space for the table. Otherwise a panel of minimum height would grow and move
+    // The plots shrink to make space for the table. Otherwise, a panel of minimum height would grow and move
     // the button away from the pointer.
     auto* beneath = static_cast<QSplitter*>(values_->parentWidget());
     const int table = values_->minimumSizeHint().height();
     makeSpace();
     if (shown && analysis_->isHidden() && beneath->height() < pages_->sizeHint().height()) {
-        // With little space, the plots have priority over the table.
+        // If there is little space, the plots have priority over the table.
         beneath->setSizes({beneath->height() - table - beneath->handleWidth(), table, 0});
     }
     valuesKey_->setChecked(shown);
@@ -326,7 +325,7 @@ void PlotDock::addNote(double time, const QString& text) {
     }
     if (const QString recording = replay_->recordingInFront(); !recording.isEmpty()) {
         marks_->addOf(recording, {time, text.simplified()});
-        return;  // the moment is not in the data of the robot
+        return;  // the time is not in the data of the connected robot
     }
     marks_->addNote(time, text);
     const QDateTime moment = replay_->clockAt(time);
@@ -378,7 +377,7 @@ QString PlotDock::historyText() const {
 void PlotDock::buildPagesMenu() {
     QMenu* menu = pagesKey_->menu();
     menu->clear();
-    // These have buttons in the title bar if there is enough space.
+    // These switches also have buttons in the title bar if there is enough space.
     const auto addSwitch = [this, menu](const char* name, const QString& text, bool on,
                                         void (PlotDock::*set)(bool)) {
         QAction* action = menu->addAction(text);
@@ -392,7 +391,7 @@ void PlotDock::buildPagesMenu() {
               &PlotDock::setValuesShown);
     addSwitch("plots.layout.analysis", tr("Spectrum and XY"), !analysis_->isHidden(),
               &PlotDock::setAnalysisShown);
-    addSwitch("plots.layout.zero", tr("Zero the force shown"), view().isForceZeroed(),
+    addSwitch("plots.layout.zero", tr("Zero the displayed force"), view().isForceZeroed(),
               &PlotDock::setForceZeroed);
     menu->addAction(tr("Export the visible range…"), this, &PlotDock::askExport)
         ->setObjectName(QStringLiteral("plots.layout.export"));
@@ -423,7 +422,7 @@ void PlotDock::buildPagesMenu() {
     })->setEnabled(pages_->count() > 1);
     add(menu, "plots.layout.standard", tr("Standard plots"), [this] { pages_->arrange({}); });
     menu->addSeparator();
-    add(menu, "plots.layout.openRecording", tr("Open a recording…"), [this] { askForRecording(); });
+    add(menu, "plots.layout.openRecording", tr("Open recording…"), [this] { askForRecording(); });
     add(menu, "plots.layout.closeRecordings", tr("Close recordings"), [this] {
         closeRecordings();
     })->setEnabled(store_->hasRecordings());
@@ -491,7 +490,7 @@ void PlotDock::openRecording(const QString& path, std::optional<double> at) {
 }
 
 bool PlotDock::isOpen(const QString& path, std::optional<double> moment) {
-    // Only the files of incidents are immutable; other files may have been overwritten by a new recording.
+    // Only the files of incidents are immutable. Another file may have been overwritten by a new recording.
     for (auto known = incidents_.constBegin(); known != incidents_.constEnd(); ++known) {
         const recording::Recording* file = store_->recorded(known.key());
         if (file != nullptr && file->path() == path) {
@@ -525,7 +524,7 @@ double PlotDock::placeOf(const recording::Recording& file, double length,
 }
 
 PageLayout PlotDock::pageFor(const QString& recording) const {
-    // The standard plots of the recording if available, otherwise its first columns.
+    // Use the standard plots if the recording contains them, otherwise its first columns.
     PageLayout page;
     page.name = recording;
     const QVector<PaneLayout> standard = PageLayout::standard().panes;
@@ -639,7 +638,7 @@ void PlotDock::endReplay() {
 void PlotDock::askForRecording() {
     const QString folder = choice_.folder.isEmpty() ? recordingFolder() : choice_.folder;
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Open a recording"), folder, tr("Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)"));
+        this, tr("Open recording"), folder, tr("Recordings (*.mcap *.csv *.h5 *.hdf5);;All files (*)"));
     if (!path.isEmpty()) {
         openRecording(path);
     }
@@ -707,7 +706,7 @@ void PlotDock::buildHeader() {
     readout_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     readout_->setProperty("role", QStringLiteral("secondary"));
     readout_->setElideMode(Qt::ElideRight);
-    readout_->setMinimumWidth(kMinReadout);  // constant: the buttons do not move
+    readout_->setMinimumWidth(kMinReadout);  // constant, so that the buttons do not move
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
            "Click a legend entry to hide its curve; Ctrl+click to read that signal at the cursors."));
@@ -754,7 +753,7 @@ void PlotDock::buildHeader() {
 
     pause_ = quietButton(QStringLiteral("plots.pause"), tr("Pause the plots"), this);
     connect(pause_, &QToolButton::clicked, this, [this] { setPaused(view().window().follows()); });
-    zero_ = quietButton(QStringLiteral("plots.zero"), tr("Zero the force shown"), this);
+    zero_ = quietButton(QStringLiteral("plots.zero"), tr("Zero the displayed force"), this);
     zero_->setText(tr("Zero"));
     zero_->setCheckable(true);
     connect(zero_, &QToolButton::clicked, this, &PlotDock::setForceZeroed);
@@ -837,7 +836,7 @@ void PlotDock::followLane(const SessionState& state) {
         lane_->add(std::exchange(backAt_, {}).value_or(shown), entry.kind, entry.label);
         lane_->add(shown, entry.kind, entry.label);
     } else if (state.link == LinkState::Lost && state.sequence != 0) {
-        // The last state ended with the last sample, but time continues.
+        // The last state ended with the last sample. Time continues without data.
         const LaneEntry none = noDataEntry();
         lane_->add(shown, none.kind, none.label);
         lane_->add(shown + state.quality.ageMs / 1e3, none.kind, none.label);
@@ -875,7 +874,7 @@ void PlotDock::updateHeader() {
     QString words = view().readout();
     if (!window.follows()) {
         const QString behind = window.behind() >= 0.05
-                                   ? tr("Paused · %1 s back").arg(format::number(window.behind(), 1))
+                                   ? tr("Paused · %1 s ago").arg(format::number(window.behind(), 1))
                                    : tr("Paused");
         words = words.isEmpty() ? behind : words + QStringLiteral("   ") + behind;
     }
@@ -921,7 +920,8 @@ QString PlotDock::recordingText(const RecordingState& recording) {
 
 void PlotDock::styleHeader() {
     const Theme& theme = Theme::current();
-    // Less prominent than buttons: these controls are in a title bar. Red only while recording.
+    // These controls are in a title bar and therefore less prominent than buttons. The Record button is red
+    // only while recording.
     const QString sheet =
         QStringLiteral(
             "QToolButton { color: %1; font-size: 13px; padding: 0 2px; min-height: %7px; }"
@@ -947,7 +947,7 @@ void PlotDock::styleHeader() {
     }
     keepWidth(span_, spans);
     keepWidth(pause_, {tr("Pause"), tr("Resume")});
-    // Bold while recording.
+    // The text is bold while recording.
     constexpr int kPadding = 8;
     const QFontMetrics bold(textFont(13, QFont::Bold));
     record_->setFixedWidth(bold.horizontalAdvance(tr("● REC %1").arg(format::duration(0))) + kPadding);
@@ -986,7 +986,7 @@ Result<void> PlotDock::exportPicture(const QString& path) const {
         details << tr("controller time %1 … %2 s")
                        .arg(format::number(window.start(), 3), format::number(window.end(), 3));
     } else {
-        // Neither the robot nor the time axis of the live data.
+        // Omit the robot and the time axis of the live data, which do not apply to a recording.
         text.title = QStringLiteral("%1 · %2").arg(recording, picturesTitle());
         const double begin = store_->timesOf(recording)->firstTime();
         details << QStringLiteral("%1 … %2 s")

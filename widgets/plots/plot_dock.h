@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The panel "Plots": list of signals at the left, pages of plots, a lane with the robot state below, and the
-// controls in the title bar. Once per frame, it takes the state and all new samples from the session.
+// The panel "Plots". It contains the list of signals at the left, pages of plots, lanes with the robot state
+// below the plots, and the controls in the title bar. Once per frame, it reads the state and all new samples
+// from the session.
 
 #include <QByteArray>
 #include <QHash>
@@ -49,35 +50,37 @@ public:
     explicit PlotDock(RobotSession& session, QWidget* parent = nullptr);
     ~PlotDock() override;
 
-    PlotView& view();  ///< The view of the page in front.
+    PlotView& view();  ///< The view of the current page.
     PlotPages& pages() { return *pages_; }
     PlotMarks& marks() { return *marks_; }
     SignalStore& store() { return *store_; }
     const SeriesBuffer& history() const;
     const StateLane& lane() const { return *lane_; }
 
-    /// Content of a recording started by "Record", from the next one on.
+    /// Sets the content of recordings started by "Record". Takes effect with the next recording.
     void setRecordingChoice(const RecordingChoice& choice);
     const RecordingChoice& recordingChoice() const { return choice_; }
 
     enum class ExportRange { Visible, BetweenCursors };
-    /// Selects the format by the file extension, and shows the result to the user: an image of the displayed range
-    /// (.png, .svg, .pdf), or the values of the signals on the page. Live signals are exported as .csv; those of a
-    /// recording with its own rows and times as .csv, .h5, .hdf5 or .mcap.
+    /// Exports to a file and shows the result to the user. The file extension selects the format: an image of
+    /// the displayed range (.png, .svg, .pdf), or the values of the signals on the page. Live signals are
+    /// exported as .csv. The signals of a recording that has its own rows and times are exported as .csv,
+    /// .h5, .hdf5 or .mcap.
     bool exportTo(const QString& path, ExportRange range = ExportRange::Visible);
 
-    /// Opens a recording of any format on a separate page next to the live data: it ends at the end of the history,
-    /// or begins at cursor A if set. An incident recording is placed at its time if the history of its robot
-    /// includes it, with cursor A at the stop. The file is read in the background; the result is shown to the user.
-    /// moment  position of cursor A on the time axis of the recording [s]; empty: as above
+    /// Opens a recording of any format on a separate page next to the live data. The recording is aligned to
+    /// end at the end of the history, or to begin at cursor A if it is set. An incident recording is placed
+    /// at the time of the incident if the history of its robot includes that time, with cursor A at the stop.
+    /// The file is read in the background, and the result is shown to the user.
+    /// moment  position of cursor A on the time axis of the recording [s]; empty: as described above
     void openRecording(const QString& path, std::optional<double> moment = {});
-    /// The time of cursor A while it refers to a recording or to a paused history.
+    /// The time of cursor A while the cursor refers to a recording or to a paused history.
     const Replay& replay() const;
     void closeRecordings();
-    /// Saves the arrangement to a separate file or loads it, without messages.
+    /// Saves the arrangement to a separate file, without messages to the user.
     Result<void> saveArrangement(const QString& path) const;
     Result<void> openArrangement(const QString& path);
-    // The arrangement of the plots as text for the settings. Invalid data change nothing.
+    // The arrangement of the plots as text, for the settings. Invalid data have no effect.
     QByteArray arrangement() const;
     void arrange(const QByteArray& json);
     /// Memory limit of the history [bytes].
@@ -92,44 +95,44 @@ public:
     static QVector<Span> spans();
 
 public Q_SLOTS:
-    /// The held jog button, e.g. "X+" or "Wrist 2−", as text in the lane. Empty: none.
+    /// Sets the text in the lane for the held jog button, e.g. "X+" or "Wrist 2−". Empty: none.
     void setJogLabel(const QString& label);
     void setPaused(bool paused);
-    /// Displays the force relative to its current value; recorded and exported values are unchanged.
+    /// Displays the force relative to its current value. Recorded and exported values are not changed.
     void setForceZeroed(bool zeroed);
-    /// Shows the list of signals at the left.
+    /// Shows or hides the list of signals at the left.
     void setSignalsShown(bool shown);
-    /// Shows the list with the focus in the search field.
+    /// Shows the list of signals and sets the focus to its search field.
     void searchSignals();
     void addPage();
-    /// Shows the table of values at and between the cursors.
+    /// Shows or hides the table of values at and between the cursors.
     void setValuesShown(bool shown);
-    /// Shows the spectrum of a signal, or one signal versus another.
+    /// Shows or hides the spectrum of a signal, or the plot of one signal over another.
     void setAnalysisShown(bool shown);
     void setTimeAxis(tiller::TimeAxis axis);
-    /// Asks for the text of a note at this time.
+    /// Prompts for the text of a note at this time.
     void askForNote(double time);
     void addNote(double time, const QString& text);
     /// Copies an image of the displayed plots to the clipboard.
     void copyPicture();
     /// Starts or ends a recording.
     void toggleRecording();
-    /// Asks for the file for the displayed range.
+    /// Prompts for the file to which the displayed range is exported.
     void askExport();
-    /// Asks for the parameters of the comparison of the recording in front with the model of its arm, and starts
-    /// it.
+    /// Prompts for the parameters of the comparison between the current recording and the model of its arm,
+    /// and starts the comparison.
     void compareWithModel();
     /// Ends a replay: removes cursor A and shows the newest samples.
     void endReplay();
 
 Q_SIGNALS:
-    /// Selected in the menu of the Record button.
+    /// The user selected a recording content in the menu of the Record button.
     void recordingChosen(const tiller::RecordingChoice& choice);
-    /// The settings that are not in the menu (signals, folder, file name) should be shown.
+    /// The user wants to change the settings that are not in the menu (signals, folder, file name).
     void recordingOptionsWanted();
-    /// The replayed time has changed; empty: all data are live.
+    /// The replayed time has changed. Empty: all data are live.
     void replayChanged(const tiller::Replay& moment);
-    /// Arm and model of a recording deviate at this time on its time axis.
+    /// Arm and model of a recording deviate. The time is on the time axis of the recording.
     void deviatedFromModel(const QString& text, const QString& details, const QString& path, double seconds);
     /// Pages, plots, their signals or the memory limit have changed.
     void arrangementChanged();
@@ -178,7 +181,7 @@ private:
     std::unique_ptr<PlotReplay> replay_;
     ComparisonBand* comparisonBand_ = nullptr;
     std::unique_ptr<PlotComparison> comparison_;
-    /// opened incidents with the times of their stops on the time axis of the plots [s]
+    /// opened incidents with the time of the stop on the time axis of the plots [s]
     QHash<QString, double> incidents_;
     PlotPages* pages_ = nullptr;
     SignalTree* tree_ = nullptr;
@@ -197,13 +200,13 @@ private:
     QToolButton* record_ = nullptr;
     QToolButton* recordMenu_ = nullptr;
     QString jogLabel_;
-    std::optional<double> backAt_;  ///< data resumed at this time, not in the lane yet [s]
+    std::optional<double> backAt_;  ///< time when data resumed, not yet added to the lane [s]
     RecordingChoice choice_;
     bool recording_ = false;
     double recordingSeconds_ = 0;
     int framesToHistoryText_ = 0;
     int framesToAnalysis_ = 0;
-    SerialExecutor files_;  // last member: its jobs end before other members are destroyed
+    SerialExecutor files_;  // last member, so that its jobs end before other members are destroyed
 };
 
 }  // namespace tiller

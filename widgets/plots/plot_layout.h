@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Arrangement of signals: pages with plots in columns, and state lanes below them. Stored by the user; signals have
-// the names used in recordings.
+// Arrangement of signals: pages with plots in columns, and state lanes below the plots. The arrangement is
+// saved for the user. Signals have the names used in recordings.
 
 #include <QByteArray>
 #include <QString>
@@ -29,12 +29,12 @@ struct PageLayout {
     QVector<PaneLayout> panes{};  ///< panes from top to bottom, column by column
     QStringList lanes{};
 
-    /// TCP force and joint currents.
+    /// A page with the TCP force and the joint currents.
     static PageLayout standard();
     friend bool operator==(const PageLayout&, const PageLayout&) = default;
 };
 
-/// Type of the labels of the time axis.
+/// Type of the time axis labels.
 enum class TimeAxis {
     Relative,    ///< seconds before the newest sample
     Controller,  ///< time stamps of the controller
@@ -50,7 +50,7 @@ struct PlotLayout {
     divergence::Limits modelLimits{};  ///< limits for the comparison of arm and model
 
     QByteArray toJson() const;
-    /// Values out of range are limited.
+    /// Values outside their range are clamped.
     /// Errors  FileCorrupt
     static Result<PlotLayout> fromJson(const QByteArray& json);
     friend bool operator==(const PlotLayout&, const PlotLayout&) = default;
@@ -58,7 +58,7 @@ struct PlotLayout {
     static constexpr int kMaxPages = 12;
     static constexpr int kMaxPanes = 24;
     static constexpr int kMaxColumns = 4;
-    static constexpr int kMaxSignals = 48;  ///< limit for one plot
+    static constexpr int kMaxSignals = 48;  ///< maximum for one plot
     static constexpr int kMaxLanes = 24;
 };
 

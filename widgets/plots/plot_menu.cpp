@@ -23,8 +23,8 @@ QAction* addAction(QMenu& menu, const char* name, const QString& text, Todo todo
     return action;
 }
 
-/// Returns the text in the syntax of DerivedSignal. Characters of names or units with a meaning in this
-/// syntax are omitted.
+/// Returns the text in the syntax of DerivedSignal. Characters of the name or unit that have a meaning in
+/// this syntax are omitted.
 QString derivationText(QString name, QString unit, const QString& expression) {
     constexpr qsizetype kName = 40;
     constexpr qsizetype kUnit = 12;
@@ -60,7 +60,8 @@ void PlotMenu::fill(QMenu& menu, const QPointF& place) {
     if (signal >= 0) {
         addCurve(menu, pane, signal);
         menu.addSeparator();
-        if (!store_.isRecorded(signal)) {  // A recorded signal gets no new data that could cross a threshold.
+        // A recorded signal receives no new data that could cross a threshold.
+        if (!store_.isRecorded(signal)) {
             addThresholds(menu, pane, signal, pane.valueAt(place.y()));
             menu.addSeparator();
         }
@@ -97,7 +98,7 @@ void PlotMenu::addCurve(QMenu& menu, const PlotPane& pane, int signal) {
 void PlotMenu::addThresholds(QMenu& menu, const PlotPane& pane, int signal, double value) {
     PlotMarks* marks = &view_.marks();
     const SignalInfo& info = store_.info(signal);
-    // Rounded to the displayed number of digits, so that the text matches the threshold.
+    // Round to the displayed number of digits, so that the text matches the threshold.
     const double scale = std::pow(10.0, info.digits);
     const double limit = std::round((value + pane.offset(signal)) * scale) / scale;
     for (const bool above : {true, false}) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Context menu of the plots for a curve, a plot or a lane.
+// Context menu for a curve, a plot or a lane.
 
 #include <QCoreApplication>
 #include <QPointF>

@@ -116,7 +116,7 @@ void LaneItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
         } else if (segment.kind == LaneKind::Low) {
             painter->fillRect(QRectF(box.left(), box.bottom() - 1, box.width(), 1), theme.secondary);
         } else if (!name_.isEmpty()) {
-            // Adjacent states of equal colour are separated by a line.
+            // A line separates adjacent states of equal colour.
             painter->fillRect(QRectF(box.left(), box.top(), 1, box.height()), theme.text);
         }
         const QRectF text = box.adjusted(8, 0, -4, 0);

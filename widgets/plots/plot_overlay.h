@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Elements over and below the curves: the two time cursors and the state lane.
+// Elements above and below the curves: the two time cursors and the state lane.
 
 #include <QGraphicsItem>
 #include <QString>
@@ -16,7 +16,7 @@ class CursorItem : public QGraphicsItem {
 public:
     explicit CursorItem(const QString& letter);
 
-    /// Sets the horizontal position and the vertical extent in scene coordinates.
+    /// Sets the horizontal position and the vertical extent, in scene coordinates.
     void setLine(double x, double top, double bottom);
     void setActive(bool active);
 
@@ -31,10 +31,10 @@ private:
     bool active_ = false;
 };
 
-/// A lane with the states over time: blue during motion, with a text in each segment that is wide enough.
+/// A lane that shows the states over time. Motion is blue. A segment that is wide enough contains a text.
 class LaneItem : public QGraphicsItem {
 public:
-    /// name  shown on the left; empty: none
+    /// name  shown on the left; empty: no name
     explicit LaneItem(const QString& name = {});
 
     static constexpr int kNameWidth = 54;  ///< [px]

@@ -235,7 +235,7 @@ PlotLayout PlotPages::arrangement() const {
     for (int i = 0; i < count(); ++i) {
         const PlotView& view = *views_[static_cast<std::size_t>(i)];
         PageLayout page = view.page();
-        // Signals of files are not saved: the file may not exist next time.
+        // Signals of files are not saved, because the file may not exist at the next start.
         const bool had = takeRecordingsFrom(page);
         const bool any = !page.lanes.isEmpty() ||
                          std::any_of(page.panes.begin(), page.panes.end(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The pages of plots with tabs. All pages show the same time range and cursors.
+// The plot pages with their tabs. All pages share the same time range and cursors.
 
 #include <QDateTime>
 #include <QWidget>
@@ -26,28 +26,29 @@ class PlotPages : public QWidget {
 public:
     PlotPages(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent = nullptr);
 
-    PlotView& view() const;  ///< The view of the page in front.
+    PlotView& view() const;  ///< the view of the current page
     int count() const;
     int current() const;
     void setCurrent(int page);
     /// Adds an empty page and shows it.
     void addPage();
-    /// Returns  false without adding a page if the limit is reached
+    /// Returns  false, without adding a page, if the limit is reached
     bool addPage(const PageLayout& page);
     /// Removes all signals of recordings.
     void dropRecordings();
-    /// Removes a page. The last page is not removed, but reset to the standard plots.
+    /// Removes a page. The last remaining page is reset to the standard plots instead.
     void removePage(int page);
     void rename(int page, const QString& name);
     QString nameOf(int page) const;
-    /// The page with signals of this recording; -1: none.
+    /// Index of the page with signals of this recording; -1: none.
     int pageOf(const QString& recording) const;
-    /// The page in front if it has no recordings, otherwise the first such page; -1: none.
+    /// Index of the current page if it shows no recordings, otherwise of the first page without recordings;
+    /// -1: none.
     int livePage() const;
 
     TimeAxis timeAxis() const { return timeAxis_; }
     void setTimeAxis(TimeAxis axis);
-    /// Returns the time of day for a time on the time axis.
+    /// Sets a function that returns the time of day for a time on the time axis.
     void setClock(std::function<QDateTime(double)> clock);
 
     PlotLayout arrangement() const;
@@ -62,7 +63,7 @@ Q_SIGNALS:
     void zeroChanged();
     void tooManySignals();
     void noteWanted(double time);
-    /// Pages, plots or signals have changed, or another page is in front.
+    /// Pages, plots or signals have changed, or another page was selected.
     void arrangementChanged();
 
 protected:
@@ -70,7 +71,7 @@ protected:
 
 private:
     PlotView& addView();
-    /// Returns  whether the page contained signals of a recording
+    /// Returns  true if the page contained signals of a recording
     bool takeRecordingsFrom(PageLayout& page) const;
     void turnedTo(int page);
     void nameTabs();

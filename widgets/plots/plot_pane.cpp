@@ -28,14 +28,14 @@ namespace {
 constexpr int kLabelPixels = 13;
 constexpr int kLegendPixels = 12;
 constexpr double kPixelsPerLine = 28;
-// Boxes of the labels; a text exceeds its box instead of being cut off. [px]
+// Boxes of the labels [px]. A longer text extends beyond its box and is not cut off.
 constexpr double kLabelWidth = 80;
 constexpr double kLabelHeight = 18;
 constexpr double kMinPitch = 14;
 constexpr double kTimeGap = 3;
 constexpr double kValueGap = 6;
 
-/// The finest grid suitable for all signals.
+/// Returns the finest grid step suitable for all signals.
 double finestStep(const SignalStore& store, const std::vector<int>& shown) {
     double step = shown.empty() ? 0.5 : store.info(shown.front()).step;
     for (const int signal : shown) {
@@ -79,7 +79,7 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     chart_->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     chart_->legend()->detachFromChart();
     chart_->legend()->setBackgroundVisible(false);
-    // The legend extends into the plot and must not consume clicks. The names are found by legendAt().
+    // The legend extends into the plot and must not receive clicks. legendAt() finds the names.
     chart_->legend()->setAcceptedMouseButtons(Qt::NoButton);
     scene.addItem(chart_.get());
     applyTheme();
@@ -92,7 +92,7 @@ void PlotPane::applyTheme() {
     const Theme& theme = Theme::current();
     values_->setLook(textFont(kLabelPixels), theme.secondary);
     times_->setLook(textFont(kLegendPixels), theme.secondary);
-    // The grid colour is half way between surface and border, so that the lines are not prominent.
+    // The grid colour is halfway between surface and border, so that the lines are not prominent.
     grid_->setGridLineColor(QColor((theme.panel.red() + theme.border.red()) / 2,
                                    (theme.panel.green() + theme.border.green()) / 2,
                                    (theme.panel.blue() + theme.border.blue()) / 2));
@@ -104,7 +104,8 @@ void PlotPane::applyTheme() {
         QPen pen = pens[i];
         const bool hidden = !curves_[i]->isVisible();
         legend_[i]->setPen(hidden ? QPen(theme.border, pen.widthF()) : pen);
-        // The legend forwards its font only when it changes, so it is set for each entry.
+        // The legend passes its font to the entries only when the font changes, so set the font of each
+        // entry.
         if (const auto at = static_cast<qsizetype>(i); at < markers.size()) {
             QFont font = textFont(kLegendPixels);
             font.setStrikeOut(hidden);
@@ -154,7 +155,8 @@ double PlotPane::offset(int signal) const {
     return i < curves_.size() ? curves_[i]->offset() : 0;
 }
 
-// The chart does not expose the positions of its legend entries: an entry is an item with a text, in order.
+// The chart does not expose the positions of its legend entries. Each entry is an item with a text, and the
+// items are in the same order.
 std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
     std::vector<QGraphicsItem*> entries;
     std::vector<QGraphicsItem*> open{chart_->legend()};
@@ -180,7 +182,7 @@ std::vector<QGraphicsItem*> PlotPane::legendEntries() const {
 }
 
 std::optional<int> PlotPane::legendAt(const QPointF& place) const {
-    // The chart's margins place the names across the upper edge of the plot area; other positions are not
+    // With the chart's margins, the names are at the upper edge of the plot area. Other positions are not
     // hit-tested.
     if (std::abs(place.y() - area_.top()) > kLegendHeight) {
         return std::nullopt;
@@ -246,7 +248,7 @@ void PlotPane::setArea(const QRectF& area) {
         return;
     }
     area_ = area;
-    // The chart covers the whole scene; labels are drawn outside of the plot area.
+    // The chart covers the whole scene, because labels are drawn outside the plot area.
     chart_->setGeometry(QRectF(QPointF(0, 0), QSizeF(area.right() + 12, area.bottom() + 40)));
     chart_->setPlotArea(area);
     range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 3, 4));
@@ -276,7 +278,7 @@ void PlotPane::updateValueAxis() {
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
     const auto last = std::llround(std::floor(range_.max() / step));
-    // A plot with little height only has space for the uppermost label, or for every second one.
+    // A plot with little height has space only for the uppermost label, or for every second label.
     const double pitch = step / (range_.max() - range_.min()) * area_.height();
     const auto every = std::max(1LL, static_cast<long long>(std::ceil(kMinPitch / std::max(pitch, 0.1))));
     for (auto i = first; i <= last; ++i) {
@@ -304,7 +306,7 @@ void PlotPane::updateValueAxis() {
 void PlotPane::show(const GridOf& grids, double t0, double t1, double seconds) {
     MinMax all;
     for (const auto& curve : curves_) {
-        // Hidden signals are sampled as well, because the sheet uses one raster for all curves.
+        // Hidden signals are also sampled, because all curves must have the same raster.
         if (const SeriesBuffer* history = store_.buffer(curve->signal())) {
             curve->sample(*history, store_.column(curve->signal()), grids(*history));
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One plot of a stack: a chart that draws axes, legend and frame, with the curves drawn separately.
+// One plot of a stack. The chart draws axes, legend and frame. The curves are drawn separately.
 
 #include <QRectF>
 #include <QString>
@@ -35,7 +35,7 @@ struct AxisTick {
     QString label;
 };
 
-/// Returns the mapping of the samples of a history to the pixel columns of the view.
+/// Maps the samples of a history to the pixel columns of the view.
 using GridOf = std::function<const ColumnGrid&(const SeriesBuffer&)>;
 
 class PlotPane {
@@ -46,7 +46,7 @@ public:
     PlotPane(const PlotPane&) = delete;
     PlotPane& operator=(const PlotPane&) = delete;
 
-    /// area  area of the curves in scene coordinates; labels are drawn around it
+    /// area  area of the curves in scene coordinates; labels are drawn around this area
     void setArea(const QRectF& area);
     const QRectF& area() const { return area_; }
     void applyTheme();
@@ -57,10 +57,10 @@ public:
     double share() const { return share_; }  ///< Height relative to the other plots of its column.
     void setShare(double share) { share_ = share; }
 
-    /// Sets the labels below the plot; empty except for the lowest plot of a stack.
+    /// Sets the labels below the plot. They are empty except for the lowest plot of a stack.
     void setTimeTicks(double from, double to, const std::vector<AxisTick>& ticks);
     /// Shows t0 ... t1, divided into columns by the grids.
-    /// seconds  since the last call, for the adaptation of the scale; negative: set the best scale immediately
+    /// seconds  time since the last call, for adapting the scale; negative: set the best scale immediately
     void show(const GridOf& grids, double t0, double t1, double seconds);
 
     const AxisRange& range() const { return range_; }
@@ -68,12 +68,12 @@ public:
     const CurveRaster& sheet() const { return *sheet_; }
     const std::vector<int>& shown() const { return shown_; }
     bool shows(int signal) const { return indexOf(signal) < shown_.size(); }
-    /// The common unit of all signals, if any.
+    /// The common unit of all signals; empty if the units differ.
     QString unit() const;
-    /// Draws the signal read by the cursors with more emphasis.
+    /// Emphasizes the signal that is read by the cursors.
     void setEmphasis(int signal);
 
-    /// A hidden curve has a struck-out name and does not affect the scale.
+    /// The name of a hidden curve is struck out, and the curve does not affect the scale.
     void setHidden(int signal, bool hidden);
     bool isHidden(int signal) const;
     /// The legend entry at this position of the scene.
@@ -81,21 +81,22 @@ public:
     /// Rectangle of a legend entry in the scene; empty before the first layout.
     QRectF legendEntry(int signal) const;
 
-    /// The offset subtracted from a signal before drawing; initially 0.
+    /// Sets the offset that is subtracted from a signal before drawing; initially 0.
     void setOffset(int signal, double offset);
     double offset(int signal) const;
 
-    /// Zooms in (factor < 1) around the value at this height of the scene, until the scale is released.
+    /// Zooms in (factor < 1) around the value at the vertical scene position y. The scale is fixed until it
+    /// is released.
     void zoomValues(double factor, double y);
     /// Shows this range of values until the scale is released.
     void holdValues(double low, double high);
     double valueAt(double y) const;
     double yAt(double value) const;
-    /// Adapts the scale to the curves again, with the next show().
+    /// The scale follows the curves again from the next show().
     void releaseValues() { range_.release(); }
     bool isZoomed() const { return range_.isHeld(); }
 
-    /// Copies hidden signals, offsets and zoom from another pane with the same signals.
+    /// Copies hidden signals, offsets and zoom from another pane that has the same signals.
     void showLike(const PlotPane& other);
 
     static constexpr int kLegendHeight = 20;  ///< height above the area [px]
@@ -114,7 +115,7 @@ private:
     QValueAxis* grid_;  // used for the grid lines only
     AxisLabels* values_;
     AxisLabels* times_;
-    std::vector<QLineSeries*> legend_;  // empty series: one per legend entry
+    std::vector<QLineSeries*> legend_;  // empty series, one per legend entry
     std::vector<std::unique_ptr<Curve>> curves_;
     CurveRaster* sheet_;
     AxisRange range_;

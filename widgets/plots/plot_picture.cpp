@@ -21,7 +21,7 @@ namespace {
 constexpr QSize kPlots(1200, 560);  // [px]
 constexpr int kTitleHeight = 56;
 constexpr int kMargin = 16;
-constexpr double kFineness = 2;  // pixels of the .png per pixel of the page
+constexpr double kFineness = 2;  // pixels of the .png file per pixel of the page
 constexpr double kPointsPerPixel = 0.75;
 constexpr QSize kPage(kPlots.width() + 2 * kMargin, kPlots.height() + kTitleHeight + kMargin);
 
@@ -30,13 +30,13 @@ class Page {
 public:
     Page(const PlotView& view, SignalStore& store, const StateLane& lane, PictureText text)
         : plots_(store, lane, view.marks()), text_(std::move(text)) {
-        // The widget has a layout like a window, but is never shown on a screen.
+        // The widget needs a layout, but must not be shown on a screen.
         plots_.setAttribute(Qt::WA_DontShowOnScreen);
         plots_.resize(kPlots);
         plots_.setVisible(true);
         plots_.showLike(view, true);
         plots_.showSharp();
-        // The charts place their labels during layout, which is normally done by the event loop.
+        // The charts place their labels during layout, which the event loop normally performs.
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     }
 
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    const PaperColors paper_;  // constructed before the plots, which read their colours at construction
+    const PaperColors paper_;  // first member, because the plots read the colours when they are constructed
     PlotView plots_;
     PictureText text_;
 };

@@ -13,7 +13,8 @@ namespace tiller {
 
 namespace {
 
-/// The recording of a page: that of the signal read by the cursors, otherwise of any signal; empty: live.
+/// The recording of the signal read by the cursors, otherwise of any signal on the page. Empty: the page is
+/// live.
 QString recordingOn(const PlotView& view, const SignalStore& store) {
     const QSet<int> shown = view.signalsShown();
     if (shown.contains(view.readoutSignal())) {
@@ -47,7 +48,7 @@ QDateTime PlotReplay::wallTimeOf(double time) const {
     if (frame == frames_.end()) {
         return {};
     }
-    // Messages up to the next frame belong to this frame.
+    // Messages before the next frame belong to this frame.
     const auto next = frame + 1;
     const std::int64_t last =
         next == frames_.end() ? frame->wallMs : std::max(frame->wallMs, next->wallMs - 1);
@@ -65,7 +66,7 @@ QDateTime PlotReplay::clockAt(double time) const {
     if (frames_.empty()) {
         return {};
     }
-    // Interpolated within the frame, or extrapolated from the first or last one.
+    // Interpolate within the frame, or extrapolate from the first or last frame.
     auto frame = std::lower_bound(frames_.begin(), frames_.end(), time,
                                   [](const Frame& each, double at) { return each.newest < at; });
     frame = frame == frames_.end() ? frame - 1 : frame;
@@ -108,7 +109,7 @@ Replay PlotReplay::momentNow() const {
     ReplayMoment moment;
     moment.source = source;
     moment.time = *time;
-    // True if the sample is already displayed and need not be read again.
+    // True if the sample is already displayed and does not have to be read again.
     const bool same =
         moment_ && moment_->source == source && moment_->time == *time && !moment_->sample.isEmpty();
     moment.sample = same ? moment_->sample : store_.sampleAt(source, *time);

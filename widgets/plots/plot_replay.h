@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Replay: while the page in front shows a recording, or the plots are paused, the other parts of the window show
-// the time of cursor A. Recording and history continue meanwhile.
+// Replay: while the current page shows a recording, or the plots are paused, the other parts of the window
+// show the data at the time of cursor A. Recording and history continue in the background.
 
 #include <QHash>
 #include <QObject>
@@ -25,18 +25,19 @@ public:
     /// Both arguments must outlive the object.
     PlotReplay(const SignalStore& store, const PlotPages& pages, QObject* parent = nullptr);
 
-    /// Data up to this time on the time axis were first displayed at this time of day; used to find the log entry.
+    /// Notes that data up to the time `newest` on the time axis were first displayed at the time of day
+    /// `now`. Used to find the log entry for a time.
     void noteFrame(double newest, const QDateTime& now);
     void forgetBefore(double time);
-    /// Time of day for a time on the time axis: of the recording on the page in front, or of the history. Invalid
-    /// if unknown.
+    /// Returns the time of day for a time on the time axis, either of the recording on the current page or of
+    /// the history. Invalid if unknown.
     QDateTime clockAt(double time) const;
-    /// The recording of the page in front; empty: live signals.
+    /// The recording of the current page; empty: live signals.
     QString recordingInFront() const;
-    /// Evaluates page, cursor and pause again, and emits a signal if the time has changed.
+    /// Evaluates page, cursor and pause again. Emits a signal if the replayed time has changed.
     void follow();
     const Replay& moment() const { return moment_; }
-    /// Log lines of a recording in addition to those in its file.
+    /// Sets log entries of a recording in addition to the entries in its file.
     void setFurtherEvents(const QString& recording, std::vector<recording::RecordedEvent> events);
 
 Q_SIGNALS:
@@ -55,7 +56,7 @@ private:
     const PlotPages& pages_;
     std::deque<Frame> frames_;
     Replay moment_;
-    QHash<QString, std::vector<recording::RecordedEvent>> further_;  ///< events by recording
+    QHash<QString, std::vector<recording::RecordedEvent>> further_;  ///< additional events by recording
 };
 
 }  // namespace tiller

@@ -24,7 +24,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPatience = 80;  // delay after the last change [ms]
-constexpr int kGoesOn = 20;    // interval between two checks of the summation [ms]
+constexpr int kGoesOn = 20;    // interval between two checks of the statistics computation [ms]
 constexpr int kMinTable = 66;  // minimum height: the titles and one row [px]
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
@@ -55,7 +55,7 @@ PlotValues::PlotValues(const SignalStore& store, QWidget* parent)
     layout->setSpacing(2);
     layout->addWidget(between_);
     layout->addWidget(table_, 1);
-    // A shortcut, because Ctrl+C in the table would copy one cell only.
+    // A separate shortcut, because Ctrl+C in the table would copy only one cell.
     auto* copying = new QShortcut(QKeySequence::Copy, this);
     copying->setContext(Qt::WidgetWithChildrenShortcut);
     connect(copying, &QShortcut::activated, this, &PlotValues::copy);
@@ -172,7 +172,7 @@ QString PlotValues::toText() const {
     for (int row = 0; row < table_->rowCount(); ++row) {
         line.clear();
         for (int column = 0; column < table_->columnCount(); ++column) {
-            // For other programs, a number has an ASCII minus sign; names stay as they are.
+            // Numbers get an ASCII minus sign for other programs. Names are not changed.
             QString cell = table_->item(row, column)->text();
             line << (column == 0 ? cell : cell.replace(QChar(0x2212), QLatin1Char('-')));
         }

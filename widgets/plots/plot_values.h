@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Table next to the plots: values of all displayed signals at the cursors, their differences, and statistics of the
-// range between the cursors.
+// Table below the plots with the values of all displayed signals at the cursors, their differences, and
+// statistics of the range between the cursors.
 
 #include <QTimer>
 #include <QWidget>
@@ -23,7 +23,8 @@ class PlotValues : public QWidget {
 public:
     explicit PlotValues(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// Updates the table for this view after a short delay; many calls in a row cause one update.
+    /// Updates the table for this view after a short delay. Several calls during the delay cause only one
+    /// update.
     void follow(const PlotView& view);
     /// Returns tab-separated text for spreadsheets.
     QString toText() const;

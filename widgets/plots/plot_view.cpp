@@ -51,7 +51,7 @@ double niceTickStep(double span, double width) {
     return 28800;
 }
 
-// A curve that moves by less than this number of pixels is repainted at most 30 times per second.
+// A curve that moves by fewer pixels than this is repainted at most 30 times per second.
 constexpr double kQuickColumns = 3;
 constexpr double kCalmFrame = 0.03;  // [s]
 constexpr double kGrab = 6;          // distance within which a cursor is grabbed [px]
@@ -84,7 +84,8 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
     setMouseTracking(true);
     setAcceptDrops(true);
     setBackgroundBrush(Qt::NoBrush);
-    // Only the view: without a selector, its menus and tool tips would inherit the transparent background.
+    // Restrict the style to the view. Without a selector, its menus and tooltips would inherit the
+    // transparent background.
     setStyleSheet(QStringLiteral("QGraphicsView { background: transparent; }"));
     scene_->setItemIndexMethod(QGraphicsScene::NoIndex);
     scene_->addItem(laneItem_);
@@ -103,7 +104,7 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
 
 PlotView::~PlotView() {
     store_.want(this, {});
-    // The charts are items of the scene and owned by the panes: destroy them first.
+    // The charts are items of the scene, but owned by the panes. Destroy them before the scene.
     panes_.clear();
     setScene(nullptr);
 }
@@ -257,7 +258,7 @@ bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
             std::stable_sort(page.panes.begin(), page.panes.end(),
                              [](const PaneLayout& a, const PaneLayout& b) { return a.column < b.column; });
         } else {
-            // The new plot gets the average height; the others keep their proportions.
+            // The new plot gets the average height. The other plots keep their proportions.
             double shares = 0;
             int count = 0;
             for (const PaneLayout& other : std::as_const(page.panes)) {
@@ -351,7 +352,7 @@ void PlotView::layOut() {
     for (int column = 0; column < columns_; ++column) {
         most = std::max(most, static_cast<int>(std::ranges::count(panes_, column, &PlotPane::column)));
     }
-    // Lanes are hidden if there is not enough space, because they would cover the curves.
+    // Lanes are hidden if there is not enough space; otherwise they would cover the curves.
     const double least = kTop + most * kMinHeight + (most - 1) * kBetween;
     const double below = size.height() - kBottom - kTimeLabels;
     const bool roomy = below - lanes >= least;
@@ -409,7 +410,7 @@ double PlotView::xAt(double time) const {
 // ---- time
 
 void PlotView::measure() {
-    // Without data only the lane continues: the outage lasts until new data arrive.
+    // Without data, only the lane continues, because the outage lasts until new data arrive.
     const SeriesBuffer& history = store_.live();
     double oldest = history.firstTime();
     double newest = std::max(history.lastTime(), lane_.endTime());
@@ -427,7 +428,7 @@ void PlotView::measure() {
 void PlotView::refresh(double seconds) {
     measure();
     sinceShown_ += seconds;
-    // A paused view does not change, except when its oldest samples are dropped from the history.
+    // A paused view does not change unless its oldest samples are dropped from the history.
     if (window_.follows() && (shownEnd_ != store_.live().end() || shownNewest_ != window_.newest()) &&
         isDue()) {
         show(sinceShown_);
@@ -441,7 +442,7 @@ bool PlotView::isDue() const {
     const double columns =
         std::abs(window_.newest() - shownNewest_) / window_.span() * panes_.front()->area().width();
     return sinceShown_ >= kCalmFrame || columns >= kQuickColumns || shownEnd_ <= 0 ||
-           shownEnd_ == store_.live().end();  // an outage: nothing else is drawn
+           shownEnd_ == store_.live().end();  // during an outage nothing else needs to be drawn
 }
 
 void PlotView::showEvent(QShowEvent* event) {
@@ -509,7 +510,7 @@ void PlotView::show(double seconds, HistoryFile::Effort effort) {
                                           effort) &&
                           isSharp;
                 if (history.revision() != known) {
-                    cutNow();  // the times of the received rows are used
+                    cutNow();  // from here on, the times of the received rows are used
                 }
             }
         }
@@ -548,7 +549,7 @@ void PlotView::setTimeAxis(TimeAxis axis, std::function<QDateTime(double)> clock
 }
 
 void PlotView::placeTicks() {
-    // Reference of the labels; the time of day refers to midnight, so that ticks are round.
+    // Reference of the labels. The time of day refers to midnight, so that ticks are round numbers.
     double reference = timeAxis_ == TimeAxis::Relative ? reference_ : 0;
     QDateTime midnight;
     if (timeAxis_ == TimeAxis::Clock) {
@@ -749,7 +750,7 @@ void PlotView::changeEvent(QEvent* event) {
             pane->applyTheme();
         }
         if (isVisible()) {
-            show(0);  // Repaints the curves as well: a paused view is not repainted otherwise.
+            show(0);  // also repaints the curves, because a paused view is not repainted otherwise
         }
         viewport()->update();
     }
@@ -821,7 +822,7 @@ void PlotView::drawMarks(QPainter& painter) const {
             const QColor color = mark->alarm ? theme.alarm : theme.secondary;
             painter.setPen(QPen(color, 1));
             painter.drawLine(QPointF(x, kTop), QPointF(x, bottom));
-            // A flag, with text if there is enough space.
+            // A flag, with a text if there is enough space.
             const std::array<QPointF, 3> flag = {QPointF(x, kTop), QPointF(x + 7, kTop + 4),
                                                  QPointF(x, kTop + 8)};
             painter.setBrush(color);
@@ -1162,7 +1163,7 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent* event) {
         return;
     }
     if (paneAt(at).area().contains(at)) {
-        // Revert the cursor that the first click has placed.
+        // Revert the cursor position that the first click has set.
         cursors_ = cursorsBefore_;
         Q_EMIT readoutChanged();
         fit();
@@ -1177,7 +1178,7 @@ void PlotView::click(const QPointF& point) {
         setReadoutSignal(pane.shown().back());
     }
     const double time = timeAt(point.x());
-    // Place A first, then B, then move the nearer one.
+    // The first click places A and the second one B. Further clicks move the nearer cursor.
     Cursor which = Cursor::A;
     if (cursors_[0] && !cursors_[1]) {
         which = Cursor::B;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One page of plots: charts stacked in columns, state lanes below them, and two cursors over a common time axis.
-// Dragging and the mouse wheel move through time; signals are added by drag and drop. The robot is not affected.
+// One page of plots: charts stacked in columns, state lanes below them, and two cursors on a common time
+// axis. Dragging and the mouse wheel scroll in time. Signals are added by drag and drop. The robot is not
+// affected.
 
 #include <QDateTime>
 #include <QGraphicsView>
@@ -35,25 +36,27 @@ class PlotView : public QGraphicsView {
 
 public:
     enum class Cursor { A, B };
-    /// Position of a signal that is dropped onto a plot.
+    /// Target position of a signal that is dropped onto a plot.
     enum class Place { Into, Above, Below, Beside };
 
     /// store, lane, marks  must outlive the view
     PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, QWidget* parent = nullptr);
     ~PlotView() override;
 
-    /// Shows the newest data after data arrived or time passed. Cheap if nothing has changed or the view is hidden.
-    /// seconds  since the last call; for the adaptation of the scales
+    /// Shows the newest data. Call this after data arrived or time has passed. The call is cheap if nothing
+    /// has changed or the view is hidden.
+    /// seconds  time since the last call, for adapting the scales
     void refresh(double seconds);
 
-    /// Copies range, cursors and signal from another view of the same history, and optionally its page.
+    /// Copies range, cursors and readout signal from another view of the same history.
+    /// page  true: also copies the page
     void showLike(const PlotView& other, bool page);
 
-    // The current content.
+    // The current content of the page.
     PageLayout page() const;
-    /// Returns  false without changes if the robot cannot send this number of signals
+    /// Returns  false, without changes, if the robot cannot send this number of signals
     bool setPage(const PageLayout& page);
-    /// States are added as lanes at any position. Existing and unknown signals are ignored.
+    /// Adds signals. States are added as lanes for any place. Existing and unknown signals are ignored.
     /// Returns  false if the robot cannot send this number of signals
     bool addSignals(const QStringList& keys, int pane, Place place = Place::Into);
     /// Adds signals to the plot that contains the signal read by the cursors.
@@ -75,15 +78,15 @@ public:
     QStringList timeLabels() const { return timeLabels_; }
     void setSpan(double seconds);
     void pause();
-    /// Returns to the newest samples.
+    /// Shows the newest samples again and follows them.
     void follow();
     void scrollBy(double seconds);
     void showRange(double from, double to);
-    /// Shows all data, each plot with its best scale.
+    /// Shows all data and sets the best scale for each plot.
     void fit();
 
     std::optional<double> cursor(Cursor which) const { return cursors_[index(which)]; }
-    /// A time on the time axis [s]; empty removes the cursor.
+    /// time  time on the time axis [s]; empty removes the cursor
     void setCursor(Cursor which, std::optional<double> time);
     /// Moves cursor A to this time and makes it visible.
     void goTo(double time);
@@ -93,20 +96,22 @@ public:
     QString readout() const;
     bool isHidden(int signal) const;
     void setHidden(int signal, bool hidden);
-    /// Displays the TCP force relative to its value at the end of the displayed range; false: no force data.
+    /// Displays the TCP force relative to its value at the end of the displayed range. Returns false if there
+    /// is no force data.
     bool zeroForce();
     /// Displays the force as measured.
     void clearZero();
     bool isForceZeroed() const { return !offsets_.isEmpty(); }
-    /// Text with the offsets; empty if not zeroed.
+    /// Text with the offsets; empty if the force is not zeroed.
     QString zeroText() const;
     const std::vector<std::unique_ptr<PlotPane>>& panes() const { return panes_; }
     const LaneItem& laneItem() const { return *laneItem_; }
-    /// Shows all details of a long recording, which are otherwise loaded over some frames.
+    /// Loads and shows all details of a long recording at once. Otherwise they are loaded over several
+    /// frames.
     void showSharp();
     /// Returns null if this signal has no lane.
     const LaneItem* signalLane(int signal) const;
-    /// The columns of the displayed image for the samples of a history.
+    /// The pixel columns of the displayed range for the samples of a history.
     const ColumnGrid& gridOf(const SeriesBuffer& history) const;
     /// The plot at a position of the view, including its labels.
     PlotPane& paneAt(const QPointF& place) const;
@@ -114,7 +119,7 @@ public:
     /// The signal whose legend entry or lane is at this position.
     std::optional<int> legendAt(const QPointF& place) const;
     std::optional<int> laneAt(const QPointF& place) const;
-    /// Adapts its scale to the curves again.
+    /// Makes the scale of the pane follow the curves again.
     void releaseValues(PlotPane& pane);
     double timeAt(double x) const;
     double xAt(double time) const;
@@ -123,7 +128,7 @@ public:
     QSize minimumSizeHint() const override { return {320, 130}; }
 
 Q_SIGNALS:
-    /// Time range, pause or position in the history has changed.
+    /// The time range, pause state or position in the history has changed.
     void windowChanged();
     void readoutChanged();
     void zeroChanged();
@@ -166,12 +171,12 @@ private:
 
     void layOut();
     void build(const PageLayout& page);
-    /// Updates the time limits of history and lane in the window.
+    /// Updates the time limits of the window from the history and the lane.
     void measure();
-    /// After a change of the window by the user: updates immediately, with the best scales.
+    /// Called after the user has changed the time window. Updates immediately with the best scales.
     void rewind();
     void show(double seconds, HistoryFile::Effort effort = HistoryFile::Effort::Draft);
-    /// True if enough has changed to justify a repaint.
+    /// True if enough has changed to require a repaint.
     bool isDue() const;
     void placeTicks();
     void placeCursors();
@@ -179,7 +184,7 @@ private:
     std::optional<Cursor> cursorNear(double x) const;
     bool moveActiveCursor(int pixels);
     void cycleReadout(int by);
-    /// The plot area at the horizontal position x.
+    /// The plot area at this horizontal position.
     const QRectF& areaAt(double x) const;
     PlotPane* paneOf(int signal) const;
     bool isOverValues(const QPointF& place) const;
@@ -219,7 +224,7 @@ private:
     QStringList timeLabels_;
     double tickSpan_ = -1;
     double tickEnd_ = 0;
-    QTimer sharpen_;              // runs while more details are available than displayed
+    QTimer sharpen_;              // active while more details are available than displayed
     QHash<int, double> offsets_;  // offsets by signal; empty if not zeroed
     QString name_;                // name of the page
     Drag drag_ = Drag::None;

@@ -54,8 +54,8 @@ void TimeWindow::zoom(double factor, double anchor) {
 }
 
 void TimeWindow::keepInside() {
-    // Not beyond the newest sample, and not so far back that no history is visible. In case of a conflict the
-    // newest edge has priority.
+    // The range must not extend beyond the newest sample, and not so far back that no history is visible. In
+    // case of a conflict, the newest edge has priority.
     end_ = std::min(std::max(end_, oldest_ + span_), newest_);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The displayed time range of the plots. It follows the newest sample until it is paused or moved back; data
-// continue to arrive meanwhile.
+// The displayed time range of the plots. It follows the newest sample until it is paused or moved back. Data
+// continue to arrive in the meantime.
 
 namespace tiller {
 
@@ -20,18 +20,19 @@ public:
     /// Distance of the right edge from the newest sample [s]; 0 while following.
     double behind() const { return follows_ ? 0 : newest_ - end_; }
 
-    /// Sets the range covered by the history: oldest to newest.
+    /// Sets the time limits of the history.
     void setHistory(double oldest, double newest);
-    /// Keeps the right edge while following, otherwise the centre.
+    /// Sets the span. Keeps the right edge while following the newest sample, otherwise the centre.
     void setSpan(double seconds);
     void pause() { follows_ = false; }
     void follow();
     /// Shows exactly this range, limited to the history.
     void showRange(double from, double to);
     double oldest() const { return oldest_; }
-    /// Scrolls by this time; negative: backwards. Returning to the newest sample does not end a pause.
+    /// Scrolls by this time [s]; negative: backwards. Returning to the newest sample does not end a pause.
     void scrollBy(double seconds);
-    /// factor < 1 zooms in. The time `anchor` keeps its position on the screen, unless following.
+    /// Zooms in (factor < 1). The time `anchor` keeps its position on the screen unless the range follows the
+    /// newest sample.
     void zoom(double factor, double anchor);
 
 private:

@@ -61,7 +61,7 @@ void ChecklistItem::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::current();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    // Aligned with the first line of the text.
+    // Align with the first line of the text.
     const QRectF mark(0, (text_->fontMetrics().height() - kMark) / 2.0, kMark, kMark);
     if (done_) {
         themedIcon(QStringLiteral("check"), theme.text).paint(&painter, mark.toRect());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A text with a check mark for its completion, with constant position and size.
+// A text with a check mark that shows whether the item is completed. Position and size do not depend on the
+// state.
 
 #include <QWidget>
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kThere = 0.001;       // tolerance of the flange position [m]
 constexpr double kTurnedThere = 0.01;  // tolerance of the orientation [rad]
-constexpr double kSameJoints = 0.005;  // for a waypoint at the current position [rad]
+constexpr double kSameJoints = 0.005;  // tolerance for a waypoint at the current position [rad]
 constexpr double kRealMove = 0.01;     // minimum joint motion that counts [rad]
 
 const char* nameOf(FirstStep step) {
@@ -80,7 +80,7 @@ QString FirstSteps::text(FirstStep step) {
         case FirstStep::ReleaseBrakes:
             return tr("Release brakes (header)");
         case FirstStep::Jog:
-            return tr("Take control, hold a pad key");
+            return tr("Take control, hold a jog button");
         case FirstStep::Teach:
             return tr("Teach here (T)");
         case FirstStep::GoTo:
@@ -144,7 +144,7 @@ void FirstSteps::followMove(const SessionState& state) {
     }
 }
 
-// A pasted or restored waypoint does not count as taught, unless the arm is at its position.
+// A pasted or restored waypoint does not count as taught unless the arm is at its position.
 void FirstSteps::onWaypoint(int row) {
     if (following_ && state_.link == LinkState::Live &&
         furthest(document_.waypoints().at(row).joints, state_.q) < kSameJoints) {

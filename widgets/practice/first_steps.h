@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Progress of the first steps. Each step is detected from the state of the robot, the project or the recorder, not
-// from user input.
+// Progress of the first steps. Each step is detected from the state of the robot, the project or the
+// recorder. User input is not evaluated.
 
 #include <QObject>
 #include <QStringList>
@@ -27,15 +27,15 @@ public:
     /// session, document  must outlive the object
     FirstSteps(RobotSession& session, ProjectDocument& document, QObject* parent = nullptr);
 
-    /// Only events while following count; initially false.
+    /// Events count only while this is true; initially false.
     void setFollowing(bool following);
     bool isDone(FirstStep step) const { return done_[static_cast<std::size_t>(step)]; }
     bool allDone() const;
-    /// Names of the completed steps, for the settings, and the inverse.
+    /// Names of the completed steps, for saving in the settings and restoring them.
     QStringList done() const;
     void setDone(const QStringList& names);
 
-    /// Instruction as one line of text.
+    /// The instruction as one line of text.
     static QString text(FirstStep step);
 
 Q_SIGNALS:
@@ -51,7 +51,8 @@ private:
     SessionState state_;
     bool following_ = false;
     std::array<bool, kFirstSteps.size()> done_{};
-    std::optional<JointPositions> movedFrom_;  ///< start of a motion by this program; empty otherwise
+    /// Start of a motion by this application; empty if none is active.
+    std::optional<JointPositions> movedFrom_;
 };
 
 }  // namespace tiller

@@ -23,7 +23,7 @@ FirstStepsCard::FirstStepsCard(FirstSteps& steps, QWidget& view)
     practice->setObjectName(QStringLiteral("firstSteps.practice"));
     auto* dismiss = new QPushButton(tr("Dismiss"), this);
     dismiss->setObjectName(QStringLiteral("firstSteps.dismiss"));
-    dismiss->setToolTip(tr("The list will not appear again. Use the command “First steps” to show it."));
+    dismiss->setToolTip(tr("The list will not appear again. Use the command “First steps” to reopen it."));
     for (QPushButton* key : {practice, dismiss}) {
         key->setFocusPolicy(Qt::TabFocus);
         keys().addWidget(key, 1);

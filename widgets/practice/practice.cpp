@@ -131,7 +131,7 @@ void Practice::setDone(const QStringList& names) {
 
 void Practice::onState(const SessionState& state) {
     state_ = state;
-    // Another robot, or none: the prepared task does not apply.
+    // There is no robot, or it is a different one, to which the prepared task does not apply.
     if (check_ && (state.link == LinkState::Disconnected || !hooks_.obstacle(state).isEmpty())) {
         abandon();
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// State of the practice tasks: the displayed task, whether it can be started, and the check of the current attempt.
-// Functions for the simulated controller are provided by the owner; a real robot is never affected.
+// State of the practice tasks: the displayed task, whether it can be started, and the check of the current
+// attempt. The owner provides the functions that change the simulated controller. A real robot is never
+// affected.
 
 #include <QObject>
 #include <QStringList>
@@ -19,11 +20,12 @@ class ProjectDocument;
 class RobotSession;
 
 struct PracticeHooks {
-    /// The reason why this is not the simulated robot of this program, as a sentence; empty if it is.
+    /// Returns the reason why the robot is not the simulated robot of this application, as a sentence; empty
+    /// if it is.
     std::function<QString(const SessionState&)> obstacle;
     /// Prepares the simulated controller for the task.
     std::function<void(PracticeTask)> setUp;
-    /// Reverts the changes of setUp(). No effect if there are none.
+    /// Reverts the changes of setUp(). Has no effect if there are none.
     std::function<void()> tidyUp;
     std::function<void(const project::Waypoint&)> addWaypoint;
 };
@@ -38,12 +40,12 @@ public:
     ~Practice() override;
 
     PracticeTask task() const { return task_; }
-    /// Selects another task; the current attempt ends.
+    /// Selects a task and ends the current attempt.
     void choose(PracticeTask task);
     /// by  1: next task, -1: previous task
     void turn(int by);
 
-    /// The reason why the task cannot be started; empty if it can.
+    /// The reason why the task cannot be started; empty if it can be started.
     QString obstacle() const;
     void start();
     bool isRunning() const { return check_ != nullptr; }
@@ -52,14 +54,15 @@ public:
     /// Text of the check, or the reason why there is no check.
     QString text() const;
     void setAnswer(std::optional<double> figure);
-    /// The user finishes the task: it counts as completed if the check has passed. Selects the next open task.
+    /// Called when the user finishes the task. The task counts as completed if the check has passed. Selects
+    /// the next open task.
     void finish();
     /// Ends the current attempt.
     void abandon();
 
     bool isDone(PracticeTask task) const { return done_[static_cast<std::size_t>(task)]; }
     bool allDone() const;
-    /// Names of the completed tasks, for the settings, and the inverse.
+    /// Names of the completed tasks, for saving in the settings and restoring them.
     QStringList done() const;
     void setDone(const QStringList& names);
 

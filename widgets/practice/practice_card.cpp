@@ -15,7 +15,7 @@
 namespace tiller {
 namespace {
 
-constexpr int kHeight = 370;  // height for the longest task with its check [px]
+constexpr int kHeight = 370;  // height that fits the longest task with its check [px]
 
 }  // namespace
 
@@ -40,7 +40,7 @@ PracticeCard::PracticeCard(Practice& practice, QWidget& view)
     answer_->setObjectName(QStringLiteral("practice.answer"));
     answer_->setAccessibleName(tr("Force Fz in newtons"));
     answer_->setMaxLength(12);
-    answer_->setPlaceholderText(tr("enter value, press Return"));
+    answer_->setPlaceholderText(tr("Enter value, press Return"));
     auto* unit = new QLabel(tr("Fz [N]"));
     auto* answer = new QHBoxLayout(answerRow_);
     answer->setContentsMargins(0, 0, 0, 0);
@@ -87,7 +87,7 @@ void PracticeCard::readAnswer() {
     typed.replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
     bool ok = false;
     const double figure = typed.toDouble(&ok);
-    // "nan" and "inf" are accepted as numbers by the conversion.
+    // toDouble() also accepts "nan" and "inf".
     practice_.setAnswer(ok && std::isfinite(figure) ? std::optional(figure) : std::nullopt);
 }
 
@@ -101,7 +101,7 @@ void PracticeCard::showTask() {
         answerRow_->setVisible(task == PracticeTask::Measure);
         setTitle(tr("Practice · %1 of %2").arg(task_ + 1).arg(kPracticeTasks.size()));
     }
-    // Texts contain values in the user's units, which may change.
+    // The texts contain values in the user's units, which may change.
     text_->setText(practiceText(task));
     check_->setText(practice_.text());
     check_->setDone(practice_.passed() || (!practice_.isRunning() && practice_.isDone(task)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows one practice task at a time: instruction, Start, text of its check, Done.
+// Shows one practice task at a time: instruction, Start button, text of the check, and Done button.
 
 #include "widgets/practice/view_card.h"
 

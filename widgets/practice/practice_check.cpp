@@ -42,7 +42,8 @@ public:
         } else if (state.safety() == SafetyMode::ProtectiveStop) {
             say(PracticeText::tr("The arm is in a protective stop. Press Recover… in the header."));
         } else if (!isReady(state)) {
-            say(PracticeText::tr("Unlocked. The arm is not running yet: follow the recovery page."));
+            say(PracticeText::tr(
+                "Unlocked. The arm is not running yet: follow the steps on the recovery page."));
         } else if (!state.canMove()) {
             say(PracticeText::tr("Unlocked. Take control again."));
         } else {
@@ -86,8 +87,8 @@ private:
     static constexpr double kStep = 0.001;      // [m] minimum distance of stored positions
     static constexpr std::size_t kPlaces = 20'000;
 
-    // The origin of a frame taught with the arm is a former TCP position; a frame entered as numbers may be
-    // anywhere.
+    // The origin of a frame taught with the arm must be a former TCP position. The origin of a frame entered
+    // as numbers may be anywhere.
     void remember(const Eigen::Vector3d& place) {
         if (places_.size() < kPlaces && (places_.empty() || (places_.back() - place).norm() > kStep)) {
             places_.push_back(place);
@@ -139,7 +140,7 @@ public:
     void follow(const SessionState& state, const project::Project& project) override {
         const int row = project.waypoints.indexOf(waypoint_);
         if (row < 0 || !from_) {
-            say(PracticeText::tr("The waypoint was deleted. Start adds a new one."));
+            say(PracticeText::tr("The waypoint was deleted. Press Start to add a new one."));
             return;
         }
         const project::Waypoint& point = project.waypoints.at(row);
@@ -199,7 +200,7 @@ public:
         if (back < kBack) {
             say(PracticeText::tr("Limit reached. Now jog back: %1 of %2.").arg(length(back), length(kBack)));
         } else {
-            pass(PracticeText::tr("You reached the limit and moved out of it again."));
+            pass(PracticeText::tr("You reached the limit and moved back."));
         }
     }
 
@@ -207,7 +208,7 @@ private:
     static constexpr double kSlowed = 0.5;
     static constexpr double kBack = 0.050;  // [m]
 
-    std::optional<Eigen::Vector3d> at_;  ///< position of the last slow-down
+    std::optional<Eigen::Vector3d> at_;  ///< position where the arm last slowed down
 };
 
 class MeasureCheck : public PracticeCheck {
@@ -259,7 +260,7 @@ private:
             say(PracticeText::tr("%1 does not match the recording. Look at the Fz curve.")
                     .arg(format::newtons(*answer_)));
         } else {
-            pass(PracticeText::tr("Correct: it was %1.").arg(format::newtons(*mean_)));
+            pass(PracticeText::tr("Correct: the force was %1.").arg(format::newtons(*mean_)));
         }
     }
 
@@ -309,18 +310,19 @@ QString practiceText(PracticeTask task) {
     switch (task) {
         case PracticeTask::Recover:
             return PracticeText::tr(
-                "Start simulates a collision, which causes a protective stop. Find out what stopped the arm, "
-                "wait five seconds, unlock it and take control again.");
+                "Press Start to simulate a collision that causes a protective stop. Find out what stopped "
+                "the arm, wait five seconds, unlock it and take control again.");
         case PracticeTask::TeachFrame:
             return PracticeText::tr(
                 "Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ "
-                "direction and its Z axis up: take the origin, then a point further along Y+, then a point "
+                "direction and its Z axis up: record the origin, then a point further along Y+, then a point "
                 "further along X−.");
         case PracticeTask::TouchUp:
-            return PracticeText::
-                tr("Start adds a waypoint “part” at the current position of the arm. The part then moves by "
-                   "%1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).")
-                    .arg(length(kPartMoved));
+            return PracticeText::tr(
+                       "Press Start to add a waypoint “part” at the current position of the arm. The part "
+                       "then moves by %1 along the base X+ direction. Jog there, select the waypoint and "
+                       "touch it up (U).")
+                .arg(length(kPartMoved));
         case PracticeTask::FindLimit:
             return PracticeText::tr(
                        "Jog outwards, away from the base, until a limit reduces the speed to half. The line "
@@ -330,8 +332,8 @@ QString practiceText(PracticeTask task) {
             break;
     }
     return PracticeText::tr(
-        "Start simulates a hand that presses on the tool from above. Record for at least three seconds, then "
-        "stop. Read the force Fz in the plots and enter it.");
+        "Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, "
+        "then stop. Read the force Fz in the plots and enter it.");
 }
 
 project::Waypoint practiceWaypoint(const SessionState& state, const project::Project& project) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The practice tasks, and the checks of their completion, based on the state of the robot and the project, not on
-// user input. A check belongs to one attempt; a new attempt has a new check.
+// The practice tasks and the checks of their completion. The checks are based on the state of the robot and
+// the project. They do not use user input. Each attempt has its own check.
 
 #include <QString>
 #include <QUuid>
@@ -20,7 +20,7 @@ inline constexpr std::array kPracticeTasks = {PracticeTask::Recover, PracticeTas
                                               PracticeTask::TouchUp, PracticeTask::FindLimit,
                                               PracticeTask::Measure};
 
-/// Name for the settings, e.g. "recover".
+/// Name of the task in the settings, e.g. "recover".
 QString practiceName(PracticeTask task);
 QString practiceTitle(PracticeTask task);
 /// Instruction in two or three sentences.
@@ -33,14 +33,14 @@ public:
     PracticeCheck(const PracticeCheck&) = delete;
     PracticeCheck& operator=(const PracticeCheck&) = delete;
 
-    /// Call with every state, and after every edit of the project.
+    /// Call this with every state and after every edit of the project.
     virtual void follow(const SessionState& state, const project::Project& project) = 0;
-    /// A measured number, for tasks that ask for one; empty if not entered.
+    /// Sets the number measured by the user, for tasks that require it; empty if not entered.
     virtual void setAnswer(std::optional<double> /*figure*/) {}
 
-    /// True once the check has passed; never reset.
+    /// True once the check has passed. Never reset to false.
     bool passed() const { return passed_; }
-    /// What was achieved, and what is missing.
+    /// Describes what was achieved and what is missing.
     QString text() const { return text_; }
 
 protected:
@@ -55,13 +55,14 @@ private:
     QString text_;
 };
 
-/// Displacement of the part in the task "touch up" along X of the base [m].
+/// Displacement of the part in the task "touch up", along X of the base frame [m].
 inline constexpr double kPartMoved = 0.020;
 
-/// The former position of the part: a waypoint for the task "touch up" at the current position of the arm.
+/// Returns a waypoint for the task "touch up" at the current position of the arm, which is the former
+/// position of the part.
 project::Waypoint practiceWaypoint(const SessionState& state, const project::Project& project);
 
-/// project   at the start of the attempt
+/// project   state of the project at the start of the attempt
 /// waypoint  created for "touch up"; null for other tasks
 std::unique_ptr<PracticeCheck> practiceCheck(PracticeTask task, const project::Project& project,
                                              const QUuid& waypoint = {});

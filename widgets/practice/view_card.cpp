@@ -18,9 +18,9 @@ namespace tiller {
 namespace {
 
 constexpr int kGap = 8;          // distance from the edges of the view [px]
-constexpr int kMargin = 10;      // inner margin [px]
+constexpr int kMargin = 10;      // margin around the content [px]
 constexpr int kHeadMargin = 6;   // margin above and below the title [px]
-constexpr int kMinContent = 44;  // the card is folded if there is less height [px]
+constexpr int kMinContent = 44;  // the card is folded if less height is available [px]
 
 QToolButton* quietKey(const QString& name, const QString& text, QWidget* parent) {
     auto* key = new QToolButton(parent);
@@ -49,7 +49,7 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     hide();
     title_->setFont(textFont(15, QFont::Bold));
     title_->setTextFormat(Qt::PlainText);
-    // Drawn symbols have the same width in all languages.
+    // Symbols are drawn, so that they have the same width in all languages.
     close_->setText(QStringLiteral("×"));
     fold_->setCheckable(true);
 
@@ -81,7 +81,8 @@ ViewCard::ViewCard(const QString& name, const QString& title, int height, QWidge
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(kMargin, kMargin, kMargin, kHeadMargin);
     layout->setSpacing(6);
-    // Anchored at the lower edge of the view: its buttons do not move when it is folded or unfolded.
+    // The card is anchored at the lower edge of the view, so that its buttons do not move when it is folded
+    // or unfolded.
     layout->addWidget(scroll_, 1);
     layout->addWidget(foot_);
     layout->addLayout(head);
@@ -124,7 +125,8 @@ void ViewCard::openQuietly() {
 }
 
 void ViewCard::putAway() {
-    // A hidden focus widget would pass the focus to the next control, e.g. a button or the speed slider.
+    // If a widget with the focus is hidden, Qt moves the focus to the next control, e.g. a button or the
+    // speed slider.
     if (isAncestorOf(window()->focusWidget())) {
         view_.setFocus(Qt::OtherFocusReason);
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A card in the lower left corner of a view, as an overlay that does not move other elements; its size depends on
-// the view only. It can be folded to its title, and is folded automatically if the view is too small.
+// A card in the lower left corner of a view. It is an overlay that does not move other elements, and its size
+// depends only on the view. The card can be folded to its title. It is folded automatically if the view is
+// too small.
 
 #include <QFrame>
 
@@ -18,7 +19,7 @@ class ViewCard : public QFrame {
     Q_OBJECT
 
 public:
-    /// name    object name, and prefix of the names of its buttons: "name.fold", "name.close"
+    /// name    object name, and prefix of the names of the card's buttons: "name.fold", "name.close"
     /// height  preferred height [px]; 0: height of the content
     ViewCard(const QString& name, const QString& title, int height, QWidget& view);
 
@@ -28,31 +29,32 @@ public:
     void setFolded(bool folded);
     /// Shows the card without taking the focus.
     void open();
-    /// As open(), but folded if it would cover a large part of the view: for a card that opens automatically.
+    /// As open(), but folds the card if it would cover a large part of the view. For a card that opens
+    /// automatically.
     void openQuietly();
-    /// Hides the card. If it has the focus, the view gets it.
+    /// Hides the card. If the card has the focus, the focus moves to the view.
     void putAway();
 
-    /// Height of the folded card at the lower edge of the view [px]; 0 while hidden or unfolded.
+    /// Height that the folded card covers at the lower edge of the view [px]; 0 while hidden or unfolded.
     int covered() const;
 
     static constexpr int kWidth = 306;  ///< [px]
 
 Q_SIGNALS:
-    /// The close button was pressed; the owner decides what happens.
+    /// The user pressed the close button. The owner decides whether to close the card.
     void closeRequested();
     /// covered() has changed.
     void coveredChanged();
 
 protected:
-    /// Layout of the content, which scrolls if it is too long.
+    /// Layout of the content. The content scrolls if it is too long.
     QVBoxLayout& content() { return *contentLayout_; }
     /// Buttons below the content, always visible.
     QHBoxLayout& keys() { return *keyLayout_; }
     /// Adds a widget above the buttons, always visible.
     void addAboveKeys(QWidget* widget);
-    /// Enables or disables a control of the card: when it has the focus, the view gets it instead of the next
-    /// control of the window.
+    /// Enables or disables a control of the card. If a disabled control has the focus, the focus moves to the
+    /// view instead of the next control of the window.
     void setUsable(QWidget& control, bool usable);
 
     bool event(QEvent* event) override;

@@ -20,14 +20,14 @@ constexpr int kColumns = 3;
 }  // namespace
 
 struct ProgramModel::Node {
-    const ProgramStep* step = nullptr;  ///< in the program of the model
+    const ProgramStep* step = nullptr;  ///< a step in the program of the model
     Node* parent = nullptr;
     int row = 0;
     int number = 0;
     std::vector<std::unique_ptr<Node>> children;
-    QString problem;          ///< why the program cannot run
-    QString result;           ///< of the preview
-    bool hasFinding = false;  ///< of the preview
+    QString problem;          ///< the reason why the program cannot run
+    QString result;           ///< result of the preview
+    bool hasFinding = false;  ///< true if the preview has a finding for this step
 
     bool isMarked() const { return !problem.isEmpty() || hasFinding; }
     bool isComment() const { return step->kind == QLatin1String("comment"); }
@@ -190,7 +190,7 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
         return {};
     }
     const Node& node = *nodeAt(index);
-    // Computed for the visible rows only: a program can have thousands of steps.
+    // Computed only for the visible rows, because a program can have thousands of steps.
     const auto text = [&] {
         switch (index.column()) {
             case Step:
@@ -254,7 +254,7 @@ QMimeData* ProgramModel::mimeData(const QModelIndexList& indexes) const {
     }
     auto* data = new QMimeData;
     data->setData(QLatin1String(kStepsMime), program::textOf(program::selectedSteps(program_, ids)));
-    // Ids are valid in this program only; other programs copy the steps.
+    // Ids are valid only in this program. Other programs copy the steps.
     texts.prepend(program_.id.toString());
     data->setData(QLatin1String(kIdsMime), texts.join(QLatin1Char(' ')).toLatin1());
     return data;
@@ -286,7 +286,8 @@ bool ProgramModel::dropMimeData(const QMimeData* data, Qt::DropAction action, in
     } else if (const auto steps = program::stepsFromText(data->data(QLatin1String(kStepsMime)))) {
         Q_EMIT stepsDropped(at, *steps);
     }
-    // Not accepted, so the view does not remove the dragged rows: the project is edited and the model follows it.
+    // Not accepted, so that the view does not remove the dragged rows. The project is edited, and the model
+    // follows the project.
     return false;
 }
 

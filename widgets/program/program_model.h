@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The steps of one program as a tree: number and kind, values, and the problem or the simulated time. Dropped steps are
-// reported, not inserted: the project is edited, and the model follows.
+// The steps of one program as a tree, with number and kind, values, and the problem or the simulated time.
+// Dropped steps are only reported. The project is then edited, and the model follows the project.
 
 #include <QAbstractItemModel>
 #include <QSet>
@@ -23,17 +23,17 @@ public:
     explicit ProgramModel(QObject* parent = nullptr);
     ~ProgramModel() override;
 
-    /// project  must outlive the model or the next call
+    /// project  must outlive the model, or remain valid until the next call
     /// program  null: the tree is empty
     void setProgram(const project::Project& project, const project::Program* program);
-    /// Of the program that is shown.
+    /// Sets the problems of the displayed program.
     void setProblems(const std::vector<program::ProgramProblem>& problems);
-    /// script  of the preview; null: no preview
+    /// script  script of the preview; null: no preview
     void setPreview(const program::ProgramScript* script, const program::Preview* preview);
 
-    QUuid idAt(const QModelIndex& index) const;  ///< Null for an invalid index.
+    QUuid idAt(const QModelIndex& index) const;  ///< null for an invalid index
     QModelIndex indexOf(const QUuid& id) const;
-    /// The problem of a step, or what the preview found there; empty: none.
+    /// The problem of a step, or the finding of the preview for that step; empty: none.
     QString noteAt(const QUuid& id) const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -52,7 +52,7 @@ public:
                       const QModelIndex& parent) override;
 
 Q_SIGNALS:
-    /// The tree was reset: views restore selection and expanded sections by id.
+    /// The tree was reset. Views must restore the selection and the expanded sections by id.
     void treeChanged();
     void stepsDropped(const tiller::program::StepPosition& at,
                       const std::vector<tiller::project::ProgramStep>& steps);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Rows of the program and of the palette: dense, because a program has many, and large enough for fingers in Touch.
+// Draws the rows of the program and of the palette. Rows are low, because a program has many steps, and large
+// enough for fingers with Touch density.
 
 #include <QStyledItemDelegate>
 #include <algorithm>

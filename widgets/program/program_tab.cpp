@@ -30,8 +30,8 @@ using program::Steps;
 
 namespace {
 
-constexpr int kWide = 820;              ///< [px] palette, tree and fields fit next to each other
-constexpr double kPathSpacing = 0.003;  ///< [m] between points of the path in the 3D view
+constexpr int kWide = 820;  ///< minimum width for palette, tree and fields next to each other [px]
+constexpr double kPathSpacing = 0.003;  ///< distance between points of the path in the 3D view [m]
 
 QPushButton* keyFor(const char* name, const QString& text) {
     auto* key = new EnterKey(text);
@@ -85,7 +85,7 @@ ProgramTab::ProgramTab(ProjectDocument& document, QWidget* parent)
                     edit(program::withField(*program, step, key, value), tr("Change “%1”").arg(label));
                 }
             });
-    // Many changes arrive together when a project is opened.
+    // Many changes arrive in a short time when a project is opened.
     checkTimer_.setSingleShot(true);
     connect(&checkTimer_, &QTimer::timeout, this, &ProgramTab::check);
     for (const auto change : {&ProjectDocument::documentChanged, &ProjectDocument::projectReplaced}) {
@@ -236,7 +236,7 @@ void ProgramTab::follow() {
     checkTimer_.start(0);
 }
 
-// What the simulation depends on besides the script.
+// Compares everything that affects the simulation in addition to the script.
 bool ProgramTab::isPreviewedCell() const {
     const project::Project now = document_.project();
     return previewedProject_.cell == now.cell && previewedProject_.frames == now.frames &&
@@ -494,7 +494,7 @@ void ProgramTab::exportScript() {
         return;
     }
     const auto written = writeFileAtomically(path, script.text.toUtf8());
-    showStatus(written ? tr("Written: %1").arg(path) : tr("⚠ %1").arg(written.error().toString()));
+    showStatus(written ? tr("Exported to %1").arg(path) : tr("⚠ %1").arg(written.error().toString()));
 }
 
 }  // namespace tiller

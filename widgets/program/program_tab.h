@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Program": the programs of the project, the steps of one of them, the fields of the selected step, and a preview
-// in the simulated controller. Nothing here moves a robot.
+// The tab "Program". It shows the programs of the project, the steps of one program, the fields of the
+// selected step, and a preview in the simulated controller. No function of this tab moves a robot.
 
 #include <Eigen/Core>
 #include <QTimer>
@@ -41,7 +41,7 @@ public:
     const std::vector<Eigen::Vector3d>& previewPath() const { return path_; }
 
 Q_SIGNALS:
-    /// A command of this tab was triggered: the tab should be shown.
+    /// A command of this tab was triggered, and the tab should be shown.
     void frontWanted();
     void previewPathChanged();
 
@@ -49,7 +49,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// The pages of the column at the right when there is space for one of them.
+    /// The pages of the right column when there is space for only one of them.
     enum Side { Palette, Form };
 
     const project::Program* current() const;
@@ -66,7 +66,7 @@ private:
     /// Selects the step of the next problem, or of the next finding of the preview.
     void showNextProblem();
     void edit(const project::Program& after, const QString& text);
-    /// at  empty: behind the selected step
+    /// at  position; empty: after the selected step
     void insert(const program::Steps& steps, const std::optional<program::StepPosition>& at = std::nullopt);
     void changeSelected(project::Program (*change)(const project::Program&, const QSet<QUuid>&),
                         const QString& text);
@@ -88,7 +88,7 @@ private:
     void clearPreview();
     void exportScript();
 
-    /// A step to jump to.
+    /// A step that showNextProblem() can select.
     struct Mark {
         QUuid program;
         QUuid step;
@@ -107,10 +107,10 @@ private:
     QPushButton* showKey_;
     QPushButton* previewKey_;
     QList<QAction*> actions_;
-    QList<QAction*> selectionActions_;  ///< need selected steps
+    QList<QAction*> selectionActions_;  ///< actions that require selected steps
     QUuid program_;
     program::ProgramScript script_;
-    program::ProgramScript previewed_;  ///< script of the preview that is shown or under way
+    program::ProgramScript previewed_;  ///< script of the displayed or running preview
     project::Project previewedProject_;
     std::vector<Eigen::Vector3d> path_;
     std::vector<Mark> marks_;  ///< steps with problems, or with findings of the preview

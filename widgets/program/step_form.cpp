@@ -11,6 +11,7 @@
 
 #include "robot/station/program/program_edit.h"
 #include "widgets/common/choice_box.h"
+#include "widgets/common/text_entry.h"
 
 namespace tiller {
 
@@ -19,7 +20,7 @@ using program::StepField;
 
 namespace {
 
-/// Several lines: editing is finished when the focus leaves.
+/// Editor for several lines. Editing is finished when it loses the focus.
 class LinesEditor : public QPlainTextEdit {
 public:
     LinesEditor(const QString& text, std::function<void(const QString&)> done)
@@ -41,7 +42,7 @@ private:
     std::function<void(const QString&)> done_;
 };
 
-/// One line: Esc restores the last accepted text.
+/// Editor for one line. Esc restores the last accepted text.
 class LineEditor : public QLineEdit {
 public:
     explicit LineEditor(const QString& text) : QLineEdit(text), accepted_(text) {}
@@ -101,7 +102,7 @@ void StepForm::setStep(const project::Project& project, const project::ProgramSt
     const QString focused = isTyping ? focus->objectName() : QString();
     shown_ = step != nullptr ? *step : project::ProgramStep();
     showText(*refusal_, {});
-    // Deleted later: the edit may have been reported by one of these editors.
+    // Delete later, because one of these editors may have reported the edit.
     if (fields_ != nullptr) {
         for (QWidget* editor : fields_->findChildren<QWidget*>()) {
             editor->disconnect(this);
@@ -169,13 +170,15 @@ void StepForm::finish(const QUuid& step, const StepField& field, const QJsonValu
 QWidget* StepForm::lineEditor(const StepField& field, const QJsonValue& value) {
     const QString shown = program::editText(field, value);
     auto* edit = new LineEditor(shown);
-    // The step that is selected now: the selection may have changed when editing is finished.
+    connect(edit, &QLineEdit::textChanged, edit, [edit] { markRefused(*edit, false); });
+    // Capture the selected step, because the selection may have changed when editing is finished.
     connect(edit, &QLineEdit::editingFinished, this, [this, step = shown_.id, edit, field, shown] {
         if (edit->text() == shown) {
             showText(*refusal_, {});
             return;
         }
         const program::FieldInput input = program::fieldInput(field, edit->text());
+        markRefused(*edit, !input.refusal.isEmpty());
         if (input.refusal.isEmpty()) {
             finish(step, field, input.value);
         } else {
@@ -224,7 +227,7 @@ QWidget* StepForm::editorFor(const project::Project& project, const StepField& f
                 box->addItem(QStringLiteral("?"), value);
                 box->setCurrentIndex(box->count() - 1);
             }
-            // As wide as the current text; longer choices would widen the whole panel.
+            // As wide as the current text, because longer choices would widen the whole panel.
             box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
             box->setMinimumContentsLength(std::max(8, static_cast<int>(box->currentText().size())));
             connect(box, &QComboBox::activated, this, [this, step, box, field] {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The fields of one step, each with its unit, and the problem of the step above them. An editor reports its value when
-// editing is finished. A value outside the range is refused with the permitted range; the text remains as typed.
+// The fields of one step, each with its unit. The problem of the step is shown above the fields. An editor
+// reports its value when editing is finished. A value outside the range is rejected, and the permitted range
+// is shown. The text remains as typed.
 
 #include <QJsonValue>
 #include <QWidget>
@@ -20,11 +21,11 @@ class StepForm : public QWidget {
 public:
     explicit StepForm(QWidget* parent = nullptr);
 
-    /// step  null: nothing to edit
+    /// step  null: no step to edit
     void setStep(const project::Project& project, const project::ProgramStep* step);
     /// The problem of the step, as a sentence; empty: none.
     void setProblem(const QString& text);
-    /// Moves the keyboard focus to the editor of a field; to the first one if there is no such field.
+    /// Sets the focus to the editor of a field, or to the first editor if there is no such field.
     void focusField(const QString& key);
 
 Q_SIGNALS:

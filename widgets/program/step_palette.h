@@ -16,7 +16,7 @@ public:
     explicit StepPalette(QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    /// By a double click or Return.
+    /// The user selected a step kind by a double click or Return.
     void stepChosen(const tiller::project::ProgramStep& step);
 
 protected:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tree of a program's steps. Expanded sections and the selection are kept by step while the program changes.
+// The tree of the steps of a program. The selection and the expanded sections are kept by step id while the
+// program changes.
 
 #include <QSet>
 #include <QTreeView>
@@ -18,7 +19,7 @@ public:
     explicit StepTree(ProgramModel& model, QWidget* parent = nullptr);
 
     QSet<QUuid> selectedIds() const;
-    QUuid currentId() const;  ///< Null: no step is current.
+    QUuid currentId() const;  ///< null if there is no current step
     void selectIds(const QList<QUuid>& ids);
 
 Q_SIGNALS:

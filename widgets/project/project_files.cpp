@@ -15,7 +15,7 @@
 namespace tiller {
 namespace {
 
-// Causes of notices.
+// Notice causes.
 constexpr char kDamaged[] = "project.damaged";
 constexpr char kSaving[] = "project.saving";
 constexpr char kElsewhere[] = "project.elsewhere";
@@ -37,7 +37,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
         warn(tr("The project could not be saved"), error, QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::saveRecovered, this, [this] {
-        Q_EMIT message(Severity::Info, tr("Saving of %1 resumed").arg(store_.name()));
+        Q_EMIT message(Severity::Info, tr("Resumed saving %1").arg(store_.name()));
         Q_EMIT noticeResolved(QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::openElsewhere, this, &ProjectFiles::onOpenElsewhere);
@@ -50,7 +50,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
     connect(&store_, &ProjectStore::externalChangeResolved, this,
             [this] { Q_EMIT noticeResolved(QLatin1String(kForeign)); });
     connect(&store_, &ProjectStore::pathChanged, this, [this] {
-        // These notices referred to the previous project.
+        // Notices with these causes referred to the previous project.
         for (const char* cause : {kDamaged, kSaving, kElsewhere, kForeign}) {
             Q_EMIT noticeResolved(QLatin1String(cause));
         }
@@ -58,7 +58,8 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
 }
 
 void ProjectFiles::warn(const QString& title, const Error& error, const QString& cause) {
-    // Here the version is that of the file format, not of the robot.
+    // In this context, VersionUnsupported refers to the version of the file format instead of the robot
+    // software.
     const QString text =
         error.code == ErrorCode::VersionUnsupported
             ? tr("%1. Update Tiller to open it. The file was not changed.").arg(error.context)
@@ -90,7 +91,7 @@ void ProjectFiles::onChangedByOther() {
         tr("“Keep both” saves the project of this window to a second file. “Reload” shows the "
            "new content. Unsaved changes of this window are then offered at the next start.");
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
-    // This notice may replace another one under the pointer: the first button must not discard work.
+    // This notice may replace another notice under the pointer, so the first button must not discard work.
     Q_EMIT noticeWanted({.title = title,
                          .text = text,
                          .accept = tr("Keep both"),
@@ -148,6 +149,14 @@ void ProjectFiles::offerKept() {
                                      warn(tr("The project could not be opened"), opened.error(),
                                           QLatin1String(kDamaged));
                                  }
+                                 offerKept();
+                             },
+                         .other = tr("Discard changes"),
+                         .otherAccepted =
+                             [this, newest] {
+                                 project::CopyKeeper keeper(store_.copyFolder());
+                                 keeper.adopt(newest);
+                                 keeper.remove(0);
                                  offerKept();
                              },
                          .dismiss = tr("Ask again next time"),
@@ -260,8 +269,7 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
                          .accept = tr("Open %n waypoints", nullptr, whole),
                          .accepted =
                              [this, path] {
-                                 // The project that was open when the damage was detected may have been
-                                 // changed since.
+                                 // The current project may have been changed since the damage was detected.
                                  if (!mayLeave(QApplication::activeWindow())) {
                                      return;
                                  }

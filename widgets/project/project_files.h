@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Opening and saving with user interaction: asks for the file, reports errors, and offers to load the
-// readable part of a damaged file. The window decides where the messages are shown.
+// Opens and saves projects with user interaction: prompts for the file, reports errors, and offers to load
+// the readable part of a damaged file. The window determines where the messages are shown.
 
 #include <QObject>
 
@@ -29,19 +29,19 @@ public:
     /// over  the parent window of the question
     void askToOpen(QWidget* over);
     void askToSave(QWidget* over);
-    /// Opens the file; if it does not exist, opens an empty project that will be saved there. If the file is
-    /// damaged, reports the error and offers to load the readable part.
+    /// Opens the file. If it does not exist, opens an empty project that will be saved under this name. If
+    /// the file is damaged, reports the error and offers to load the readable part.
     void open(const QString& path);
-    /// Opens the content of the file as a project without a file; saving asks for a file name.
-    /// name  name of the copy until then
+    /// Opens the content of the file as a project without a file. Saving prompts for a file name.
+    /// name  name of the copy until it is saved
     void openCopy(const QString& path, const QString& name);
-    /// Offers to restore the newest unsaved project of a window that has ended.
+    /// Offers to restore the newest unsaved project of a window that was closed or has crashed.
     void offerKept();
-    /// Saves unsaved changes; if that is not possible, asks whether to discard them.
+    /// Saves unsaved changes. If saving is not possible, asks whether to discard the changes.
     /// over  the parent window of the question
     /// Returns  false if the user cancelled
     bool mayLeave(QWidget* over);
-    /// path  the extension .tiller is added if it has none
+    /// path  file path; the extension .tiller is added if there is no extension
     void saveAs(const QString& path);
 
 Q_SIGNALS:
@@ -59,13 +59,13 @@ private:
     void takeOver();
     void reload();
     void keepBoth();
-    /// Initial folder of the file dialogs: the folder of the open file, or the folder for projects.
+    /// Initial folder of the file dialogs: the folder of the current file, or the folder for projects.
     QString startingPlace() const;
 
     ProjectStore store_;
 };
 
-/// The folder for new projects: "Tiller" in the user's documents. It need not exist yet.
+/// The folder for new projects, "Tiller" in the user's documents folder. It may not exist yet.
 QString projectFolder();
 
 }  // namespace tiller

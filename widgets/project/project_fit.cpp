@@ -22,7 +22,7 @@ bool isSameTcp(const Pose& a, const Pose& b) {
     return by.distance <= kSameDistance && by.angle <= kSameAngle;
 }
 
-/// The first names and the number of the others.
+/// Returns the first names and the number of remaining names.
 QString namesText(const QStringList& names) {
     constexpr int kNamed = 8;
     const QString first = names.mid(0, kNamed).join(QStringLiteral(", "));
@@ -37,7 +37,7 @@ ProjectFit::ProjectFit(RobotSession& session, ProjectDocument& document, QWidget
     session_.setProjectGuard([this] {
         const QString why = obstacle();
         if (!why.isEmpty()) {
-            // Queued, so that the question does not open during the press that is being refused.
+            // Queued, so that the question does not open during the press that is being rejected.
             QMetaObject::invokeMethod(this, &ProjectFit::ask, Qt::QueuedConnection);
         }
         return why;
@@ -116,7 +116,7 @@ QString ProjectFit::obstacle() const {
 
 void ProjectFit::follow(const SessionState& state) {
     if (state.link == LinkState::Disconnected) {
-        resolve();  // the notice was about the previously connected robot
+        resolve();  // the notice referred to the previously connected robot
     }
     if (!state.hasData() || !state.modelKnown) {
         return;
@@ -137,7 +137,7 @@ void ProjectFit::ask() {
         return;
     }
     if (session_.state().hasData() && !session_.state().modelKnown) {
-        return;  // follow() asks as soon as the value is known
+        return;  // follow() asks as soon as the model is known
     }
     if (isOfOtherModel()) {
         askAboutModel();
@@ -240,7 +240,7 @@ void ProjectFit::change(project::Keep keep) {
     }
 }
 
-/// Shown after Cancel: a notice that opens the question again.
+/// Shows a notice that opens the question again. Called after Cancel.
 void ProjectFit::remind() {
     noticed_ = true;
     Q_EMIT noticeWanted({.title = tr("Moves to positions of this project are blocked"),

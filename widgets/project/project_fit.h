@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Checks whether the open project matches the connected robot: its model and its TCP. If it does not match,
-// no move to a position of the project starts (RobotSession::setProjectGuard), and the operator is asked what
-// to do. The question about another model is shown when the project is opened and when the robot is
-// connected; the question about another TCP is shown when the arm is to move.
+// Checks whether the model and the TCP of the connected robot match the open project. If they do not match,
+// no move to a position of the project can start (RobotSession::setProjectGuard), and the operator is asked
+// how to proceed. The question about another model is shown when the project is opened and when the robot is
+// connected. The question about another TCP is shown when the user starts a move.
 
 #include <QObject>
 #include <QPointer>
@@ -25,18 +25,19 @@ class ProjectFit : public QObject {
     Q_OBJECT
 
 public:
-    /// session, document  must outlive the object; it becomes the project guard of the session
+    /// session, document  must outlive the object, which becomes the project guard of the session
     /// over               parent window of the questions
     ProjectFit(RobotSession& session, ProjectDocument& document, QWidget* over);
     ~ProjectFit() override;
 
-    /// The reason why no move to a position of the project may start, as a sentence; empty if it may.
+    /// The reason why no move to a position of the project may start, as a sentence; empty if moves may
+    /// start.
     QString obstacle() const;
-    /// Asks about differences; reports if there are none.
+    /// Asks about the differences. If there are none, reports that.
     void ask();
 
 Q_SIGNALS:
-    /// A question is about to open: the arm has to stop before the window loses the keyboard focus.
+    /// A question is about to open. The arm must stop before the window loses the keyboard focus.
     void questionOpens();
     void noticeWanted(const tiller::Notice& notice);
     /// Notices with this cause no longer apply.
@@ -47,7 +48,7 @@ Q_SIGNALS:
 private:
     void follow(const SessionState& state);
     bool isOfOtherModel() const;
-    /// The TCP used by the project if the robot uses a different one.
+    /// The TCP that the project uses, if the TCP of the robot differs.
     std::optional<project::Tool> otherTcp() const;
     QString modelText() const;
     QString tcpText(const project::Tool& tool) const;
@@ -62,10 +63,11 @@ private:
     ProjectDocument& document_;
     QWidget* over_;
     QPointer<QMessageBox> question_;
-    std::optional<RobotModelId> askedFor_;  ///< the robot model the user was asked about for this project
+    /// The robot model that the last question for this project was about.
+    std::optional<RobotModelId> askedFor_;
     /// The TCP of the robot that the user chose to keep for this project.
     std::optional<Pose> keptTcp_;
-    bool noticed_ = false;  ///< a notice about the model is shown
+    bool noticed_ = false;  ///< true if a notice about the model is shown
 };
 
 }  // namespace tiller

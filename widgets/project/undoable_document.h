@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The project of a window: every edit is one step of an undo stack.
+// The project of a window. Every edit is one step of an undo stack.
 
 #include <QUndoStack>
 
@@ -17,7 +17,7 @@ public:
     using ProjectDocument::ProjectDocument;
 
     QUndoStack& undoStack() { return undo_; }
-    /// Like undo() and redo() of the stack, but stepTaken() reports the change.
+    /// As undo() and redo() of the stack, but the change is also reported by stepTaken().
     void undo() { step(true); }
     void redo() { step(false); }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kBigSegments = 28;
 constexpr int kSmallSegments = 22;
-constexpr double kDrumHalf = 1.08;  // half length of a joint housing, in units of its radius
-constexpr double kGap = 0.045;      // gap between two rotating housings, in units of their radius
+constexpr double kDrumHalf = 1.08;  // half length of a joint housing, as a multiple of its radius
+constexpr double kGap = 0.045;      // gap between two rotating housings, as a multiple of their radius
 
 /// Returns a frame at this position with this Z axis.
 Eigen::Isometry3d axisAt(const Eigen::Vector3d& origin, const Eigen::Vector3d& z) {
@@ -24,13 +24,13 @@ Eigen::Isometry3d axisAt(const Eigen::Vector3d& origin, const Eigen::Vector3d& z
     return T;
 }
 
-/// Adds a joint housing: a cylinder about the joint axis. `lid` is the side that is closed by a lid; the
-/// other side rotates against the next housing.
+/// Adds a joint housing: a cylinder about the joint axis. `lid` points to the side that is closed by a lid.
+/// The other side rotates against the next housing.
 void addJoint(Mesh& mesh, const Eigen::Vector3d& centre, const Eigen::Vector3d& lid, double radius,
               double toLid, double toSeal, int segments) {
     const Eigen::Isometry3d T = axisAt(centre, lid);
     addLathe(mesh, T, drumOutline(radius, -toSeal, toLid, 0.10 * radius), segments, Material::Housing);
-    // The lid has a step, is slightly domed and has a groove around its middle.
+    // The lid has a step, is slightly domed, and has a groove around its middle.
     const double foot = toLid - 0.02 * radius;
     const double height = 0.17 * radius;
     std::vector<LathePoint> outline = {{0.90 * radius, foot}, {0.90 * radius, foot + 0.45 * height}};
@@ -58,7 +58,7 @@ void addTube(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
              double startHousing, double endHousing, int segments) {
     const Eigen::Vector3d way = to - from;
     const double length = way.norm();
-    // A clamp at both ends, as wide as the housing, with a short conical transition to the tube.
+    // Each end has a clamp as wide as the housing, with a short conical transition to the tube.
     const double startClamp = std::min(0.97 * startHousing, 1.16 * radius);
     const double endClamp = std::min(0.97 * endHousing, 1.16 * radius);
     const double startEnd = std::min(1.36 * startHousing, 0.42 * length);
@@ -88,8 +88,7 @@ void addTube(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
           Material::Housing);
 }
 
-/// Adds the connection from the side of a housing to the next joint: a short neck with the radius of the
-/// housing.
+/// Adds a short neck from the side of a housing to the next joint. The neck has the radius of the housing.
 void addNeck(Mesh& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
              int segments) {
     const Eigen::Vector3d way = to - from;
@@ -118,7 +117,7 @@ ArmMesh armMesh(const RobotModel& model) {
     const double wrist = p.wristRadius;
     ArmMesh links;
 
-    // Base: a foot on the ground, and the housing that carries joint 1.
+    // Base: a foot on the ground and the housing of joint 1.
     {
         const double foot = std::min(0.22 * p.baseRadius, 0.4 * p.baseHeight);
         Mesh& mesh = links[0];
@@ -131,7 +130,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addSeal(mesh, z * (p.baseHeight - 0.01 * shoulder), z * (p.baseHeight + kGap * shoulder),
                 0.95 * shoulder, kBigSegments);
     }
-    // Shoulder: joint 1 vertical with its lid on top, and the connection to joint 2.
+    // Shoulder: the vertical joint 1 with its lid on top, and the connection to joint 2.
     const double joint2Inner = p.shoulderOffset - kDrumHalf * shoulder;
     {
         Mesh& mesh = links[1];
@@ -159,7 +158,7 @@ ArmMesh armMesh(const RobotModel& model) {
         const Eigen::Vector3d end = z * p.elbowOffset;
         const double top = joint3Inner - p.elbowOffset - kGap * elbow;
         const double r = 0.96 * elbow;
-        // Closed on the inner side by a dome instead of a lid, because it contains no motor.
+        // The inner side is closed by a dome instead of a lid, because this part contains no motor.
         std::vector<LathePoint> outline;
         constexpr int kSteps = 5;
         const double dome = 0.95 * r;
@@ -176,7 +175,7 @@ ArmMesh armMesh(const RobotModel& model) {
         addTube(mesh, start, end, p.foreRadius, 0.92 * elbow, wrist, kBigSegments);
         addJoint(mesh, end, -z, wrist, kDrumHalf * wrist, joint4Outer - p.elbowOffset, kSmallSegments);
     }
-    // Wrist 1: from joint 4 to joint 5, whose lid is opposite to wrist 2.
+    // Wrist 1: from joint 4 to joint 5, whose lid is opposite wrist 2.
     {
         Mesh& mesh = links[4];
         const double start = joint4Outer - dh.d[3];

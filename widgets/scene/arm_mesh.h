@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Meshes of the arm: cylindrical joint housings with lids, tubes between them, and a flange, generated from the
-// kinematics and proportions of each model.
+// Meshes of the arm, generated from the kinematics and proportions of each model: cylindrical joint housings
+// with lids, tubes between the housings, and a flange.
 
 #include <array>
 
@@ -11,10 +11,11 @@
 
 namespace tiller {
 
-/// One mesh per link, in the frame of the link: 0 the base ... 6 the flange.
+/// One mesh per link, in the frame of the link, from 0 (base) to 6 (flange).
 using ArmMesh = std::array<Mesh, 7>;
 
-/// Threads  any. Takes about a millisecond, so the result should be cached
+/// Takes about a millisecond, so callers should cache the result.
+/// Threads  any
 ArmMesh armMesh(const RobotModel& model);
 
 }  // namespace tiller

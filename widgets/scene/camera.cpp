@@ -13,16 +13,18 @@ namespace tiller {
 
 namespace {
 
-// Base X and base -Y both point to the right: an arm in its usual configuration extends to the right.
+// Base X and base -Y both point to the right, so an arm in its usual configuration extends to the right.
 constexpr double kStartAzimuth = toRadians(-138);
 constexpr double kStartElevation = toRadians(13);
 constexpr double kLowest = toRadians(2);
 constexpr double kHighest = toRadians(88);
-constexpr double kFocalLength = 2.2;  // in units of the image height
+constexpr double kFocalLength = 2.2;  // as a multiple of the image height
 constexpr double kNear = 0.05;        // [m]
-constexpr double kNearest = 0.5;      // minimum distance of the eye from its target, in arm heights
+// Minimum distance of the eye from the target, as a multiple of the arm height.
+constexpr double kNearest = 0.5;
 constexpr double kFarthest = 10;
-constexpr double kFarthestPan = 4;  // maximum distance of the target from the base, in arm heights
+// Maximum distance of the target from the base, as a multiple of the arm height.
+constexpr double kFarthestPan = 4;
 
 }  // namespace
 
@@ -58,14 +60,14 @@ void Camera::look(StandardView from) {
     }
 }
 
-/// Permitted positions of the eye in the axes of the view, so that all spheres are inside the margins. With
-/// the eye at (x, y, d): right - kRight d <= x <= kLeft d - left, and correspondingly for the vertical axis;
-/// d >= least.
+/// Permitted positions of the eye, in the axes of the view, for which all spheres are inside the margins.
+/// With the eye at (x, y, d): right - kRight d <= x <= kLeft d - left, and correspondingly for the vertical
+/// axis; d >= least.
 struct Camera::Room {
     double right = 0, left = 0, top = 0, bottom = 0;
     double kRight = 0, kLeft = 0, kTop = 0, kBottom = 0;
     double least = 0;
-    /// minimum and maximum extent of the spheres along the line of sight, towards the eye
+    /// minimum and maximum position of the spheres along the line of sight, increasing towards the eye
     double nearest = 0, farthest = 0;
 
     double lowX(double d) const { return right - kRight * d; }
@@ -75,13 +77,13 @@ struct Camera::Room {
 };
 
 double Camera::focalLength() const {
-    // A narrow image shows less at the sides instead of a smaller arm, unless the arm would be cut off.
+    // A narrow image shows less at the sides. The arm is made smaller only if it would be cut off otherwise.
     return kFocalLength * std::min(viewport_.height(), 0.9 * viewport_.width());
 }
 
 Camera::Room Camera::roomFor(std::span<const Ball> balls, const QMarginsF& margins) const {
     constexpr double kNone = std::numeric_limits<double>::infinity();
-    constexpr double kSmallestShare = 0.05;  // minimum fraction of the image inside the margins
+    constexpr double kSmallestShare = 0.05;  // minimum fraction of the image that is inside the margins
     const double focal = std::max(1.0, focalLength());
     const auto slope = [focal](double size, double margin) {
         return std::max(size / 2 - margin, kSmallestShare * size) / focal;

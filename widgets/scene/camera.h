@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Camera of the 3D view: perspective, rotates around a target point. Can be positioned so that all relevant objects
-// are visible.
+// Perspective camera of the 3D view that rotates around a target point. It can be positioned so that all
+// relevant objects are visible.
 
 #include <Eigen/Core>
 #include <QMarginsF>
@@ -12,8 +12,9 @@
 
 namespace tiller {
 
-/// Viewing direction. Base axes in the image: Front X right and Z up, Side Y right and Z up, Top X right and Y up;
-/// Home is the initial view, between front and side and slightly from above.
+/// Viewing direction. Axes of the base frame in the image: Front has X to the right and Z up, Side has Y to
+/// the right and Z up, Top has X to the right and Y up. Home is the initial view, between front and side and
+/// slightly from above.
 enum class StandardView { Home, Front, Side, Top };
 
 class Camera {
@@ -24,35 +25,36 @@ public:
         double radius = 0;
     };
 
-    /// Sets the initial view for an arm with this height when upright [m].
+    /// Sets the initial view for an arm with this height [m] when upright.
     void reset(double height);
     void setViewport(const QSizeF& size);
     QSizeF viewport() const { return viewport_; }
 
-    /// Changes the viewing direction; the target is unchanged.
+    /// Changes the viewing direction. The target is unchanged.
     void look(StandardView from);
-    /// Moves as close as the spheres allow, and looks at their centre.
-    /// margins  of the viewport to keep free [px]
+    /// Moves as close as the spheres allow, and targets their centre.
+    /// margins  of the viewport that remain free [px]
     void fit(std::span<const Ball> balls, const QMarginsF& margins);
     /// Moves as little as necessary to make the spheres visible.
-    /// Returns  true if it moved
+    /// Returns  true if the camera moved
     bool contain(std::span<const Ball> balls, const QMarginsF& margins);
-    /// Copies position and distance of another camera, but not its direction.
+    /// Copies target and distance of another camera. The viewing direction is unchanged.
     void standLike(const Camera& other);
 
-    /// Rotates around the target by these angles [rad]; the eye stays above the ground and does not pass the pole.
+    /// Rotates around the target by these angles [rad]. The eye remains above the ground and does not pass
+    /// the pole.
     void orbit(double azimuth, double elevation);
     /// Moves the image by this distance on the screen [px].
     void pan(const QPointF& pixels);
-    /// factor < 1: closer.
+    /// Moves closer to the target (factor < 1) or away from it.
     void zoom(double factor);
 
     double azimuth() const { return azimuth_; }
     double elevation() const { return elevation_; }
     double distance() const { return distance_; }
 
-    /// R_base_view: its columns are the axes of the view in base coordinates: X to the right of the screen, Y up, Z
-    /// towards the eye.
+    /// Returns R_base_view. Its columns are the axes of the view in the base frame: X to the right of the
+    /// screen, Y up, Z towards the eye.
     Eigen::Matrix3d viewRotation() const;
 
     /// Parameters for projecting many points.

@@ -7,13 +7,13 @@
 namespace tiller {
 
 std::optional<QRectF> LabelPlacer::place(const QPointF& mark, const QSizeF& size) {
-    constexpr double kSideDistance = 10;  // distance from the centre of the mark
+    constexpr double kSideDistance = 10;  // distance of the label from the centre of the mark [px]
     constexpr double kApart = 2;
     const double w = size.width();
     const double h = size.height();
     const double row = h + kApart;
-    // Labels at the sides leave space for one label below and one above. Labels further away are connected to
-    // the mark by a line.
+    // Labels at the sides leave space for one label below and one above the mark. A line connects labels
+    // farther away with the mark.
     const std::array<QPointF, 8> corners = {QPointF(-w / 2, row / 2),
                                             QPointF(kSideDistance, -h / 2),
                                             QPointF(-w - kSideDistance, -h / 2),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Places labels next to the marks of an image, without covering other labels or marks.
+// Places the labels of marks in an image, without covering other labels or marks.
 
 #include <QPointF>
 #include <QRectF>
@@ -27,8 +27,8 @@ public:
 
     /// Keeps this rectangle free.
     void block(const QRectF& box) { taken_.push_back(box); }
-    /// Finds a free position: below the mark, otherwise next to it, above it, or further away. The position is then
-    /// occupied.
+    /// Finds a free position: below the mark, otherwise next to it, above it, or farther away. The returned
+    /// rectangle is then occupied.
     /// Returns  empty if there is no free position
     std::optional<QRectF> place(const QPointF& mark, const QSizeF& size);
 

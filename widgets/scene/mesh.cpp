@@ -13,7 +13,7 @@ void addLathe(Mesh& mesh, const Eigen::Isometry3d& T_mesh_axis, std::span<const 
     if (outline.size() < 2) {
         return;
     }
-    // The normal of the outline in (radius, z) points to the right of its direction.
+    // The normal of the outline in (radius, z) points to the right of the direction of the outline.
     const auto normalOf = [&](std::size_t from) -> Eigen::Vector2d {
         const Eigen::Vector2d along(outline[from + 1].radius - outline[from].radius,
                                     outline[from + 1].z - outline[from].z);

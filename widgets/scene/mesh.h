@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Triangle meshes, and functions to create them: solids of revolution and boxes.
+// Triangle meshes, and functions that create them: solids of revolution and boxes.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace tiller {
 
-/// Material of a surface; its colour is defined when drawing.
+/// Material of a surface. Its colour is defined when drawing.
 enum class Material : std::uint8_t { Housing, Tube, Lid, Seal, Flange, Tool, Cell };
 inline constexpr int kMaterialCount = 7;
 
-/// Vertices are counter-clockwise seen from outside.
+/// The vertices of a triangle are counter-clockwise when seen from outside.
 struct Mesh {
     struct Triangle {
         std::array<std::uint32_t, 3> corners;
@@ -32,8 +32,8 @@ struct LathePoint {
     double z;       ///< [m]
 };
 
-/// Rotates an outline about the Z axis of `T_mesh_axis`. With points ordered along +Z the surface faces
-/// outwards; corners sharper than 35 degrees stay sharp.
+/// Rotates an outline about the Z axis of `T_mesh_axis`. If the points are ordered along +Z, the surface
+/// faces outwards. Corners sharper than 35 degrees are not smoothed.
 /// segments  number of segments around the axis
 void addLathe(Mesh& mesh, const Eigen::Isometry3d& T_mesh_axis, std::span<const LathePoint> outline,
               int segments, Material material);

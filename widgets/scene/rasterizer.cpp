@@ -11,7 +11,8 @@ namespace tiller {
 namespace {
 
 constexpr float kNearClip = 0.05F;  // [m]
-// Sample positions in a pixel: no two in the same row or column, so that steep and flat edges are equally smooth.
+// Sample positions in a pixel. No two are in the same row or column, so that steep and flat edges are equally
+// smooth.
 constexpr std::array<float, 4> kSampleX = {0.375F, 0.875F, 0.125F, 0.625F};
 constexpr std::array<float, 4> kSampleY = {0.125F, 0.375F, 0.625F, 0.875F};
 
@@ -21,8 +22,8 @@ std::int32_t packed(FourFloats color) {
     return c[0] << 16 | c[1] << 8 | c[2];
 }
 
-/// Lighting: a lamp over the viewer's left shoulder, a weaker one from the right, and a bright ceiling; surfaces
-/// seen at a grazing angle are darker, which emphasizes outlines.
+/// Lighting: a lamp over the viewer's left shoulder, a weaker lamp from the right, and a bright ceiling.
+/// Surfaces seen at a grazing angle are darker, which emphasizes outlines.
 class Shade {
 public:
     Shade(const Eigen::Matrix3f& R_base_view, float shine)
@@ -42,7 +43,7 @@ public:
         gloss *= gloss;
         gloss *= gloss;
         gloss *= gloss;
-        gloss *= gloss;  // raised to the power of 16
+        gloss *= gloss;  // result: raised to the power of 16
         const float white = 255 * shine_ * gloss * 0.55F;
         red = std::min(255.0F, base[0] * light + white);
         green = std::min(255.0F, base[1] * light + white);
@@ -76,7 +77,7 @@ void store(std::int32_t* to, FourBits v) {
 
 constexpr std::uint32_t kEvenBytes = 0x00FF00FF;
 
-/// Blends `over` with its alpha onto a premultiplied colour.
+/// Blends `over`, with its alpha, over a premultiplied colour.
 std::uint32_t blended(std::uint32_t over, std::uint32_t under) {
     const std::uint32_t alpha = (over >> 24) + (over >> 31);  // 0 ... 256
     const std::uint32_t color = over | 0xFF000000;
@@ -153,7 +154,7 @@ void Rasterizer::add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, con
         const float near = 1 / (distance - v.z());
         return Vertex{middleX + v.x() * focal * near, middleY - v.y() * focal * near, near, red, green, blue};
     };
-    // Colours are computed on demand, because half of all vertices are on back faces.
+    // Colours are computed on demand, because half of all vertices belong to back faces.
     std::vector<std::int8_t>& shaded = shaded_;
     shaded.assign(mesh.places.size(), -1);
     const auto colored = [&](std::uint32_t corner, Material material) -> ScratchVertex& {
@@ -185,7 +186,7 @@ void Rasterizer::add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, con
             addFace(v[0], v[1], v[2], alpha);
             continue;
         }
-        // Partly behind the eye: the visible part has up to four corners.
+        // The face is partly behind the eye. Its visible part has up to four corners.
         std::array<Vertex, 4> kept;
         std::size_t count = 0;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -216,7 +217,7 @@ void Rasterizer::addFace(const Vertex& a, const Vertex& b, const Vertex& c, std:
     if (!(most >= 0 && least < width && bottom >= 0 && top < height)) {
         return;
     }
-    // Oriented so that the area is positive with the Y axis pointing down.
+    // Oriented so that the area is positive when the Y axis points down.
     const double area = (double(c.x) - a.x) * (double(b.y) - a.y) - (double(b.x) - a.x) * (double(c.y) - a.y);
     if (!(area > 1e-6)) {
         return;
@@ -307,8 +308,8 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
     const int y1 = std::min<int>(face.bottom, top + kTile - 1);
     const int x0 = std::max<int>(face.left, left);
     const int x1 = std::min<int>(face.right, left + kTile - 1);
-    // Edge functions and depth at the samples of a pixel at (0, 0); samples on an edge belong to both sides, so
-    // that no background is visible between two faces.
+    // Edge functions and depth at the samples of the pixel (0, 0). Samples on an edge belong to both faces,
+    // so that no background is visible between them.
     std::array<FourFloats, 3> edgeAt;
     std::array<float, 3> slack;
     std::array<float, 3> edgeRow;
@@ -320,7 +321,7 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
             edgeAt[i][k] = face.a[i] * kSampleX[s] + face.b[i] * kSampleY[s] +
                            kOnEdge * (std::abs(face.a[i]) + std::abs(face.b[i]));
         }
-        // The maximum value of any sample in a pixel.
+        // Maximum of the edge function over all samples of a pixel.
         slack[i] = 0.9F * (std::max(0.0F, face.a[i]) + std::max(0.0F, face.b[i])) +
                    0.1F * (std::abs(face.a[i]) + std::abs(face.b[i]));
         edgeRow[i] = static_cast<float>(double(face.a[i]) * x0 + double(face.b[i]) * y0 + face.c[i]);
@@ -343,7 +344,7 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
     }
     const auto alpha = static_cast<std::int32_t>(std::uint32_t(face.alpha) << 24);
     for (int y = y0; y <= y1; ++y) {
-        // The pixels of this row that can contain covered samples.
+        // The range of pixels in this row that can contain covered samples.
         float from = 0;
         auto to = static_cast<float>(x1 - x0);
         std::array<float, 3> edge;
@@ -370,8 +371,8 @@ void Rasterizer::draw(const Face& face, int left, int top, bool glass) {
         const float dy = static_cast<float>(y) - face.y0;
         const auto planeAt = [dx, dy](const std::array<float, 3>& p) { return p[0] * dx + p[1] * dy + p[2]; };
         float near = planeAt(face.nearPlane);
-        // Colour at the centre of the pixel, which may be outside of the face: clamped to the range of the
-        // vertex colours.
+        // Colour at the centre of the pixel. The centre may be outside the face, so the colour is clamped to
+        // the range of the vertex colours.
         FourFloats color = four(0.0F);
         for (int k = 0; k < 3; ++k) {
             const std::array<float, 3>& p = face.color[static_cast<std::size_t>(k)];
@@ -437,7 +438,7 @@ bool Rasterizer::hides(const QPointF& pixel, double depth) const {
     if (x < 0 || y < 0 || x >= size_.width() || y >= size_.height() || depth <= 0) {
         return false;
     }
-    constexpr double kSkin = 1.004;  // tolerance, so that objects on a surface are not hidden by it
+    constexpr double kSkin = 1.004;  // tolerance, so that a surface does not hide objects on it
     const float nearest = nearest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width()) +
                                    static_cast<std::size_t>(x)];
     return static_cast<double>(nearest) > kSkin / depth;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Renders meshes without a graphics card: hidden surface removal, shading, antialiasing (four samples per pixel).
-// Solid bodies hide each other; transparent bodies (the ghost, planes of the cell) show what is behind them, but
-// not each other. Works tile by tile, so that only the requested part is rendered.
+// Renders meshes without a graphics card, with hidden surface removal, shading and antialiasing (four samples
+// per pixel). Solid bodies hide other bodies. Through transparent bodies (the ghost, planes of the cell),
+// solid bodies behind them are visible, but other transparent bodies are not. The image is rendered in tiles,
+// so that only the requested part is rendered.
 
 #include <QColor>
 #include <QImage>
@@ -16,7 +17,7 @@
 
 namespace tiller {
 
-/// Colours of a body. Either all opaque, or all with the same transparency.
+/// Colours of a body. All colours are opaque, or all have the same transparency.
 struct BodyColors {
     std::array<QColor, kMaterialCount> materials;
     double opacity = 1;  ///< below 1: transparent
@@ -29,13 +30,13 @@ public:
     /// scale  image pixels per camera pixel
     void begin(const QSize& size, const Camera& camera, double scale = 1);
     void add(const Mesh& mesh, const Eigen::Isometry3d& T_base_mesh, const BodyColors& colors);
-    /// Bounding rectangle of the content, in pixels of the image; may be empty.
+    /// Bounding rectangle of the content [image px]; may be empty.
     QRect covered() const { return covered_; }
     /// Renders the added meshes within `part`. Uncovered pixels become transparent.
-    /// Returns  the image, premultiplied; unchanged outside of `part`
+    /// Returns  the premultiplied image; unchanged outside `part`
     const QImage& render(const QRect& part);
-    /// True if a solid body is closer to the eye than this position in the last rendered image.
-    /// pixel  position in camera pixels
+    /// True if, in the last rendered image, a solid body is closer to the eye than this position.
+    /// pixel  position [camera px]
     /// depth  along the line of sight [m]
     bool hides(const QPointF& pixel, double depth) const;
 
@@ -46,14 +47,15 @@ private:
         float red, green, blue;
     };
     struct Face {
-        std::array<double, 3> c;  ///< a x + b y + c >= 0 inside, for each edge
+        std::array<double, 3> c;  ///< for each edge; a x + b y + c >= 0 inside the face
         std::array<float, 3> a, b;
-        std::array<float, 3> nearPlane;  ///< 1 / depth = [0] x + [1] y + [2], with [2] at the first vertex
+        /// 1 / depth = [0] x + [1] y + [2], where [2] is the value at the first vertex.
+        std::array<float, 3> nearPlane;
         std::array<std::array<float, 3>, 3> color;  ///< as nearPlane, but for red, green and blue
         float x0, y0;                               ///< position of the first vertex
-        std::array<float, 3> least, most;           ///< limits of red, green and blue at the vertices
-        std::int16_t left, right, top, bottom;      ///< [px], inclusive
-        std::uint8_t alpha;                         ///< below 255: transparent
+        std::array<float, 3> least, most;  ///< minimum and maximum of red, green and blue over the vertices
+        std::int16_t left, right, top, bottom;  ///< [px], inclusive
+        std::uint8_t alpha;                     ///< below 255: transparent
     };
     struct Tile {
         std::vector<std::uint32_t> solids, glasses;
@@ -78,7 +80,7 @@ private:
         float red, green, blue;
     };
     std::vector<ScratchVertex> scratch_;
-    std::vector<std::int8_t> shaded_;  ///< the material for which a vertex colour was computed; -1: none
+    std::vector<std::int8_t> shaded_;  ///< material for which a vertex colour has been computed; -1: none
 
     static constexpr int kTile = 64;
     alignas(16) std::array<float, kTile * kTile * 4> solidNear_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The solid objects of the scene as one image: the arm, its tool, its ghost, and the cell. Only changes since the
-// last image are rendered.
+// The solid objects of the scene as one image: the arm, its tool, its ghost, and the cell. Only changes since
+// the last image are rendered.
 
 #include <memory>
 #include <optional>
@@ -36,26 +36,26 @@ public:
     SceneBodies();
     ~SceneBodies();
 
-    /// The model must outlive the object.
+    /// model  must outlive the object
     void setModel(const RobotModel& model);
-    /// Sets the joint positions of the arm; empty: no arm is shown.
+    /// Sets the joint positions of the arm. Empty: no arm is shown.
     void setArm(const std::optional<JointPositions>& q, bool stale);
     void setGhost(const std::optional<JointPositions>& q);
-    /// Sets a second ghost, drawn in another colour than the first one.
+    /// Sets a second ghost, which has a different colour from the first one.
     void setSecondGhost(const std::optional<JointPositions>& q);
     void setReplay(const std::optional<JointPositions>& q);
-    /// Without a radius, flange and TCP are connected by a thin rod.
+    /// If the tool has no radius, a thin rod connects flange and TCP.
     void setTool(const collision::ToolBody& tool);
-    /// Sets boxes and planes; a floor (which has no name) is not drawn here.
+    /// Sets the boxes and planes. A floor (which has no name) is not drawn here.
     void setSurroundings(const collision::Surroundings& surroundings);
 
     /// Updates the image.
-    /// size     of the view [px]
+    /// size     size of the view [px]
     /// scale    device pixels per pixel of the view
-    /// Returns  the changed part, in pixels of the view
+    /// Returns  the changed part [px of the view]
     QRect update(const Camera& camera, const QSize& size, double scale, const Theme& theme);
     void paint(QPainter& painter) const;
-    /// True if a body hides this position in the last update.
+    /// True if a body hides this position in the last updated image.
     bool hides(const Camera::Projected& place) const;
 
 private:
@@ -64,7 +64,7 @@ private:
     const RobotModel* model_ = nullptr;
     ArmMesh arm_;
     Mesh tool_;   ///< in the flange frame
-    Mesh boxes_;  ///< in the base frame, as the next member
+    Mesh boxes_;  ///< in the base frame, like the next member
     Mesh borders_;
     std::optional<JointPositions> q_;
     std::optional<JointPositions> ghost_;

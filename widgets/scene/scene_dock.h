@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The panel "View": the scene with data from the session, and values of the ghost in the title bar.
+// The panel "View". It shows the scene with data from the session, and values of the ghost in the title bar.
 
 #include "robot/station/history/replay_moment.h"
 #include "widgets/common/panel.h"
@@ -19,7 +19,7 @@ public:
     explicit SceneDock(RobotSession& session, QWidget* parent = nullptr);
 
     SceneView& view() { return *view_; }
-    /// Also shows the arm at a past time, with a text below the image. Empty: live.
+    /// Also shows the arm at a past time, with a text below the image. Empty: live data only.
     void setReplay(const Replay& moment);
 
 Q_SIGNALS:

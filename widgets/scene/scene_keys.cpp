@@ -16,7 +16,7 @@ SceneKeys::SceneKeys(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(th
     row_->setSpacing(4);
     row_->setSizeConstraint(QLayout::SetFixedSize);
     const auto look = [this](StandardView from) { return [this, from] { Q_EMIT lookWanted(from); }; };
-    addKey("scene.home", tr("3D"), tr("Default view, perspective"), look(StandardView::Home));
+    addKey("scene.home", tr("3D"), tr("Default view (perspective)"), look(StandardView::Home));
     addKey("scene.front", tr("Front"), tr("Look from the front: base X to the right, Z up"),
            look(StandardView::Front));
     addKey("scene.side", tr("Side"), tr("Look from the side: base Y to the right, Z up"),
@@ -41,7 +41,7 @@ void SceneKeys::addKey(const char* name, const QString& text, const QString& say
 
 void SceneKeys::style() {
     const Theme& theme = Theme::current();
-    // Less prominent than other buttons, because they are inside the image.
+    // The buttons are inside the image and therefore less prominent than other buttons.
     const int height = currentDensity() == Density::Touch ? keyHeight(Density::Touch) : 24;
     const QString sheet =
         QStringLiteral(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The small buttons in the corner of the 3D view: viewing directions, and fit in view.
+// The small buttons in the corner of the 3D view for the viewing directions and for fitting the view.
 
 #include <QWidget>
 

@@ -19,14 +19,14 @@ namespace tiller {
 
 class ScenePainter {
 public:
-    /// Returns whether a body is in front of a position.
+    /// Returns true if a body is in front of a position.
     using Hides = std::function<bool(const Camera::Projected&)>;
 
     ScenePainter(QPainter& painter, const Camera& camera, const Theme& theme);
 
-    /// Draws a grid around the base for an arm with this reach.
-    /// reach, height  [m]
-    /// solid  true for the floor of a cell, drawn as a plane that the arm stays above; false: only lines
+    /// Draws a grid around the base.
+    /// reach, height  reach and height of the arm [m]
+    /// solid  true: a floor of the cell, drawn as a plane that the arm must stay above; false: only lines
     void ground(double reach, double height, bool solid);
     /// Style of a line in space.
     struct Stroke {
@@ -34,9 +34,9 @@ public:
         double width = 1;
         bool dashed = false;
     };
-    /// Draws a line through points in the base frame; hidden parts are drawn faintly.
+    /// Draws a line through points in the base frame. Hidden parts are drawn faintly.
     void path(std::span<const Eigen::Vector3d> points, const Stroke& stroke, const Hides& hides);
-    /// Draws the symbol for a limit on a path; it differs from a waypoint.
+    /// Draws the symbol for a limit on a path. It differs from the mark of a waypoint.
     void limit(const QPointF& at);
     /// Draws three axes with their letters.
     void axes(const Eigen::Isometry3d& T_base_frame, double length, bool greyed);
@@ -47,15 +47,15 @@ public:
     void headline(const QRectF& box, const QString& text);
     /// Draws a line of small text; nothing if the text is empty.
     void note(const QRectF& box, const QString& text);
-    /// The size of a label; elides the text as it will be drawn.
+    /// Returns the size of a label, and elides the text as it will be drawn.
     static QSizeF nameSize(QString& text);
-    /// Draws an arrow next to the tool; seen end-on, a ring with a dot (towards the eye) or a cross (away
-    /// from it).
+    /// Draws an arrow next to the tool. An arrow seen end-on is drawn as a ring with a dot (towards the eye)
+    /// or a cross (away from the eye).
     /// Returns  the rectangle of its label
     QRectF arrow(const Eigen::Vector3d& tcp, const Eigen::Vector3d& direction, double reach,
                  const QColor& color, const QString& name);
     /// Draws an arrow around an axis in the direction of a rotation (right-hand rule).
-    /// radius   of the rotation [m]
+    /// radius   radius of the arrow [m]
     /// Returns  the rectangle of its label
     QRectF turn(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis, double radius,
                 const QColor& color, const QString& name);

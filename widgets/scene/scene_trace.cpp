@@ -8,7 +8,7 @@ namespace tiller {
 namespace {
 
 constexpr double kMinStep = 0.0003;       // [m]; smaller steps are not visible
-constexpr std::size_t kMaxStretch = 256;  // limits the cost of each new position
+constexpr std::size_t kMaxStretch = 256;  // limits the computing time for each new position
 
 }  // namespace
 
@@ -28,7 +28,7 @@ bool SceneTrace::fits(const Eigen::Vector3d& end) const {
     return std::all_of(passed_.begin(), passed_.end(), [&](const Eigen::Vector3d& place) {
         const Eigen::Vector3d to = place - from;
         const double at = to.dot(along);
-        // Positions beyond the end were passed before a reversal of direction.
+        // A position beyond the end was passed before the arm reversed its direction.
         return at <= length + kTolerance && at >= -kTolerance && (to - at * along).norm() <= kTolerance;
     });
 }
@@ -43,7 +43,7 @@ bool SceneTrace::extend(double time, const Eigen::Vector3d& place) {
         changed = true;
     }
     if (points_.size() == 2 && points_.back().time < time - kSeconds) {
-        clear();  // the arm was at standstill for this time
+        clear();  // the arm was at standstill for the duration of the trace
         changed = true;
     }
     if (points_.empty()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The trace of the TCP during the last minutes, with as few points as its curvature requires.
+// The trace of the TCP during the last minutes. It has only as many points as its curvature requires.
 
 #include <Eigen/Core>
 #include <deque>
@@ -19,14 +19,15 @@ public:
     static constexpr double kSeconds = 180;       ///< duration of the trace
     static constexpr double kTolerance = 0.0005;  ///< maximum distance of the line from the real path [m]
 
-    /// Adds the current TCP position. A time before the last one starts a new trace: the controller was restarted.
+    /// Adds the current TCP position. If `time` is before the last time, the controller was restarted and a
+    /// new trace starts.
     /// Returns  true if the line has changed
     bool extend(double time, const Eigen::Vector3d& place);
     void clear();
 
     /// Robot time at the start of the trace; 0 if empty.
     double begins() const { return points_.empty() ? 0 : points_.front().time; }
-    /// The corners of the line, oldest first; the last one is the last TCP position.
+    /// The corners of the line, oldest first. The last one is the current TCP position.
     const std::deque<Point>& points() const { return points_; }
 
 private:
@@ -34,7 +35,7 @@ private:
 
     std::deque<Point> points_;
     std::vector<Eigen::Vector3d>
-        passed_;  ///< positions since the last but one corner, represented by the last segment
+        passed_;  ///< positions since the second-to-last corner; the last segment represents them
 };
 
 }  // namespace tiller

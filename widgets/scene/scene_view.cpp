@@ -26,19 +26,19 @@ namespace tiller {
 
 namespace {
 
-constexpr int kFrameMs = 16;          // at most 60 per second
+constexpr int kFrameMs = 16;          // at most 60 frames per second
 constexpr double kStillAngle = 2e-5;  // [rad]; smaller changes are not visible
 constexpr int kExamineMs = 150;
-constexpr double kGhostApart = 0.003;     // minimum difference of a joint at which a ghost is drawn [rad]
+constexpr double kGhostApart = 0.003;     // minimum difference of a joint for drawing a ghost [rad]
 constexpr double kOrbitPerPixel = 0.008;  // [rad]
-constexpr double kKeysAt = 8;             // distance from the corner [px]
+constexpr double kKeysAt = 8;             // distance of the buttons from the corner [px]
 constexpr double kFitShare = 0.07;        // margin when the view is fitted, as a fraction of the image
 constexpr double kMinShare = 0.03;        // margin below which the view moves automatically
 constexpr double kToolAxes = 0.095;       // length of the tool axes, per 0.85 m of reach [m]
 constexpr double kFrameAxes = 0.07;
 constexpr double kMark = 5;      // half the size of a mark [px]
 constexpr double kSeenMove = 1;  // smaller motions of the arm are not redrawn [device px]
-constexpr int kSoonMs = 4;       // practically without delay
+constexpr int kSoonMs = 4;       // too short to be noticed
 
 }  // namespace
 
@@ -55,7 +55,7 @@ SceneView::SceneView(QWidget* parent)
            "the wheel or with plus and minus. Double-click or press Home for the default view. Nothing here "
            "moves the robot."));
     setFocusPolicy(Qt::StrongFocus);
-    setAttribute(Qt::WA_OpaquePaintEvent);  // the ground covers the whole widget
+    setAttribute(Qt::WA_OpaquePaintEvent);  // the background covers the whole widget
     camera_.reset(collision::uprightHeight(model_));
     connect(keys_, &SceneKeys::lookWanted, this, &SceneView::lookFrom);
     connect(keys_, &SceneKeys::fitWanted, this, &SceneView::fitAll);
@@ -79,7 +79,7 @@ void SceneView::changed() {
     }
     const std::int64_t since = (SteadyClock::shared().nowNs() - lastPaintNs_) / kNsPerMs;
     const auto wait = static_cast<int>(std::clamp<std::int64_t>(kFrameMs - since, 0, kFrameMs));
-    // In a separate event, so that input events are processed in between.
+    // Repaint in a separate event, so that input events are processed in between.
     frameTimer_.start(wait <= kSoonMs ? 0 : wait);
 }
 
@@ -94,7 +94,8 @@ bool SceneView::armHasMoved() const {
         const QPointF by = camera_.project(to).point - camera_.project(from).point;
         return std::hypot(by.x(), by.y()) >= limit;
     };
-    // The axes of each frame extend beyond the housing, so that rotations about its axis are visible as well.
+    // The axes of each frame extend beyond the housing, so that a rotation about the axis of the housing is
+    // also visible.
     const double beside = kToolAxes * model_.reach / 0.85;
     const auto hasMoved = [&](const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
         if (isSeen(from.translation(), to.translation())) {
@@ -169,7 +170,7 @@ void SceneView::setGhost(const std::optional<Ghost>& ghost) {
     if (ghost && !ghost_) {
         beforeGhost_ = camera_;
     } else if (!ghost && beforeGhost_) {
-        // After the display of a target, restore the previous view unless the user has changed it.
+        // When the ghost disappears, restore the previous view unless the user has changed the view.
         camera_.standLike(*beforeGhost_);
         beforeGhost_.reset();
     }
@@ -263,7 +264,7 @@ void SceneView::setState(const SessionState& state) {
     setSpeedFraction(state.speedFraction);
     setJoints(state.q);
     setStale(state.link != LinkState::Live);
-    // The end of the trace is at the arm and is drawn with it.
+    // The end of the trace is at the arm and is drawn together with the arm.
     const double began = trace_.begins();
     trace_.extend(state.robotTime, kinematics::forwardTcp(model_.dh, q_, tcpOffset_).position);
     if (trace_.begins() != began) {
@@ -355,7 +356,7 @@ std::vector<Camera::Ball> SceneView::inSight() const {
     if (replay_ && replay_->q.allFinite()) {
         add(replay_->q);
     }
-    // Positions taught for another robot may be far away and must not make the arm tiny in the view.
+    // Positions taught for another robot may be far away. They must not make the arm tiny in the view.
     const auto addPlace = [&](const Eigen::Vector3d& place, double radius) {
         if (place.norm() < 2 * reach) {
             balls.push_back({place, radius});
@@ -402,7 +403,7 @@ void SceneView::frame(const QSizeF& size) {
 
 void SceneView::placeKeys() {
     keys_->move(static_cast<int>(kKeysAt), static_cast<int>(kKeysAt));
-    // In a very small image only the commands are available.
+    // In a very small image, the buttons are hidden and only the commands are available.
     keys_->setVisible(keys_->sizeHint().width() + 2 * kKeysAt <= width());
 }
 
@@ -463,7 +464,7 @@ void SceneView::drawNames(ScenePainter& scene, const QSizeF& size, const QRectF&
             addLimit(path.limit->place, path.limit->text);
         }
     }
-    // Reserve the line that shows the number of hidden labels.
+    // Reserve the line for the number of hidden labels.
     const QRectF line(12, size.height() - 28, size.width() / 2, 22);
     placer.block(line);
     std::stable_partition(names.begin(), names.end(), [](const Name& name) { return name.selected; });
@@ -540,7 +541,7 @@ QRectF SceneView::drawJog(ScenePainter& scene) {
         return {};
     }
     const Theme& theme = Theme::current();
-    constexpr double kTurnRadius = 0.13;  // in units of the arm's reach
+    constexpr double kTurnRadius = 0.13;  // as a fraction of the arm's reach
     const double radius = kTurnRadius * model_.reach;
     if (jog_->joint >= 0) {
         const auto frames = kinematics::linkFrames(model_.dh, q_);
@@ -570,7 +571,7 @@ void SceneView::paintScene(QPainter& painter, const QSizeF& size) {
     drawGround(painter, size.toSize());
     const bool showsGhost = ghost_ && ghost_->reachable && haveJoints_;
     bodies_->setArm(haveJoints_ ? std::optional(q_) : std::nullopt, stale_);
-    // A ghost at the position of the arm would only cover it.
+    // A ghost at the same position as the arm would only cover the arm.
     const auto isApart = [this](const JointPositions& q) {
         return (q.values - q_.values).cwiseAbs().maxCoeff() > kGhostApart;
     };
@@ -628,7 +629,7 @@ void SceneView::resizeEvent(QResizeEvent*) {
 void SceneView::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange) {
-        placeKeys();  // the size depends on the density
+        placeKeys();  // the size of the buttons depends on the density
     }
 }
 
@@ -692,7 +693,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
-    constexpr double kStep = 12;  // dragging distance in pixels
+    constexpr double kStep = 12;  // dragging distance that corresponds to one key press [px]
     const auto arrow = [&](const QPointF& drag) {
         if ((event->modifiers() & Qt::ShiftModifier) != 0) {
             panBy(drag * 2);
@@ -737,7 +738,7 @@ void SceneView::orbitBy(const QPointF& pixels) {
     Q_EMIT viewChanged();
 }
 
-// After a manual change of the view, keep it until it is fitted again.
+// A manually changed view is kept until the view is fitted again.
 
 void SceneView::panBy(const QPointF& pixels) {
     beforeGhost_.reset();

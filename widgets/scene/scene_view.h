@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The 3D view in perspective: arm, tool frame, the ghost of a target with its path, the trace of the TCP,
-// waypoints, and the direction of a jog. It only displays; nothing in it moves the robot. Until the user changes
-// the view, arm, ghost and waypoints are kept visible.
+// The 3D view in perspective. It shows the arm, the tool frame, the ghost of a target with its path, the
+// trace of the TCP, waypoints, and the direction of a jog. The view does not move the robot. Arm, ghost and
+// waypoints are kept visible until the user changes the view.
 
 #include <Eigen/Core>
 #include <QImage>
@@ -36,9 +36,9 @@ struct SceneJog {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< in the base frame, any length
     QString label;                                        ///< e.g. "X+ Base"
     int axis = 0;                                         ///< colour: 0 X, 1 Y, 2 Z
-    bool turns = false;  ///< rotation about the direction instead of translation
-    int joint = -1;      ///< rotating joint 0 ... 5, with `direction` along its axis; -1: none
-    int sign = 1;        ///< sign of the joint rotation
+    bool turns = false;                                   ///< true for a rotation about the direction
+    int joint = -1;  ///< rotating joint 0 ... 5, with `direction` along its axis; -1: none
+    int sign = 1;    ///< sign of the joint rotation
 };
 
 class SceneView : public QWidget {
@@ -52,47 +52,50 @@ public:
     void setJoints(const JointPositions& q);
     void setTcpOffset(const Pose& offset);
     void setGhost(const std::optional<Ghost>& ghost);
-    /// A second ghost in another colour, shown as the replacement of the first one. The two are also
-    /// distinguished by texts.
+    /// Sets a second ghost in another colour, which is displayed as the replacement of the first ghost. Texts
+    /// also distinguish the two ghosts.
     void setSecondGhost(const std::optional<Ghost>& ghost);
     const std::optional<Ghost>& secondGhost() const { return secondGhost_; }
-    /// Also shows the arm at a past time, with a text above it. Empty: none.
+    /// Also shows the arm at a past time, with a text above the arm. Empty: none.
     void setReplay(const std::optional<ReplayMark>& replay);
     const std::optional<ReplayMark>& replay() const { return replay_; }
     void setWaypoints(const std::vector<WaypointMark>& waypoints);
     void setFrames(const std::vector<FrameMark>& frames);
     const std::vector<FrameMark>& frames() const { return frames_; }
-    /// Paths in addition to the path of the ghost.
+    /// Sets the paths shown in addition to the path of the ghost.
     void setPaths(const std::vector<PathMark>& paths);
     const std::vector<PathMark>& paths() const { return paths_; }
-    /// The surroundings of the arm, displayed and checked before a move.
+    /// Sets the surroundings of the arm, which are displayed and used to check moves.
     void setSurroundings(const collision::CellSurroundings& cell);
-    /// The check of the move to the ghost; empty without a reachable ghost.
+    /// Result of the check of the move to the ghost; empty without a reachable ghost.
     const std::optional<collision::MoveReport>& moveReport() const { return report_; }
-    /// The limit on the move to the ghost, as a sentence; empty if none.
+    /// The limit on the move to the ghost, as a sentence; empty if there is none.
     QString moveLimitText() const;
     void setJogDirection(const std::optional<SceneJog>& jog);
     const std::optional<SceneJog>& jog() const { return jog_; }
     /// Shows the scene in grey, with an optional text in the centre.
     void setStale(bool stale, const QString& word = {});
     void setSpeedFraction(double fraction);
-    /// Height of an overlay at the bottom: arm, ghost and waypoints are kept above it.
+    /// Sets the height of an overlay at the bottom. Arm, ghost and waypoints are kept visible above the
+    /// overlay.
     /// height  [px]
     void setCoveredBelow(double height);
 
     const std::optional<Ghost>& ghost() const { return ghost_; }
-    /// e.g. "ghost “above tray” · reachable · largest turn Wrist 2 41° · 2.4 s at 35 %"; empty without a ghost.
+    /// Text with values of the ghost, e.g. "ghost “above tray” · reachable · largest turn Wrist 2 41° · 2.4 s
+    /// at 35 %"; empty without a ghost.
     QString ghostText() const;
-    /// For the jog frame "View": R_base_view, columns X to the right, Y up, Z towards the eye.
+    /// Returns R_base_view for the jog frame "View": columns are X to the right, Y up, Z towards the eye.
     Eigen::Matrix3d viewRotation() const { return camera_.viewRotation(); }
     const Camera& camera() const { return camera_; }
-    /// The labels of waypoints and frames as drawn last, and the number of labels without a free position.
+    /// The labels of waypoints and frames in the last image, and the number of labels without a free
+    /// position.
     const std::vector<PlacedLabel>& labels() const { return labels_; }
     int hiddenLabels() const { return hiddenLabels_; }
     /// Text about hidden labels; empty if there are none.
     QString hiddenText() const;
 
-    /// Draws one frame; called by paintEvent(), benchmarks and the image export.
+    /// Draws one frame. Called by paintEvent(), benchmarks and the image export.
     void paintScene(QPainter& painter, const QSizeF& size);
 
     QSize sizeHint() const override { return {930, 520}; }
@@ -103,14 +106,14 @@ public Q_SLOTS:
     /// Shows all objects from this viewing direction.
     void lookFrom(tiller::StandardView from);
     void resetView() { lookFrom(StandardView::Home); }
-    /// Fit the arm, ghost, waypoints and frames in the view, and keep them visible from now on.
+    /// Fits the arm, ghost, waypoints and frames in the view, and keeps them visible from then on.
     void fitAll();
 
 Q_SIGNALS:
     void ghostTextChanged(const QString& text);
     /// moveLimitText() has changed.
     void moveLimitChanged(const QString& text);
-    /// The camera moved: a jog in the frame "View" must stop or follow.
+    /// The camera moved. A jog in the frame "View" must stop or follow the view.
     void viewChanged();
 
 protected:
@@ -128,7 +131,7 @@ protected:
 private:
     /// Schedules a repaint, at most 60 per second.
     void changed();
-    /// True if the arm has visibly moved since it was drawn last.
+    /// True if the arm has visibly moved since the last image.
     bool armHasMoved() const;
     /// Checks the move to the ghost again.
     void updateGhost();
@@ -140,10 +143,10 @@ private:
     void orbitBy(const QPointF& pixels);
     void panBy(const QPointF& pixels);
     void zoomBy(double factor);
-    /// Positions the camera for this image size.
+    /// Positions the camera for an image of this size.
     void frame(const QSizeF& size);
     std::vector<Camera::Ball> inSight() const;
-    /// share  fraction of the image to keep free around the visible objects
+    /// share  fraction of the image that is kept free around the visible objects
     QMarginsF margins(const QSizeF& size, double share) const;
     void placeKeys();
     void drawNames(ScenePainter& scene, const QSizeF& size, const QRectF& arrowName);
@@ -158,7 +161,7 @@ private:
     std::optional<Ghost> secondGhost_;
     std::optional<ReplayMark> replay_;
     collision::CellSurroundings cell_;
-    std::optional<collision::CollisionCheck> check_;  ///< empty: must be created again
+    std::optional<collision::CollisionCheck> check_;  ///< empty if it must be created again
     std::optional<collision::MoveReport> report_;
     QString limitText_;
     QTimer examineTimer_;  ///< limits the rate of checks while the arm moves
@@ -170,7 +173,7 @@ private:
     SceneTrace trace_;
     std::unique_ptr<SceneBodies> bodies_;
     QImage ground_;               ///< cached image of the ground
-    Camera::Eye groundSeenFrom_;  ///< camera with which ground_ was drawn
+    Camera::Eye groundSeenFrom_;  ///< camera position for which ground_ was drawn
     std::optional<ColorScheme> groundScheme_;
     bool haveJoints_ = false;
     bool stale_ = true;
@@ -179,16 +182,16 @@ private:
     Camera camera_;
     SceneKeys* keys_;
     bool keptInSight_ = true;            ///< true until the user moves the view or zooms
-    bool fitWanted_ = true;              ///< the view must be fitted again
+    bool fitWanted_ = true;              ///< true if the view must be fitted again
     double coveredBelow_ = 0;            ///< [px]
-    std::optional<Camera> beforeGhost_;  ///< the view to be restored when the ghost disappears
+    std::optional<Camera> beforeGhost_;  ///< the view to restore when the ghost disappears
     std::vector<PlacedLabel> labels_;
     int hiddenLabels_ = 0;
     QPointF dragFrom_;
     enum class Drag { None, Orbit, Pan };
     Drag drag_ = Drag::None;
     Qt::MouseButton dragButton_ = Qt::NoButton;
-    bool focusByKey_ = false;  // the focus ring is only shown after keyboard navigation
+    bool focusByKey_ = false;  // true if the focus was set by the keyboard; the focus ring is drawn only then
     QTimer frameTimer_;
     std::int64_t lastPaintNs_ = 0;
 };

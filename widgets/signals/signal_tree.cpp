@@ -25,7 +25,7 @@ namespace {
 constexpr int kKeys = Qt::UserRole + 1;   // QStringList: keys of the signals
 constexpr int kWords = Qt::UserRole + 2;  // text searched by the filter
 constexpr int kGroup = Qt::UserRole + 3;  // bool: a group, which can only be expanded and collapsed
-constexpr int kMinList = 24;              // minimum height: one line, so that the panel does not grow [px]
+constexpr int kMinList = 24;              // minimum height: one row, so that the panel does not grow [px]
 
 class Model : public QStandardItemModel {
 public:
@@ -40,7 +40,7 @@ public:
         keys.removeDuplicates();
         auto* data = new QMimeData;
         data->setData(QLatin1String(SignalTree::kMime), keys.join(QLatin1Char('\n')).toUtf8());
-        // Derived signals are excluded: an expression uses only signals of the robot or of a file.
+        // Derived signals are excluded, because an expression may use only signals of the robot or of a file.
         keys.removeIf([](const QString& key) { return key.contains(QLatin1Char('=')); });
         std::transform(keys.begin(), keys.end(), keys.begin(), &DerivedSignal::written);
         data->setText(keys.join(QStringLiteral(", ")));
@@ -48,7 +48,7 @@ public:
     }
 };
 
-/// Accepts rows that contain every word, in any order.
+/// Accepts rows that contain every word of the filter, in any order.
 class Filter : public QSortFilterProxyModel {
 public:
     explicit Filter(QObject* parent) : QSortFilterProxyModel(parent) { setRecursiveFilteringEnabled(true); }
@@ -149,7 +149,7 @@ void SignalTree::fill() {
                 QLatin1Char(' ')),
             kWords);
     };
-    // Derived signals first.
+    // Add derived signals first.
     std::vector<int> order;
     for (const bool derived : {true, false}) {
         for (int i = 0; i < store_.count(); ++i) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tree of all signals available from the robot, with a filter. A signal or a group of signals is dragged onto
-// a plot, or added by a double click or Return. An input line below the tree defines signals computed from
-// others.
+// Tree of all signals available from the robot, with a filter. The user drags a signal or a group of signals
+// onto a plot, or adds it by a double click or Return. An input line below the tree defines signals that are
+// computed from others.
 
 #include <QSet>
 #include <QStringList>
@@ -29,20 +29,20 @@ class SignalTree : public QWidget {
 public:
     explicit SignalTree(const SignalStore& store, QWidget* parent = nullptr);
 
-    /// Sets the signals that this robot does not send: they are disabled, with the reason in their tooltip.
+    /// Sets the signals that this robot does not send. They are disabled, and their tooltip shows the reason.
     void setAbsent(const QSet<QString>& fields);
     void focusFilter();
-    /// Shows the result of entering a derived signal: a problem, or empty if the signal was created.
+    /// Shows the result of entering a derived signal: an error text, or empty if the signal was created.
     void showDerivationResult(const QString& problem);
 
-    /// The signals contained in the data of a drag.
+    /// Returns the signals contained in the data of a drag.
     static QStringList keysIn(const QMimeData* data);
     static constexpr const char* kMime = "application/x-tiller-signals";
 
 Q_SIGNALS:
-    /// Signals were selected by a double click or Return.
+    /// The user activated signals by a double click or Return.
     void chosen(const QStringList& keys);
-    /// The user entered a signal to be computed from others; for the syntax see DerivedSignal.
+    /// The user entered a signal to be computed from others. For the syntax see DerivedSignal.
     void derivationEntered(const QString& text);
 
 private:

@@ -42,13 +42,13 @@ void showOn(StateChip& chip, const ModeLook& look) {
     chip.setMark(look.mark);
 }
 
-/// Width of a button for this text [px].
+/// Required width of a button with this text [px].
 int roomFor(const QPushButton& key, const QString& text) {
-    constexpr int kAround = 2 * (8 + 1);  // padding and border, as in the style sheet
+    constexpr int kAround = 2 * (8 + 1);  // padding and border as in the style sheet
     return key.fontMetrics().size(0, text).width() + kAround;
 }
 
-/// On one line if it fits, otherwise on two lines of minimum width.
+/// Returns the text on one line if it fits, otherwise on two lines with the smallest width.
 QString stepWords(const QPushButton& key, const QString& text, int width) {
     if (roomFor(key, text) <= width) {
         return text;
@@ -65,9 +65,9 @@ QString stepWords(const QPushButton& key, const QString& text, int width) {
     return best;
 }
 
-/// The width of the button for the next step, equal for all steps [px].
+/// Width of the button for the next step, which is the same for all steps [px].
 int stepRoom(QPushButton& key, int least) {
-    key.ensurePolished();  // ensures that the font of the style sheet is used
+    key.ensurePolished();  // applies the font of the style sheet
     int room = least;
     for (const NextStep step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
                                 NextStep::Recover, NextStep::TakeControl}) {
@@ -76,7 +76,7 @@ int stepRoom(QPushButton& key, int least) {
     return room;
 }
 
-/// Minimum width of the chip of the connection for all its captions [px].
+/// Minimum width of the connection chip for all its captions [px].
 int linkRoom(const StateChip& chip) {
     SessionState good;
     good.sequence = 1;
@@ -252,7 +252,7 @@ void HeaderBar::showLastStop() {
         lastStop_->setState(
             tr("%1 ms · %2").arg(last.durationMs, 0, 'f', 0).arg(format::length(last.distanceMm / 1e3, 1)),
             StateChip::Shape::None, StateChip::Emphasis::Normal,
-            advice(tr("Measured from stop command to standstill. Cause: %1")
+            advice(tr("Measured from the stop command to standstill. Cause: %1")
                        .arg(texts::stopCauseText(last.cause))));
     } else {
         lastStop_->setState(QStringLiteral("–"), StateChip::Shape::None, StateChip::Emphasis::Muted,
@@ -263,12 +263,12 @@ void HeaderBar::showLastStop() {
 void HeaderBar::showLink() {
     ModeLook look = linkLook(state_);
     if (width() < kTightBelow && look.emphasis == StateChip::Emphasis::Normal) {
-        // With little space, the packet rate is sufficient in the normal state.
+        // If there is little space, only the packet rate is shown in the normal state.
         look.advice.prepend(look.text + QLatin1Char('\n'));
         look.text = look.text.section(QStringLiteral(" · "), 0, 0);
     }
     showOn(*link_, look);
-    // Show the consequence for jogging before the name of the state.
+    // The caption shows the consequence for jogging first, and then the name of the state.
     link_->setCaption(linkCaption(state_), StateChip::ElidedPart::Before);
     if (state_.link != LinkState::Disconnected) {
         linkPace_.start();
@@ -297,12 +297,12 @@ void HeaderBar::showCap(double speedCap) {
 
 void HeaderBar::showStep() {
     if (places_.isActive()) {
-        return;  // the next step appears after a delay
+        return;  // the next step is shown after a delay
     }
     const bool isAnother = nextStep(state_) != step_;
     step_ = nextStep(state_);
     if (isAnother) {
-        stepButton_->clearFocus();  // a key press intended for the previous step
+        stepButton_->clearFocus();  // a key press may have been intended for the previous step
     }
     const QString obstacle = nextStepObstacle(state_);
     offerStep(step_ != NextStep::None, obstacle.isEmpty());
@@ -313,8 +313,8 @@ void HeaderBar::showStep() {
     stepButton_->setToolTip(obstacle.isEmpty() ? nextStepAdvice(step_) : obstacle);
 }
 
-// A hidden or disabled button passes the focus to the next control, the speed slider. Avoid this, and restore the
-// focus with the next step.
+// Shows or hides the button for the next step. A hidden or disabled button would pass the focus to the next
+// control, which is the speed slider. This function prevents that and restores the focus with the next step.
 void HeaderBar::offerStep(bool visible, bool enabled) {
     if (!visible || !enabled) {
         stepLostFocus_ = stepLostFocus_ || stepButton_->hasFocus();
@@ -352,7 +352,7 @@ void HeaderBar::offerStopAbove() {
     }
     stopAbove_ = new StopButton(dialog);
     stopAbove_->setObjectName(QStringLiteral("stopAboveDialog"));
-    stopAbove_->setWindowFlags(Qt::ToolTip);  // the only window type that does not take the focus
+    stopAbove_->setWindowFlags(Qt::ToolTip);  // the only window type that does not receive the focus
     stopAbove_->setAttribute(Qt::WA_ShowWithoutActivating);
     connect(stopAbove_, &StopButton::stopRequested, this,
             [this] { port_.stop(control::StopCause::StopButton); });
@@ -372,7 +372,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
     if (watched == window()) {
         switch (event->type()) {
             case QEvent::WindowBlocked:
-                // The dialog is not visible yet.
+                // Call it later, because the dialog is not visible yet.
                 QMetaObject::invokeMethod(this, &HeaderBar::offerStopAbove, Qt::QueuedConnection);
                 break;
             case QEvent::WindowUnblocked:
@@ -391,7 +391,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
         (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)) {
         const auto& key = static_cast<const QKeyEvent&>(*event);
         if (key.key() == Qt::Key_Space) {
-            return true;  // who presses Space wants to stop the arm, not to power it on
+            return true;  // a user who presses Space wants to stop the arm, not to power it on
         }
         if (event->type() == QEvent::KeyPress &&
             (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter)) {
@@ -410,7 +410,7 @@ bool HeaderBar::eventFilter(QObject* watched, QEvent* event) {
 
 void HeaderBar::takeStep() {
     if (step_ != NextStep::Connect && step_ != NextStep::Recover) {
-        // While waiting, a second click is ignored.
+        // Ignore a second click while the step is in progress.
         keepPlaces();
         offerStep(true, false);
     }
@@ -453,7 +453,8 @@ void HeaderBar::resizeEvent(QResizeEvent* event) {
 void HeaderBar::arrange() {
     const int below = cap_->isVisibleTo(this) ? kBannerHeight : 1;
     cap_->setGeometry(0, kHeight, width(), kBannerHeight);
-    // Also smaller where the texts of the language need more space.
+    lastStop_->show();
+    // Use a smaller size also if the texts of the language need more space.
     const Size largest = width() < kTightBelow    ? Size::Tight
                          : width() < kNarrowBelow ? Size::Narrow
                                                   : Size::Wide;
@@ -466,7 +467,13 @@ void HeaderBar::arrange() {
             break;
         }
     }
-    // In the smallest windows the longest states of some languages are elided; the tooltip shows them.
+    // In the smallest windows, the states of some languages need the space of the last stop. The jog column shows it
+    // as well.
+    if (requiredWidth() > width()) {
+        lastStop_->hide();
+        layout_->setSpacing(2);
+        layout_->invalidate();
+    }
     int missing = requiredWidth() - width();
     for (StateChip* chip : {control_, safety_, mode_}) {
         const int cut = std::clamp(missing, 0, std::max(0, chip->minimumWidth() - kLeastStateRoom));
@@ -476,11 +483,13 @@ void HeaderBar::arrange() {
     stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
 }
 
-/// For all texts, and with the simulation sign.
+/// Width required for all texts, including the simulation sign.
 int HeaderBar::requiredWidth() const {
-    const int required =
-        layout_->minimumSize().width() + std::max(0, linkRoom(*link_) - link_->minimumSizeHint().width()) +
-        std::max(0, lastStop_->leastRoom(lastStop_->caption()) - lastStop_->minimumSizeHint().width());
+    const int required = layout_->minimumSize().width() +
+                         std::max(0, linkRoom(*link_) - link_->minimumSizeHint().width()) +
+                         (lastStop_->isHidden() ? 0
+                                                : std::max(0, lastStop_->leastRoom(lastStop_->caption()) -
+                                                                  lastStop_->minimumSizeHint().width()));
     return simulation_->isHidden() ? required + simulation_->minimumWidth() + layout_->spacing() : required;
 }
 
@@ -496,8 +505,8 @@ void HeaderBar::arrange(Size size, int below) {
     }
     name_->setVisible(!tight);
     stop_->setFixedWidth(wide(128, 160, 230));
-    // Buttons keep their positions independent of the texts, so that a second click does not hit another one. The
-    // values after them share the remaining space.
+    // The positions of buttons do not depend on the texts, so that a second click does not hit another
+    // button. The values to the right of the buttons share the remaining width.
     robot_->setRoom(wide(86, 150, 170));
     simulation_->setFixedWidth(wide(112, 130, 145));
     const auto& [mode, safety, control] = contentWidths(tight);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The header, always visible: robot, modes, control and the next step, speed, connection quality, the last stop,
-// and STOP in its own corner. After a click, all elements keep their positions for half a second, so that a second
-// click does not hit another one.
+// The header, which is always visible. It shows the robot, modes, control and the next step, speed,
+// connection quality, the last stop, and STOP in its own corner. After a click, all elements keep their
+// positions for half a second, so that a second click does not hit another element.
 
 #include <QPointer>
 #include <QTimer>
@@ -26,7 +26,7 @@ class SpeedChip;
 class StateChip;
 class StopButton;
 
-/// Functions of the session used by the header.
+/// Functions of the session that the header uses.
 struct HeaderPort {
     std::function<void(RobotCommand)> perform;
     std::function<void()> takeControl;
@@ -42,11 +42,11 @@ public:
     /// Shows the state of this session and sends requests to it.
     explicit HeaderBar(RobotSession& session, QWidget* parent = nullptr);
 
-    /// The chip below which a menu opens.
+    /// The chip below which the menu opens.
     enum class Menu { Robot, Power, Control };
     QWidget* menuChip(Menu menu) const;
     NextStep shownStep() const { return step_; }
-    /// note  returns the reason why key states are not verified; empty: they are verified
+    /// note  returns the reason why key states are not verified; empty if they are verified
     void setHoldNote(std::function<QString()> note);
 
     static constexpr int kHeight = 76;
@@ -86,7 +86,7 @@ private:
     void arrange();
     void arrange(Size size, int below);
     int requiredWidth() const;
-    /// Widths of the chips for robot mode, safety and control that show each value whole [px].
+    /// Widths of the chips for robot mode, safety and control that fit every value without eliding [px].
     const std::array<int, 3>& contentWidths(bool tight);
     void showCap(double speedCap);
     void showLastStop();
@@ -95,8 +95,9 @@ private:
     std::function<QString()> holdNote_;
     SessionState state_;
     NextStep step_ = NextStep::None;
-    std::array<std::optional<std::array<int, 3>>, 2> contentWidths_;  ///< of each density; until fonts change
-    bool stepLostFocus_ = false;  ///< the button was disabled or hidden while it had the focus
+    /// Cache per size (normal, tight); reset when fonts change.
+    std::array<std::optional<std::array<int, 3>>, 2> contentWidths_;
+    bool stepLostFocus_ = false;  ///< true if the button was disabled or hidden while it had the focus
     QTimer linkPace_;
     QTimer places_;  ///< active while positions must not change
 
@@ -112,9 +113,10 @@ private:
     StateChip* link_;
     StateChip* lastStop_;
     StopButton* stop_;
-    /// While a modal dialog blocks this window, STOP is shown above the dialog at the same position.
+    /// While a modal dialog blocks this window, this STOP button is shown above the dialog at the same
+    /// position.
     QPointer<StopButton> stopAbove_;
-    QLabel* cap_;  ///< the banner below the bar; hidden unless the cap was raised
+    QLabel* cap_;  ///< the banner below the bar; hidden unless the speed limit was raised
 };
 
 }  // namespace tiller

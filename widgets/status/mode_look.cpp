@@ -22,7 +22,7 @@ struct ModeLookText {
     Q_DECLARE_TR_FUNCTIONS(ModeLook)
 };
 
-/// Adds the appearance to the names in mode_words.h.
+/// Adds the appearance to a name from mode_words.h.
 template <class Mode>
 struct Row {
     Mode mode;
@@ -44,8 +44,8 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::UpdatingFirmware, Shape::DownArrow, Emphasis::Warning},
 });
 
-// Stops have the shape of an octagon. Common stops show the letter of their name, those of newer software their
-// number.
+// Stops have the shape of an octagon. Common stops show the letter of their name, and those of newer
+// controller software show their number.
 constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::Normal, Shape::Circle, Emphasis::Normal},
     {SafetyMode::Reduced, Shape::DownArrow, Emphasis::Normal},
@@ -71,7 +71,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {kIoPlaneStop, Shape::Octagon, Emphasis::Alarm, "23"},
 });
 
-// Dots mean that the state is not reached yet.
+// Dots mean that the state has not been reached yet.
 constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
     {RuntimeState::Stopping, Shape::Square, Emphasis::Normal, "…"},
     {RuntimeState::Stopped, Shape::Square, Emphasis::Muted},
@@ -103,7 +103,7 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive) {
         return {ModeLookText::tr("MOVING"),
                 Shape::Triangle,
                 Emphasis::Moving,
-                ModeLookText::tr("The robot confirms that the arm moves."),
+                ModeLookText::tr("The robot reports that the arm is moving."),
                 {}};
     }
     return lookOf(kRobotModes, mode, robotModeWords(mode),
@@ -111,7 +111,7 @@ ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive) {
 }
 
 ModeLook safetyModeLook(SafetyStatus status) {
-    // An unknown value from newer software is shown as an alarm.
+    // An unknown value from newer controller software is shown as an alarm.
     return lookOf(kSafety, status, safetyWords(status), {status, Shape::Octagon, Emphasis::Alarm, "?"});
 }
 
@@ -133,7 +133,7 @@ ModeLook controlLook(const SessionState& state) {
     }
     const QString place = told.join(dot);
     if (state.link == LinkState::Lost) {
-        // State of control and program are outdated.
+        // Control and program states are outdated.
         return {ModeLookText::tr("NO DATA"), Shape::None, Emphasis::Muted, state.linkReason};
     }
     if (state.hasData() && !state.isFresh() && state.control != ControlState::Taking) {
@@ -159,7 +159,7 @@ ModeLook controlLook(const SessionState& state) {
         return {QStringLiteral("–"), Shape::None, Emphasis::Muted, {}};
     }
     if (state.hasData() && state.runtimeState != RuntimeState::Stopped && !state.programAbandoned) {
-        // A program other than Tiller's may move the arm.
+        // A program other than Tiller's may be moving the arm.
         const ModeLook program = runtimeLook(state.runtimeState);
         const QString name =
             state.loadedProgram.isEmpty() ? QString() : QStringLiteral(": ") + state.loadedProgram;
@@ -229,8 +229,8 @@ namespace {
 enum class Worth { Good, Gaps, Slow };
 
 Worth worthOf(const LinkQuality& q) {
-    // Single delays of a millisecond, normal on any PC, do not stop a jog: only frequent delays or repeated losses
-    // count.
+    // Single delays of a millisecond are normal on any PC and do not stop a jog. Only frequent delays or
+    // repeated losses count.
     constexpr std::uint64_t kLostOf = 1000;
     constexpr std::uint64_t kLateOf = 5;
     const PacketCounts& now = q.recent;
@@ -251,10 +251,9 @@ QString linkConsequence(const LinkQuality& q) {
     }
     if (worth == Worth::Slow) {
         return ModeLookText::tr(
-            "Commands take longer than 20 ms: the arm responds to keys with a delay. Jog slowly.");
+            "Commands take longer than 20 ms: the arm responds with a delay. Jog slowly.");
     }
-    return ModeLookText::tr(
-        "Good: the arm responds to keys at once, and stops within 250 ms if the link fails.");
+    return ModeLookText::tr("Good: the arm responds immediately and stops within 250 ms if the link fails.");
 }
 
 }  // namespace
@@ -290,7 +289,7 @@ ModeLook linkLook(const SessionState& state) {
     }
     QString text = ModeLookText::tr("%1 Hz").arg(q.rateHz, 0, 'f', 0);
     if (worthOf(q) == Worth::Gaps) {
-        // Only shown if it is relevant for jogging.
+        // Shown only if the value is relevant for jogging.
         text += ModeLookText::tr(" · %1 late").arg(q.recent.late);
         if (q.recent.lost > 0) {
             text += ModeLookText::tr(" · %1 lost").arg(q.recent.lost);
@@ -383,7 +382,8 @@ QString nextStepAdvice(NextStep step) {
                 "move.");
         case NextStep::TakeControl:
             return ModeLookText::tr(
-                "Starts the control program on the robot. Asks before it stops another program.");
+                "Starts the control program on the robot. Asks for confirmation before it stops another "
+                "program.");
     }
     return {};
 }

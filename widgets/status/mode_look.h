@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Appearance of the controller's modes in the header: text, shape, a colour if attention or action is required, and
-// a suggested action. Also the next step towards a robot that can move.
+// Appearance of the controller modes in the header: text, shape, a colour if attention or action is required,
+// and a suggested action. Also determines the next step the operator must take before the robot can move.
 
 #include <QString>
 #include <vector>
@@ -20,31 +20,30 @@ struct ModeLook {
     QString mark{};  ///< distinguishes states with the same shape
 };
 
-/// moving     the robot confirms motion; only relevant in Running
+/// moving     the robot confirms motion; relevant only in the mode Running
 /// freedrive  the arm can be moved by hand
 ModeLook robotModeLook(RobotMode mode, bool moving, bool freedrive = false);
 ModeLook safetyModeLook(SafetyStatus status);
-/// Appearance of the runtime state.
 ModeLook runtimeLook(RuntimeState state);
-/// Appearance of the control state.
 ModeLook controlLook(const SessionState& state);
-/// All appearances that these functions return for known modes.
+/// All appearances that robotModeLook() and the following functions return for known modes.
 std::vector<ModeLook> robotModeLooks();
 std::vector<ModeLook> safetyModeLooks();
 std::vector<ModeLook> controlLooks();
-/// Rate, late and lost packets and round trip of the connection, or its problem.
+/// The packet rate, the numbers of late and lost packets and the round-trip time of the connection, or the
+/// problem of the connection.
 ModeLook linkLook(const SessionState& state);
 /// The consequence of the connection quality for jogging, in two or three words.
 QString linkCaption(const SessionState& state);
 
-/// The next step of the operator towards a robot that can move.
+/// The next step the operator must take before the robot can move.
 enum class NextStep { None, Connect, PowerOn, ReleaseBrakes, Recover, TakeControl };
 
 NextStep nextStep(const SessionState& state);
-/// e.g. "Power on"; empty for None.
+/// E.g. "Power on"; empty for None.
 QString nextStepText(NextStep step);
 QString nextStepAdvice(NextStep step);
-/// The reason why the step is not possible now, with a suggested action; empty if it is.
+/// The reason why the step is not possible, with a suggested action; empty if the step is possible.
 QString nextStepObstacle(const SessionState& state);
 
 }  // namespace tiller

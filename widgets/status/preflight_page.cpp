@@ -37,7 +37,7 @@ Look verdictLook(doctor::Verdict verdict) {
         case doctor::Verdict::Good:
             return {PreflightPage::tr("Good"), StateChip::Shape::Dot, theme.axisTexts[1]};
         case doctor::Verdict::Attention:
-            return {PreflightPage::tr("Check"), StateChip::Shape::WarningTriangle, theme.warning};
+            return {PreflightPage::tr("Warning"), StateChip::Shape::WarningTriangle, theme.warning};
         case doctor::Verdict::Bad:
             return {PreflightPage::tr("Failed"), StateChip::Shape::Octagon, theme.alarm};
         case doctor::Verdict::Skipped:
@@ -188,9 +188,9 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
 }
 
 void PreflightPage::showNote() {
-    note_->setText(tr("Keep everyone out of reach of the arm.\nKeep the emergency stop at hand: STOP in this "
-                      "window is a software stop.\nStart slowly: the initial speed is %1.\nWatch the arm, "
-                      "not the screen, while you hold a key.\nRelease the key to stop the arm.")
+    note_->setText(tr("Keep everyone out of reach of the arm.\nKeep the emergency stop within reach: STOP in "
+                      "this window is a software stop.\nStart slowly: the initial speed is %1.\nWatch the "
+                      "arm, not the screen, while you hold a button.\nRelease the button to stop the arm.")
                        .arg(format::speed(kFirstSpeed)));
 }
 
@@ -214,8 +214,8 @@ void PreflightPage::examine() {
     worker_.post(this, [this, run, patient = patient_](const CancelToken& token) {
         const doctor::Report report = doctor::examine(patient, Deadline::after(kAtMost, token),
                                                       [this, run](const doctor::Finding& finding) {
-                                                          // The page outlives its worker: the destructor of
-                                                          // the worker waits for this job.
+                                                          // The page outlives its worker, because the
+                                                          // destructor of the worker waits for this job.
                                                           QMetaObject::invokeMethod(
                                                               this,
                                                               [this, run, finding] {
@@ -276,7 +276,8 @@ void PreflightPage::sortRows() {
         }
         return 2;
     };
-    QVector<FindingRow*> sorted = rows_;  // sorts a copy, because rows_ is indexed by condition
+    // Sorts a copy, because rows_ must remain in the order of the conditions.
+    QVector<FindingRow*> sorted = rows_;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](const FindingRow* a, const FindingRow* b) { return rank(a) < rank(b); });
     for (int i = 0; i < sorted.size(); ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Connection check before the first connection to a robot: one line per condition in green, amber or red with a
-// shape and a text, and a suggested action. Same report as `tiller-cli doctor`.
+// Connection check before the first connection to a robot. Each condition has one line with green, amber or
+// red, a shape, a text, and a suggested action. The report is the same as that of `tiller-cli doctor`.
 
 #include <QDialog>
 #include <QVector>
@@ -16,7 +16,7 @@ class QVBoxLayout;
 
 namespace tiller {
 
-/// One condition with its symbol, finding, and suggested action.
+/// One condition with its symbol, finding and suggested action.
 class FindingRow : public QWidget {
     Q_OBJECT
 
@@ -30,7 +30,7 @@ public:
 private:
     class Sign;
 
-    /// Maximum over all conditions in this language, for a common column [px].
+    /// Width of the longest title in this language, for a common column [px].
     int widestTitle() const;
 
     doctor::Finding finding_;
@@ -44,7 +44,8 @@ class PreflightPage : public QDialog {
     Q_OBJECT
 
 public:
-    /// Starts immediately. The examination runs in a worker thread and is cancelled when the page is destroyed.
+    /// Starts the examination immediately. It runs in a worker thread and is cancelled when the page is
+    /// destroyed.
     explicit PreflightPage(const doctor::Patient& patient, QWidget* parent = nullptr);
 
     bool isFinished() const { return finished_; }
@@ -63,15 +64,15 @@ private:
     void examine();
     void showFinding(const doctor::Finding& finding);
     void conclude(const doctor::Report& report);
-    /// The suggested button becomes the default button; the other one is not emphasized.
+    /// Makes the suggested button the default button. The other button is not emphasized.
     void offer(bool connecting);
-    /// Bad findings first, then those with Attention, each in their original order.
+    /// Sorts Bad findings first, then those with Attention, each group in its original order.
     void sortRows();
 
     doctor::Patient patient_;
     doctor::Report report_;
     bool finished_ = false;
-    std::uint64_t run_ = 0;  ///< findings of an earlier run are ignored
+    std::uint64_t run_ = 0;  ///< number of the current run; findings of earlier runs are ignored
 
     QVector<FindingRow*> rows_;
     QLabel* summary_;
@@ -80,7 +81,7 @@ private:
     QVBoxLayout* list_;
     QPushButton* again_;
     QPushButton* connect_;
-    SerialExecutor worker_;  // last member: its job posts to this page
+    SerialExecutor worker_;  // last member, because its job posts to this page
 };
 
 }  // namespace tiller

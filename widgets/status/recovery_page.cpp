@@ -22,12 +22,12 @@
 namespace tiller {
 namespace {
 
-// Minimum ranges of the scales of the small plots.
+// Minimum ranges of the scales in the small plots.
 constexpr double kMinForceRange = 20.0;   // [N]
 constexpr double kMinCurrentRange = 2.0;  // [A]
 constexpr double kMinSpeedRange = 0.020;  // [m/s]
 
-/// e.g. "+200.0 mm"
+/// E.g. "+200.0 mm".
 QString signedLength(double metres) {
     return format::lengthNumber(metres, 1, true) + QLatin1Char(' ') + format::lengthUnit();
 }
@@ -42,7 +42,7 @@ StopPlot::StopPlot(const QString& title, QWidget* parent) : QWidget(parent), tit
 }
 
 QSize StopPlot::sizeHint() const {
-    // With touch the checks below are higher, and the page must fit on a small screen.
+    // With Touch density, the checks below are taller, and the page must still fit on a small screen.
     return {420, currentDensity() == Density::Touch ? 56 : 74};
 }
 
@@ -57,7 +57,7 @@ void StopPlot::show(const StopRecord& record, const Value& value, const std::fun
         peak = std::max(peak, std::abs(y));
     }
     peak_ = text(peak);
-    setAccessibleDescription(tr("Highest value %1 in the last five seconds").arg(peak_));
+    setAccessibleDescription(tr("Maximum in the last five seconds: %1").arg(peak_));
     update();
 }
 
@@ -90,7 +90,7 @@ void StopPlot::paintEvent(QPaintEvent*) {
             area.left() + (point.x() + StopRecorder::kSeconds) / StopRecorder::kSeconds * area.width(),
             area.bottom() - 3 - (point.y() - low) / (high - low) * (area.height() - 6));
     };
-    // At most two points per column: minimum and maximum.
+    // Draw at most two points per column: minimum and maximum.
     QPolygonF line;
     for (qsizetype i = 0; i < curve_.size();) {
         const int column = static_cast<int>(at(curve_[i]).x());
@@ -109,7 +109,7 @@ void StopPlot::paintEvent(QPaintEvent*) {
     painter.drawLine(QPointF(area.right() - 1, area.top()), QPointF(area.right() - 1, area.bottom()));
 }
 
-// ---- the page
+// ---- page
 
 RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWidget* parent)
     : QDialog(parent), session_(session), stops_(stops) {
@@ -119,7 +119,7 @@ RecoveryPage::RecoveryPage(RobotSession& session, const StopRecorder& stops, QWi
     build();
     connect(&session_, &RobotSession::stateChanged, this, &RecoveryPage::applyState);
     connect(&session_, &RobotSession::message, this, [this](Severity severity) {
-        // The command was refused: the user may try again.
+        // The command was rejected, so the user may try again.
         if (severity == Severity::Error && sent_) {
             sent_ = false;
             showKey();
@@ -161,7 +161,7 @@ void RecoveryPage::build() {
         plots_[i]->setObjectName(QStringLiteral("recoveryPlot%1").arg(i));
         layout->addWidget(plots_[i]);
     }
-    layout->addStretch(1);  // takes up the space when the text above becomes shorter
+    layout->addStretch(1);  // uses the free space when the text above becomes shorter
     checkLayout_ = new QVBoxLayout;
     checkLayout_->setSpacing(currentDensity() == Density::Touch ? 0 : 6);
     layout->addLayout(checkLayout_);
@@ -177,7 +177,8 @@ void RecoveryPage::build() {
     keepsItsPlace.setRetainSizeWhenHidden(true);
     key_->setSizePolicy(keepsItsPlace);
     key_->setProperty("primary", true);
-    // An accidental Return must not unlock: the button requires a click, or Space with the focus.
+    // An accidental Return must not unlock the robot. The button requires a click, or Space while it has the
+    // focus.
     key_->setAutoDefault(false);
     connect(key_, &QPushButton::clicked, this, &RecoveryPage::takeStep);
     row->addWidget(waiting_, 1);
@@ -188,7 +189,7 @@ void RecoveryPage::build() {
 
 void RecoveryPage::applyState(const SessionState& state) {
     if (state.link == LinkState::Stale && !guide_.title.isEmpty()) {
-        // A gap of less than a second: no new data, but the confirmations remain valid.
+        // During a gap of less than a second there are no new data, but the confirmations remain valid.
         guide_.waiting = tr("Waiting for data from the robot…");
         showKey();
         return;
@@ -201,7 +202,8 @@ void RecoveryPage::applyState(const SessionState& state) {
         setAccessibleName(guide_.title);
     }
     what_->setText(guide_.what);
-    // A new stop requires new confirmations; a lost connection does not, unless the arm has moved meanwhile.
+    // A new stop requires new confirmations. A lost connection requires them only if the arm has moved in the
+    // meantime.
     const double stoppedAt = stops_.last() ? stops_.last()->stoppedAt : -1;
     if (state.link == LinkState::Live && (guide_.checks != asked_ || stoppedAt != askedFor_)) {
         asked_ = guide_.checks;
@@ -262,7 +264,7 @@ void RecoveryPage::showChecks() {
         auto* box = new QCheckBox(text, this);
         box->setObjectName(QStringLiteral("recoveryCheck%1").arg(checks_.size()));
         box->setAccessibleName(text);
-        box->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // not narrower than the text
+        box->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);  // at least as wide as the text
         connect(box, &QCheckBox::toggled, this, &RecoveryPage::showKey);
         checkLayout_->addWidget(box);
         checks_.append(box);
@@ -294,7 +296,7 @@ void RecoveryPage::takeStep() {
     switch (guide_.step) {
         case RecoveryStep::Unlock:
             session_.services().unlockProtectiveStop(UnlockConsent());
-            // After a refusal the user has to inspect and confirm again.
+            // After a rejected command, the user must inspect the robot and confirm again.
             for (QCheckBox* box : checks_) {
                 box->setChecked(false);
             }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Guided recovery from a safety stop: cause and position of the stop, the last five seconds, checks to confirm, and
-// one button. The button for a protective stop is enabled after five seconds and with all confirmations; no other
-// function of the program unlocks.
+// Guided recovery from a safety stop. The page shows the cause and position of the stop, the last five
+// seconds before the stop, checks to confirm, and one button. For a protective stop, the button is enabled
+// after five seconds if everything is confirmed. No other function of the application unlocks the robot.
 
 #include <QDialog>
 #include <array>
@@ -20,7 +20,7 @@ class QVBoxLayout;
 
 namespace tiller {
 
-/// A small plot of one value during five seconds before a stop: curve, maximum, and time of the stop.
+/// A small plot of one value during the five seconds before a stop: curve, maximum, and time of the stop.
 class StopPlot : public QWidget {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ public:
 
     using Value = std::function<double(const StopRecord::Point&)>;
     /// text   formats a value with its unit
-    /// least  minimum range of the scale, so that noise remains small; in the unit of the value
+    /// least  minimum range of the scale, in the unit of the value, so that noise remains small
     void show(const StopRecord& record, const Value& value, const std::function<QString(double)>& text,
               double least);
     const QVector<QPointF>& curve() const { return curve_; }
@@ -72,10 +72,10 @@ private:
     RobotSession& session_;
     const StopRecorder& stops_;
     RecoveryGuide guide_;
-    bool sent_ = false;  ///< the command was sent; waiting for the robot
+    bool sent_ = false;  ///< true after the command was sent, until the robot responds
     double recordShown_ = -1;
-    QStringList asked_;     ///< required confirmations
-    double askedFor_ = -1;  ///< the stop that the confirmations refer to, as time stamp of the controller [s]
+    QStringList asked_;     ///< confirmations that are required
+    double askedFor_ = -1;  ///< the stop that the confirmations refer to, as controller time [s]
 
     QLabel* title_;
     QLabel* what_;

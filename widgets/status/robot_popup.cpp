@@ -21,10 +21,10 @@ namespace tiller {
 namespace {
 
 constexpr int kWidth = 460;     // [px]
-constexpr int kMinMargin = 16;  // minimum distance from the edges of the covered widget [px]
+constexpr int kMinMargin = 16;  // minimum distance from the edges of the widget below [px]
 constexpr int kMargin = 16;
 constexpr int kSign = 22;
-constexpr qsizetype kLongest = 600;  // maximum text length [characters]; the log contains the complete text
+constexpr qsizetype kLongest = 600;  // maximum text length [characters]; the log contains the full text
 
 using script::MessageSeverity;
 
@@ -109,10 +109,11 @@ void RobotPopup::hear(const script::ControllerMessage& message) {
     showSoon();
 }
 
-// During a flood of popups, showing each one would overload the layout and the screen reader.
+// Limits the update rate. If many popups arrive in a short time, displaying each of them would overload the
+// layout and the screen reader.
 void RobotPopup::showSoon() {
     if (nextUpdate_.isActive()) {
-        showKey();  // another popup than the one that could be closed is displayed now
+        showKey();  // the displayed popup is not the one that can be closed
         return;
     }
     obstacle_ = obstacleNow(session_.state());
@@ -148,7 +149,8 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
         return;
     }
     const qsizetype newest = popups_.size() - 1;
-    // Another popup may have arrived since. If it was closed by another client, it was the topmost one.
+    // Another popup may have arrived since the request. If another client closed a popup, it was the topmost
+    // one.
     const qsizetype which = std::exchange(asked_, std::nullopt).value_or(newest);
     if (done) {
         remove(which);
@@ -160,7 +162,7 @@ void RobotPopup::followCommand(RobotCommand command, bool done) {
 }
 
 void RobotPopup::remove(qsizetype which) {
-    // The refusal refers to the displayed popup.
+    // The rejection refers to the displayed popup.
     refused_ = refused_ && which != popups_.size() - 1;
     popups_.removeAt(which);
     obstacle_ = obstacleNow(session_.state());
@@ -178,6 +180,23 @@ void RobotPopup::closeOnRobot() {
     asked_ = popups_.size() - 1;
     showKey();
     session_.services().perform(RobotCommand::ClosePopups);
+}
+
+void RobotPopup::closeNewest() {
+    if (popups_.isEmpty() || refused_) {
+        // Popups from before the connection are not known; after a refusal, this is another attempt.
+        session_.services().perform(RobotCommand::ClosePopups);
+    } else if (closeObstacle().isEmpty()) {
+        closeOnRobot();
+    }
+}
+
+QString RobotPopup::closeObstacle() const {
+    return popups_.isEmpty() || isCloseEnabled() ? QString() : tr("Read the popup first.");
+}
+
+bool RobotPopup::isCloseEnabled() const {
+    return !asked_ && !unread_.isActive();
 }
 
 void RobotPopup::forget() {
@@ -199,7 +218,7 @@ void RobotPopup::showNewest() {
     const bool whole = newest.text.size() <= kLongest;
     text_->setText(whole ? newest.text : newest.text.left(kLongest) + QChar(0x2026));
     const int others = count() - 1;
-    const QString more = others > 0 ? tr("%n more on the robot.", nullptr, others) : QString();
+    const QString more = others > 0 ? tr("%n more popup(s) on the robot.", nullptr, others) : QString();
     note_->setText((obstacle_.isEmpty()
                         ? tr("A waiting program continues when the popup is closed: keep clear of the arm.")
                         : obstacle_) +
@@ -217,7 +236,7 @@ void RobotPopup::showNewest() {
 void RobotPopup::showKey() {
     key_->setText(obstacle_.isEmpty() ? tr("Close") : tr("Hide"));
     key_->setAccessibleName(obstacle_.isEmpty() ? tr("Close the popup on the robot") : tr("Hide the popup"));
-    key_->setEnabled(!asked_ && !unread_.isActive());
+    key_->setEnabled(isCloseEnabled());
 }
 
 void RobotPopup::place() {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Shows a popup of the teach pendant in the window: heading, text and a button that closes it on the robot. It
-// covers the view, does not take the focus and moves nothing. A click intended for the covered widget does not
-// close it, nor does Space, which stops the arm: a program that waits for the popup would continue. Many popups in
-// a short time, e.g. from a loop, are limited in number and shown a few times per second.
+// Shows a popup of the teach pendant in the window: heading, text, and a button that closes the popup on the
+// robot. The widget covers the view, does not take the focus and does not move other widgets. It cannot be
+// closed by a click intended for the covered widget, or by Space, which stops the arm. Otherwise, a program
+// that waits for the popup would continue. If many popups arrive in a short time, e.g. from a loop, their
+// number is limited and the display is updated only a few times per second.
 
 #include <QFrame>
 #include <QList>
@@ -24,15 +25,19 @@ class RobotPopup : public QFrame {
 
 public:
     /// window  the parent
-    /// over    the widget it is centred on while that is visible
+    /// over    the widget on which the popup is centred while that widget is visible
     RobotPopup(RobotSession& session, QWidget& window, QWidget& over);
 
-    /// Number of reported popups on the pendant, at most kMaxPopups; the newest is shown.
+    /// Number of reported popups on the pendant, at most kMaxPopups. The newest popup is displayed.
     int count() const { return static_cast<int>(popups_.size()); }
-    /// Number of replacements of the displayed popup, for load tests.
+    /// Closes the newest popup on the robot as the button does: not before it could be read, and once only.
+    void closeNewest();
+    /// The reason why closeNewest() does nothing now; empty if it closes a popup.
+    QString closeObstacle() const;
+    /// Number of updates of the displayed popup, for load tests.
     int updates() const { return updates_; }
 
-    static constexpr int kMaxPopups = 100;    ///< beyond this number the oldest are dropped
+    static constexpr int kMaxPopups = 100;    ///< if there are more popups, the oldest are dropped
     static constexpr int kShowEveryMs = 200;  ///< interval between two updates of the widget [ms]
 
     /// A new popup cannot be closed during this time [ms].
@@ -47,6 +52,7 @@ private:
     void followState(const SessionState& state);
     void followCommand(RobotCommand command, bool done);
     void closeOnRobot();
+    bool isCloseEnabled() const;
     QString obstacleNow(const SessionState& state) const;
     void remove(qsizetype which);
     void forget();
@@ -58,9 +64,10 @@ private:
     RobotSession& session_;
     QWidget& over_;
     QList<script::ControllerMessage> popups_;
-    QString obstacle_;                ///< the reason why it can only be closed on the pendant
-    std::optional<qsizetype> asked_;  ///< the popup that the robot was requested to close, until it responds
-    bool refused_ = false;            ///< the robot did not close the displayed popup
+    QString obstacle_;  ///< the reason why the popup can be closed only on the pendant
+    /// The popup that the robot was requested to close; empty after the response.
+    std::optional<qsizetype> asked_;
+    bool refused_ = false;  ///< true if the robot did not close the displayed popup
     QTimer unread_;
     QTimer nextUpdate_;
     int updates_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The hatched label that is shown for a simulated robot.
+// The hatched label that indicates a simulated robot.
 
 #include <QWidget>
 

@@ -15,7 +15,7 @@ namespace tiller {
 namespace {
 constexpr int kPadding = 13;
 constexpr int kSettleMs = 800;
-constexpr int kMinPercent = 2;  // a speed of 0 has caused protective stops
+constexpr int kMinPercent = 2;  // a slider value of 0 has caused protective stops
 }  // namespace
 
 SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
@@ -26,7 +26,8 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     setRange(kMinPercent, 100);
     setSingleStep(1);
     setPageStep(10);
-    setFocusPolicy(Qt::TabFocus);  // after a click, keys have no effect on the speed
+    // A click does not set the focus, so keys do not change the speed afterwards.
+    setFocusPolicy(Qt::TabFocus);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     settle_.setSingleShot(true);
     settle_.setInterval(kSettleMs);
@@ -131,7 +132,7 @@ void SpeedChip::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_End:
         case Qt::Key_PageUp:
         case Qt::Key_PageDown:
-            event->ignore();  // one key must not make the arm many times faster
+            event->ignore();  // a single key press must not make the arm many times faster
             break;
         default:
             QAbstractSlider::keyPressEvent(event);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The speed slider of the header, 2 to 100 %. It shows the value reported by the robot; user input has priority. It
-// is dragged, or moved by keys after a click; a click alone and the mouse wheel do not change it.
+// The speed slider of the header, 2 to 100 %. It shows the value reported by the robot; user input has
+// priority. It is changed by dragging, or by keys while it has the focus. A click alone and the mouse wheel
+// do not change it.
 
 #include <QAbstractSlider>
 #include <QTimer>
@@ -15,9 +16,10 @@ class SpeedChip : public QAbstractSlider {
 public:
     explicit SpeedChip(QWidget* parent = nullptr);
 
-    /// The value reported by the robot, 0..1; valid false: grey.
+    /// Sets the value reported by the robot, 0 ... 1.
+    /// valid  false: the slider is grey
     void setReported(double fraction, bool valid);
-    /// reason  why the speed cannot be changed, as a sentence; empty if it can
+    /// reason  why the speed cannot be changed, as a sentence; empty if it can be changed
     void setLocked(const QString& reason);
 
     QSize sizeHint() const override { return {230, 47}; }
@@ -38,7 +40,7 @@ protected:
 private:
     QRectF groove() const;
 
-    QTimer settle_;  // time during which the reported value may lag behind the input
+    QTimer settle_;  // active while the reported value may lag behind the user input
     bool showing_ = false;
     bool valid_ = false;
     QString lock_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The status bar: recording and its file, project file, and the last message with its time.
+// The status bar: recording state and file, project file, and the last message with its time.
 
 #include <QWidget>
 
@@ -18,7 +18,6 @@ class StatusLine : public QWidget {
 
 public:
     explicit StatusLine(QWidget* parent = nullptr);
-    /// Shows state and messages of this session.
     explicit StatusLine(RobotSession& session, QWidget* parent = nullptr);
 
     /// text  name of the project and whether it is saved; empty: no project
@@ -51,8 +50,8 @@ private:
     ElidedLabel* message_;
     RecordingState state_;
     Severity severity_ = Severity::Info;
-    unsigned missing_ = 0;       ///< conditions that are missing now
-    unsigned missingSince_ = 0;  ///< conditions that were missing since the message appeared
+    unsigned missing_ = 0;       ///< conditions that are currently missing
+    unsigned missingSince_ = 0;  ///< conditions that have been missing since the message appeared
 };
 
 }  // namespace tiller

@@ -12,7 +12,7 @@
 namespace tiller {
 
 namespace {
-constexpr int kHintHeight = 18;  // height of the line below the text [px]
+constexpr int kHintHeight = 18;  // height of the line below the STOP text [px]
 }
 
 StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
@@ -35,7 +35,7 @@ void StopButton::setKeysStop(bool keys) {
     keysStop_ = keys;
     const QString what = tr("Software stop. Not an emergency stop. Power stays on.");
     setToolTip(what + QLatin1Char('\n') +
-               (keys ? tr("Space and Esc stop as well.")
+               (keys ? tr("Space and Esc also stop the arm.")
                      : tr("Click to stop. Space and Esc stop only while this window is in control.")));
     setAccessibleDescription(toolTip());
     update();
@@ -110,7 +110,7 @@ bool StopButton::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Show && widget.windowType() == Qt::Popup) {
         keepUncovered(widget);
     }
-    // An open menu receives every press, and a press outside of it only closes it.
+    // An open menu receives every press, and a press outside the menu would only close it.
     const bool pressed =
         event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
     if (pressed && widget.windowType() == Qt::Popup) {

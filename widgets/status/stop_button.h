@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The STOP button. It acts on press with any mouse button or finger, and does not take the focus. It also acts while a
-// menu is open, and menus do not cover it. It shows the keys with the same function, or that a click is required.
+// The STOP button. It acts on the press of any mouse button or finger, and does not take the focus. It also
+// acts while a menu is open, and menus do not cover it. Its second line shows the keys with the same
+// function, or that a click is required.
 
 #include <QAbstractButton>
 
@@ -14,7 +15,7 @@ class StopButton : public QAbstractButton {
 public:
     explicit StopButton(QWidget* parent = nullptr);
 
-    /// keys  whether Space and Esc stop as well; initially false
+    /// keys  true if Space and Esc also stop; initially false
     void setKeysStop(bool keys);
     bool keysStop() const { return keysStop_; }
 

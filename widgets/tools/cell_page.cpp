@@ -23,9 +23,9 @@ namespace tiller {
 namespace {
 
 constexpr double kFarthestInCell = 10;  ///< [m]
-constexpr double kNewEdge = 0.1;        ///< initial size of a box [m]
+constexpr double kNewEdge = 0.1;        ///< initial edge length of a box [m]
 
-/// Returns a pose at this point whose Z axis is the normal, with minimum rotation relative to the base.
+/// Returns a pose at this point whose Z axis is the normal. Its rotation relative to the base is minimal.
 Pose planePose(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
     const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
     Pose pose;
@@ -56,7 +56,7 @@ PartModel* cellModel(ProjectDocument& document) {
     content.isInUse = [&document](int row) {
         return withRow(document.cell(), row, [](const auto& part) { return part.enabled; });
     };
-    content.inUse = CellPage::tr("Drawn and checked");
+    content.inUse = CellPage::tr("Shown and checked for collisions");
     content.name = [&document](int row) {
         return withRow(document.cell(), row, [](const auto& part) { return part.name; });
     };
@@ -67,7 +67,7 @@ PartModel* cellModel(ProjectDocument& document) {
     };
     content.nameProblem = [&document](int, const QString& name) {
         const project::CellGeometry& cell = document.cell();
-        return name.isEmpty() ? CellPage::tr("A box or plane needs a name.")
+        return name.isEmpty() ? CellPage::tr("Enter a name for the box or plane.")
                : cell.boxes.findByName(name) != nullptr || cell.planes.findByName(name) != nullptr
                    ? CellPage::tr("The cell already contains “%1”. Choose another name.").arg(name)
                    : QString();
@@ -144,7 +144,8 @@ void VectorEditor::updateValueTexts() {
         box.setRange(kind_ == Kind::Size ? kMinEdge / unit() : -most, most);
         box.setSuffix(kind_ == Kind::Direction ? QString() : QLatin1Char(' ') + format::lengthUnit());
         box.setValue(vector_[static_cast<Eigen::Index>(i)] / unit());
-        shown_[i] = box.value();  // rounded: only edited values count as changed
+        // The box rounds; with the rounded value, only edited values count as changed.
+        shown_[i] = box.value();
     }
 }
 
@@ -165,9 +166,10 @@ void VectorEditor::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
 }
 
-// ---- the page -----------------------------------------------------------------------------------------------
+// ---- page
+// ---------------------------------------------------------------------------------------------------
 
-/// A new position replaces a missing frame by the base frame.
+/// Returns the part with the base frame if its frame is missing.
 template <class Part>
 Part CellPage::placed(Part part) const {
     part.frame = document_.frames().pose(part.frame) ? part.frame : QUuid();
@@ -195,8 +197,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , planeValues_(new QWidget)
     , point_(new VectorEditor(VectorEditor::Kind::Point, QStringLiteral("cell.point"),
                               {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")},
-                              {CellPage::tr("Point on the plane X"), CellPage::tr("Point on the plane Y"),
-                               CellPage::tr("Point on the plane Z")}))
+                              {CellPage::tr("Point on the plane, X"), CellPage::tr("Point on the plane, Y"),
+                               CellPage::tr("Point on the plane, Z")}))
     , normal_(new VectorEditor(
           VectorEditor::Kind::Direction, QStringLiteral("cell.normal"),
           {QStringLiteral("NX"), QStringLiteral("NY"), QStringLiteral("NZ")},
@@ -207,7 +209,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , distance_(new DecimalSpinBox) {
     facts_->setObjectName(QStringLiteral("cell.facts"));
     enabled_->setObjectName(QStringLiteral("cell.enabled"));
-    enabled_->setToolTip(CellPage::tr("When off, it is neither drawn nor checked."));
+    enabled_->setToolTip(CellPage::tr("When off, the floor is neither shown nor checked for collisions."));
     hasFloor_->setObjectName(QStringLiteral("cell.hasFloor"));
     hasFloor_->setToolTip(CellPage::tr("Horizontal plane in the base frame that the arm must stay above."));
     floor_->setObjectName(QStringLiteral("cell.floor"));
@@ -215,8 +217,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     distance_->setObjectName(QStringLiteral("cell.safetyDistance"));
     distance_->setAccessibleName(CellPage::tr("Safety distance"));
     distance_->setToolTip(
-        CellPage::tr("Jogging stops at this distance from the cell and between parts of the arm. Moves that "
-                     "come closer are refused."));
+        CellPage::tr("Jogging stops at this distance from objects in the cell and between parts of the arm. "
+                     "Moves that come closer are refused."));
     auto* floorHere = new QPushButton(CellPage::tr("Here"));
     floorHere->setObjectName(QStringLiteral("cell.floorHere"));
     floorHere->setAccessibleName(CellPage::tr("Set the floor to the TCP height"));
@@ -251,7 +253,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cellRow->addWidget(floorHere);
     cellRow->addWidget(keep);
     cellRow->addWidget(distance_, 1);
-    // In a panel with little height the values scroll; the list and the row below do not move.
+    // In a panel with little height, the values scroll. The list and the row below do not move.
     auto* figures = new NoFocusScrollArea;
     figures->setObjectName(QStringLiteral("cell.figures"));
     figures->setWidgetResizable(true);
@@ -277,7 +279,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     cornerKey_->setProperty("primary", true);
     const auto planeHere = [this] {
         if (!refusedWithoutData()) {
-            // The tool points at the surface, and the arm is on its own side of the plane.
+            // The tool points at the surface, so the arm is on the permitted side of the plane.
             addPlane(planePose(state_.tcpPose.position, -rotationMatrix(state_.tcpPose.rotation).col(2)));
         }
     };
@@ -343,7 +345,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
             refresh();
             return;
         }
-        project::CellPlane after = *selected;  // its position may still be unknown
+        project::CellPlane after = *selected;  // the position of the plane may still be unknown
         after.pose = planePose(after.pose.position, normal.normalized());
         change(after, CellPage::tr("Rotate “%1”").arg(after.name));
     });
@@ -437,7 +439,7 @@ void CellPage::takeCorner() {
     const Eigen::Vector3d here = state_.tcpPose.position;
     if (!corner_) {
         corner_ = here;
-        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner taken."),
+        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner recorded."),
                       CellPage::tr("Move the TCP to the opposite corner and press Other corner."),
                       CellPage::tr("Discard"), [this] {
                           corner_.reset();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The surroundings of the arm: boxes, planes and the floor, entered as numbers or taught from the TCP, and the
-// safety distance. Changes are displayed and checked immediately.
+// The surroundings of the arm: boxes, planes, the floor and the safety distance. Objects are entered as
+// numbers or taught from the TCP. Changes are displayed and checked immediately.
 
 #include <array>
 #include <optional>
@@ -19,7 +19,7 @@ class DecimalSpinBox;
 class PoseEditor;
 class ProjectDocument;
 
-/// Three numbers in a row: a point or a size in the units of the settings, or a direction without a unit.
+/// Three numbers in a row: a point or size in the units of the settings, or a direction without a unit.
 class VectorEditor : public QWidget {
     Q_OBJECT
 
@@ -30,10 +30,10 @@ public:
     VectorEditor(Kind kind, const QString& name, const std::array<QString, 3>& letters,
                  const std::array<QString, 3>& spoken, QWidget* parent = nullptr);
 
-    void setVector(const Eigen::Vector3d& vector);  ///< [m], or without a unit
+    void setVector(const Eigen::Vector3d& vector);  ///< [m]; a direction has no unit
 
 Q_SIGNALS:
-    /// A value was edited; the other two keep their full precision.
+    /// A value was edited. The other two values keep their full precision.
     void entered(const Eigen::Vector3d& vector);
 
 protected:
@@ -64,7 +64,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    // Boxes are listed before planes. One of the two is null; both are null without a selection.
+    // The selected box or plane. The other one is null, and both are null without a selection. Boxes are
+    // listed before planes.
     const project::CellBox* box() const;
     const project::CellPlane* plane() const;
     QString obstacle() const;
@@ -90,7 +91,7 @@ private:
 
     ProjectDocument& document_;
     SessionState state_;
-    std::optional<Eigen::Vector3d> corner_;  ///< first corner of a box, base frame [m]
+    std::optional<Eigen::Vector3d> corner_;  ///< first corner of a box in the base frame [m]
     QPushButton* cornerKey_ = nullptr;
     QWidget* selected_;  ///< widgets for the selected object
     QLabel* facts_;

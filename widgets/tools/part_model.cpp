@@ -10,7 +10,7 @@ PartModel::PartModel(Content content, QObject* parent)
 
 void PartModel::follow() {
     const int now = content_.count();
-    // Remaining rows keep their selection; all values are updated.
+    // The remaining rows keep their selection, and all values are updated.
     if (now > rows_) {
         beginInsertRows({}, rows_, now - 1);
         rows_ = now;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Table model for a list of named objects of the project: mark of the active one, name, and values. The name is
-// editable; functions provide the connection to the project.
+// Table model for a list of named objects of the project: a mark for the active object, the name, and values.
+// The name is editable. Callback functions provide the access to the project.
 
 #include <QAbstractTableModel>
 #include <QStringList>
@@ -20,16 +20,16 @@ public:
         std::function<QStringList()> valueHeadings;
         std::function<int()> count;
         std::function<bool(int row)> isInUse;
-        QString inUse;  ///< text of the mark: "In use"
+        QString inUse;  ///< text of the mark, e.g. "In use"
         std::function<QString(int row)> name;
         std::function<QStringList(int row)> figures;  ///< one text per column
-        /// The reason why the row cannot have this name, as a sentence; empty if it can.
+        /// Returns the reason why the row cannot have this name, as a sentence; empty if the name is valid.
         std::function<QString(int row, const QString& name)> nameProblem;
         std::function<void(int row, const QString& name)> rename;
     };
     explicit PartModel(Content content, QObject* parent = nullptr);
 
-    /// The list or its content has changed.
+    /// Updates the model after the list or its content has changed.
     void follow();
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -40,12 +40,12 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 Q_SIGNALS:
-    /// An edit was refused, with the reason.
+    /// An edit was rejected. The argument is the reason.
     void editRefused(const QString& reason);
 
 private:
     Content content_;
-    int rows_ = 0;  ///< number of rows known to the views
+    int rows_ = 0;  ///< number of rows reported to the views
 };
 
 }  // namespace tiller

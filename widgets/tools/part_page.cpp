@@ -80,7 +80,7 @@ PartPage::PartPage(const QString& name, const QString& title, PartModel* model, 
 }
 
 PartPage::~PartPage() {
-    // The table loses its model during destruction, and the document may no longer exist.
+    // The model of the table is destroyed first, and the document may no longer exist.
     disconnect(table_, nullptr, this, nullptr);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Base of the pages of the tab "Tools": buttons at the top, the list, details of the selected row below, and a
-// notice at the bottom. A page may replace the list, e.g. for teaching.
+// Base class of the pages of the tab "Tools": buttons at the top, the list, the details of the selected row
+// below the list, and a notice at the bottom. A page may replace the list, e.g. for teaching.
 
 #include <QUuid>
 #include <QWidget>
@@ -27,10 +27,10 @@ class PartPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// The selected row; -1: none.
+    /// Index of the selected row; -1: none.
     int currentRow() const;
     void selectRow(int row);
-    /// All actions for menus, the command palette and the help.
+    /// All actions, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
 
 Q_SIGNALS:
@@ -40,7 +40,7 @@ Q_SIGNALS:
     void frontWanted();
 
 protected:
-    /// name     prefix of the object names, e.g. "tcp" for tcp.table, tcp.more ...
+    /// name     prefix of the object names, e.g. "tcp" for tcp.table, tcp.more
     /// empty    suggested action for an empty list
     /// details  widget below the list
     PartPage(const QString& name, const QString& title, PartModel* model, const QString& empty,
@@ -49,10 +49,10 @@ protected:
 
     QPushButton* addKey(const QString& name, const QString& text, const QString& spoken, int stretch,
                         std::function<void()> run);
-    /// needsRow  the command is disabled without a selection
+    /// needsRow  if true, the command is disabled without a selection
     QAction* addCommand(const QString& name, const QString& text, bool needsRow, std::function<void()> run);
     QMenu* menu() { return menu_; }
-    /// Replaces buttons, list and details; null: restores them.
+    /// Shows the widget instead of buttons, list and details. Null restores them.
     void showInstead(QWidget* widget);
     PartModel& model() { return *model_; }
     RowTable& table() { return *table_; }
@@ -61,7 +61,7 @@ protected:
     void showProblem(const QString& text);
     /// Updates the page after a change of the list.
     void followList();
-    /// Keeps the details visible without a selection.
+    /// Shows the details even without a selection.
     void keepDetails() { detailsAlways_ = true; }
 
     /// Called when the selection or the values of the selected object have changed.

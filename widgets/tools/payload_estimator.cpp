@@ -22,7 +22,7 @@ constexpr double kProposals[][3] = {{0, 0, 0},      {0.6, 0, 0},     {-0.4, 0.7,
                                     {0, -0.7, 1.6}, {0.5, 0.5, 2.4}, {-0.5, -0.5, -0.8}};
 constexpr double kProposedSpeed = 0.5;         ///< [rad/s]
 constexpr double kProposedAcceleration = 1.0;  ///< [rad/s2]
-/// Minimum difference of the forces and torques between the poses, above the noise [N, Nm].
+/// Minimum differences of the forces and torques between the poses. They must exceed the noise [N, Nm].
 constexpr double kPoorForce = 1.0;
 constexpr double kPoorTorque = 0.1;
 
@@ -49,7 +49,7 @@ PayloadEstimator::PayloadEstimator(MotionPort port, HoldPolicy& policy, QWidget*
     next_->setObjectName(QStringLiteral("payload.estimator.next"));
     next_->setAccessibleName(tr("Next pose, hold"));
     next_->setToolTip(
-        tr("Rotates the wrist to the next pose while the key is held, no faster than the jog speed. Make "
+        tr("Rotates the wrist to the next pose while the button is held, no faster than the jog speed. Make "
            "sure that the tool has space to rotate."));
     feedback_->setObjectName(QStringLiteral("payload.estimator.feedback"));
     feedback_->setWordWrap(true);
@@ -128,7 +128,7 @@ JointPositions PayloadEstimator::nextPose() const {
     const auto& turns = kProposals[readings_.size() % std::size(kProposals)];
     for (int i = 0; i < 3; ++i) {
         const double there = q[3 + i] + turns[i];
-        // At the limit of the range it rotates in the other direction.
+        // If the rotation would exceed the limit of the range, rotate in the other direction.
         q[3 + i] = std::abs(there) <= kJointPositionLimit ? there : q[3 + i] - turns[i];
     }
     return q;
@@ -185,12 +185,12 @@ void PayloadEstimator::setState(const SessionState& state) {
             case StandstillMean::Outcome::Moved:
                 taking_ = false;
                 problem_ =
-                    tr("The arm moved. Wait for standstill, keep the tool free of contact, and take the pose "
-                       "again.");
+                    tr("The arm moved. Wait for standstill, keep the tool free of contact, and record the "
+                       "pose again.");
                 break;
             case StandstillMean::Outcome::NoForce:
                 taking_ = false;
-                problem_ = tr("The robot sends no forces. Enter mass and centre of gravity instead.");
+                problem_ = tr("The robot sends no force data. Enter mass and centre of gravity instead.");
                 break;
             case StandstillMean::Outcome::Done:
                 taking_ = false;
@@ -220,32 +220,33 @@ QString PayloadEstimator::feedback() const {
                          format::newtons(estimate_.forceResidual),
                          format::newtonMetres(estimate_.torqueResidual));
             return estimate_.forceResidual > kPoorForce || estimate_.torqueResidual > kPoorTorque
-                       ? tr("%1 The accuracy is low: pose %2 deviates most. Remove it and take another pose.")
+                       ? tr("%1 The accuracy is low: pose %2 deviates most. Remove it and record another "
+                            "pose.")
                              .arg(result)
                              .arg(estimate_.worst + 1)
                        : result;
         }
         case Problem::TooAlike:
             return tr(
-                "The tool orientations are too similar. Take one more pose with the tool rotated in another "
-                "direction.");
+                "The tool orientations are too similar. Record one more pose with the tool rotated in "
+                "another direction.");
         case Problem::NoWeight:
             return tr("%1 kg: too light to measure the centre of gravity. Enter it manually.")
                 .arg(format::number(estimate_.mass, 3));
         case Problem::NotFinite:
-            return tr("The robot sends no forces. Enter mass and centre of gravity instead.");
+            return tr("The robot sends no force data. Enter mass and centre of gravity instead.");
         case Problem::TooFew:
             break;
     }
     return readings_.empty()
-               ? tr("Wait for standstill, keep the tool free of contact, and take the pose. Then rotate the "
-                    "wrist, by jogging or with Next pose, and take three more poses.")
-               : tr("Rotate the wrist in another direction and take the pose. Poses still needed: %n",
+               ? tr("Wait for standstill, keep the tool free of contact, and record the pose. Then rotate "
+                    "the wrist, by jogging or with Next pose, and record three more poses.")
+               : tr("Rotate the wrist in another direction and record the pose. Poses still needed: %n",
                     nullptr, kinematics::kMinPayloadPoses - static_cast<int>(readings_.size()));
 }
 
 void PayloadEstimator::refresh() {
-    const QString take = tr("Take pose %1").arg(readings_.size() + 1);
+    const QString take = tr("Record pose %1").arg(readings_.size() + 1);
     take_->setText(take);
     take_->setAccessibleName(take);
     take_->setEnabled(state_.hasData() && !taking_);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Estimates the payload by the force sensor in four or more poses. Between them the arm is jogged, or moved to a
-// suggested pose while a button is held. Shows the consistency of the poses and the one with the largest residual.
+// Estimates the payload from the forces measured in four or more poses. Between the poses, the user jogs the
+// arm, or holds a button that moves the arm to a suggested pose. Shows the consistency of the poses and the
+// pose with the largest residual.
 
 #include <QWidget>
 #include <vector>

@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about different values in robot and project.
+/// Cause of the notice about different payloads in robot and project.
 constexpr char kPayloadDifference[] = "robot.payload";
 
 PartModel* payloadModel(ProjectDocument& document) {
@@ -44,9 +44,9 @@ PartModel* payloadModel(ProjectDocument& document) {
         return figures;
     };
     content.nameProblem = [&document](int, const QString& name) {
-        return name.isEmpty() ? PayloadPage::tr("A payload needs a name.")
+        return name.isEmpty() ? PayloadPage::tr("Enter a name for the payload.")
                : document.tooling().payloads.findByName(name) != nullptr
-                   ? PayloadPage::tr("Another payload is named “%1”. Choose another name.").arg(name)
+                   ? PayloadPage::tr("A payload named “%1” already exists. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {
@@ -65,8 +65,8 @@ struct Preset {
     double mass;    ///< [kg]
     double height;  ///< height of the centre of gravity above the flange [m]
 };
-/// Estimated values, not compared with the manufacturers' data sheets. They include the coupling, but no
-/// workpiece.
+/// Estimated values that have not been compared with the manufacturers' data sheets. They include the
+/// coupling, but no workpiece.
 constexpr Preset kPresets[] = {
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Nothing mounted"), 0, 0},
     {QT_TRANSLATE_NOOP("tiller::PayloadPage", "Robotiq 2F-85, empty"), 0.925, 0.058},
@@ -200,7 +200,7 @@ void PayloadPage::storeValue(int figure) {
     } else {
         after.centre[figure - 1] = boxes_[at]->value() * format::metresPerUnit();
     }
-    // The inertia was valid for the previous mass.
+    // The inertia was valid only for the previous mass.
     after.inertia.reset();
     change(after, tr("Change the payload “%1”").arg(payload->name));
 }
@@ -224,7 +224,7 @@ void PayloadPage::use() {
         return;
     }
     const project::Payload chosen = *payload;
-    // No question about a value that is about to be set.
+    // Do not ask about a value that is about to be set.
     asked_ = chosen;
     askedMass_ = state_.payloadMass;
     askedCentre_ = state_.payloadCentre;
@@ -285,22 +285,23 @@ void PayloadPage::followCheck() {
                 tr("The arm moved. Wait for standstill, keep the tool free of contact, and check again."));
             break;
         case StandstillMean::Outcome::NoForce:
-            showProblem(tr("The robot sends no forces: the payload cannot be verified."));
+            showProblem(tr("The robot sends no force data: the payload cannot be verified."));
             break;
         case StandstillMean::Outcome::Done: {
             const Wrench left = mean_.remaining();
             const double force = left.force.norm();
             const double torque = left.torque.norm();
-            const QString felt = tr("With a payload of %1 kg, the arm measures %2 and %3.")
-                                     .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
-                                          format::newtonMetres(torque));
+            const QString felt =
+                tr("With a payload of %1 kg, the arm measures a force of %2 and a torque of %3.")
+                    .arg(format::number(mean_.payloadMass(), 3), format::newtons(force),
+                         format::newtonMetres(torque));
             if (force <= kTrueForce && torque <= kTrueTorque) {
                 Q_EMIT message(Severity::Info, tr("The payload is correct. %1").arg(felt));
                 notice().show(NoticeBar::Kind::Question, tr("The payload is correct"), felt);
                 break;
             }
-            // A downward force means that the configured payload is too small, an upward force that it is too
-            // large.
+            // A downward force means that the configured payload is too small. An upward force means that it
+            // is too large.
             const double missing = -left.force.z() / kinematics::kStandardGravity;
             const QString advice =
                 std::abs(missing) > 0.1
@@ -350,7 +351,7 @@ void PayloadPage::refresh() {
 void PayloadPage::updateValueTexts(const project::Payload& payload) {
     const double perUnit = format::metresPerUnit();
     if (shownPayload_ == payload && shownUnit_ == perUnit) {
-        return;  // keep a value that is being edited
+        return;  // preserve a value that is being edited
     }
     shownPayload_ = payload;
     shownUnit_ = perUnit;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The payloads of the project: entered, from presets, or measured with the arm; one of them is active. The payload
-// configured in the robot is compared with it, and with the measured forces.
+// The payloads of the project. A payload is entered, selected from presets, or measured with the arm. One
+// payload is active. The payload configured in the robot is compared with the active payload and with the
+// measured forces.
 
 #include <array>
 #include <optional>
@@ -27,16 +28,17 @@ public:
                 QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
-    /// After undo or redo: selects the changed payload, and asks if the robot has a different one.
+    /// Call this after undo or redo. Selects the changed payload, and asks the user if the robot has a
+    /// different payload.
     void followStep(const QUuid& id);
     void setHeldSpeed(std::function<HeldSpeed()> speed) { estimator_->setHeldSpeed(std::move(speed)); }
-    /// Measures for a second, and shows whether the configured payload explains the forces.
+    /// Measures for one second, and shows whether the configured payload explains the measured forces.
     void checkTruth();
 
-    /// Larger differences between robot and project are reported [kg, m].
+    /// Tolerances [kg, m]. Larger differences between robot and project are reported.
     static constexpr double kSameMass = 0.005;
     static constexpr double kSameCentre = 0.0005;
-    /// Maximum residual force and torque at rest with a correct payload [N, Nm].
+    /// Maximum residual force and torque at standstill with a correct payload [N, Nm].
     static constexpr double kTrueForce = 3.0;
     static constexpr double kTrueTorque = 0.5;
 

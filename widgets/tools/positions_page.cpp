@@ -42,9 +42,9 @@ PartModel* positionModel(ProjectDocument& document) {
         return QStringList{joints.join(QStringLiteral("  "))};
     };
     content.nameProblem = [&document](int, const QString& name) {
-        return name.isEmpty() ? PositionsPage::tr("A position needs a name.")
+        return name.isEmpty() ? PositionsPage::tr("Enter a name for the position.")
                : document.positions().list.findByName(name) != nullptr
-                   ? PositionsPage::tr("Another position is named “%1”. Choose another name.").arg(name)
+                   ? PositionsPage::tr("A position named “%1” already exists. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {
@@ -93,7 +93,7 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
     }
     hasHeight_->setObjectName(QStringLiteral("position.hasHeight"));
     hasHeight_->setToolTip(tr(
-        "Height in the base frame above which there are no obstacles: above it the TCP may move sideways."));
+        "Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways."));
     height_->setObjectName(QStringLiteral("position.height"));
     height_->setAccessibleName(tr("Safe height"));
     auto* heightHere = new QPushButton(tr("Here"));
@@ -182,7 +182,7 @@ void PositionsPage::setHomeHere() {
     if (const project::NamedPosition* home = document_.positions().homePosition()) {
         notice().show(NoticeBar::Kind::Question,
                       tr("Set “%1” to the current position of the arm?").arg(home->name),
-                      tr("The Home key will move the arm there."), tr("Set home"), [this, q = state_.q] {
+                      tr("The Home button will move the arm there."), tr("Set home"), [this, q = state_.q] {
                           if (const project::NamedPosition* now = document_.positions().homePosition()) {
                               project::NamedPosition after = *now;
                               after.joints = q;
@@ -310,8 +310,8 @@ void PositionsPage::refresh() {
     }
     if (position == nullptr) {
         shownPosition_.reset();
-        facts_->setText(
-            tr("The Home key moves to the default home position: arm upright, without self-collision."));
+        facts_->setText(tr(
+            "The Home button moves the arm to the default home position: upright, without self-collision."));
         return;
     }
     if (!(shownPosition_ == *position)) {
@@ -323,8 +323,9 @@ void PositionsPage::refresh() {
             shown_[at] = joints_[at]->value();
         }
     }
-    const QString what = position->id == positions.home ? tr("%1: target of the Home key").arg(position->name)
-                                                        : position->name;
+    const QString what = position->id == positions.home
+                             ? tr("%1: target of the Home button").arg(position->name)
+                             : position->name;
     if (!state_.hasData()) {
         facts_->setText(what);
         return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Named joint positions, one of them Home, and the safe height for travel.
+// Named joint positions, one of which is Home, and the safe height for moves.
 
 #include <array>
 
@@ -24,7 +24,7 @@ public:
     PositionsPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
-    /// Stores the current position as Home, replacing an existing one.
+    /// Stores the current position as Home and replaces an existing Home position.
     void setHomeHere();
 
 protected:

@@ -18,7 +18,7 @@
 namespace tiller {
 namespace {
 
-/// Cause of the notice about different values in robot and project.
+/// Cause of the notice about different TCPs in robot and project.
 constexpr char kTcpDifference[] = "robot.tcp";
 
 PartModel* tcpModel(ProjectDocument& document) {
@@ -43,9 +43,9 @@ PartModel* tcpModel(ProjectDocument& document) {
         return figures;
     };
     content.nameProblem = [&document](int, const QString& name) {
-        return name.isEmpty() ? TcpPage::tr("A TCP needs a name.")
+        return name.isEmpty() ? TcpPage::tr("Enter a name for the TCP.")
                : document.tooling().tools.findByName(name) != nullptr
-                   ? TcpPage::tr("Another TCP is named “%1”. Choose another name.").arg(name)
+                   ? TcpPage::tr("A TCP named “%1” already exists. Choose another name.").arg(name)
                    : QString();
     };
     content.rename = [&document, at](int row, const QString& name) {
@@ -187,7 +187,7 @@ void TcpPage::use() {
         return;
     }
     const project::Tool chosen = *tool;
-    // No question about a value that is about to be set.
+    // Do not ask about a value that is about to be set.
     asked_ = chosen;
     askedAbout_ = state_.tcpOffset;
     project::Tooling after = document_.tooling();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tool centre points of the project: named, entered or taught, one of them active. The TCP of the robot is also
-// displayed; if the two differ, the user is asked, and neither is changed automatically.
+// The tool centre points of the project. They are named, and entered or taught. One of them is active. The
+// TCP of the robot is also displayed. If it differs from the active TCP, the user is asked, and neither is
+// changed automatically.
 
 #include <optional>
 
@@ -25,10 +26,11 @@ public:
     TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);
-    /// After undo or redo: selects the changed TCP, and asks if the robot has a different one.
+    /// Call this after undo or redo. Selects the changed TCP, and asks the user if the robot has a different
+    /// TCP.
     void followStep(const QUuid& id);
 
-    /// Larger differences between robot and project are reported [m, rad].
+    /// Tolerances [m, rad]. Larger differences between robot and project are reported.
     static constexpr double kSameDistance = 5e-5;
     static constexpr double kSameAngle = 1e-3;
 
@@ -54,8 +56,8 @@ private:
     QLabel* facts_;
     TcpTeacher* teacher_;
     QUuid teachingInto_;
-    std::optional<project::Tool> asked_;  ///< the tool for which the user was asked
-    Pose askedAbout_;                     ///< the TCP of the robot in that question
+    std::optional<project::Tool> asked_;  ///< the tool of the last question to the user
+    Pose askedAbout_;                     ///< the TCP of the robot in the last question
 };
 
 }  // namespace tiller

@@ -35,12 +35,12 @@ QPushButton* keyNamed(const char* name, const QString& text) {
 TcpTeacher::TcpTeacher(QWidget* parent)
     : QWidget(parent)
     , title_(wrapped("tcp.teacher.title"))
-    , take_(keyNamed("tcp.teacher.take", tr("Take pose")))
-    , again_(keyNamed("tcp.teacher.again", tr("Retake least accurate pose")))
+    , take_(keyNamed("tcp.teacher.take", tr("Record pose")))
+    , again_(keyNamed("tcp.teacher.again", tr("Redo least accurate pose")))
     , poses_(wrapped("tcp.teacher.poses"))
     , feedback_(wrapped("tcp.teacher.feedback"))
     , turning_(new ChoiceBox)
-    , takeTurn_(keyNamed("tcp.teacher.takeTurn", tr("Take")))
+    , takeTurn_(keyNamed("tcp.teacher.takeTurn", tr("Record")))
     , turnFeedback_(wrapped("tcp.teacher.turnFeedback"))
     , make_(keyNamed("tcp.teacher.make", tr("Keep TCP"))) {
     setObjectName(QStringLiteral("tcp.teacher"));
@@ -48,7 +48,7 @@ TcpTeacher::TcpTeacher(QWidget* parent)
     title_->setProperty("role", "strong");
     poses_->setFont(numberFont(13));
     take_->setProperty("primary", true);
-    takeTurn_->setAccessibleName(tr("Take a pose for the rotation"));
+    takeTurn_->setAccessibleName(tr("Record pose for the rotation"));
     turning_->setObjectName(QStringLiteral("tcp.teacher.turning"));
     turning_->setAccessibleName(tr("Rotation of the tool"));
     turning_->addItems({tr("Keep current rotation"), tr("Rotation from one pose: tool straight down"),
@@ -140,7 +140,7 @@ void TcpTeacher::takeTurn() {
     }
     const std::size_t needed = turning_->currentIndex() == ThreePoses ? 3 : 1;
     if (turns_.size() == needed) {
-        turns_.clear();  // restarts the rotation
+        turns_.clear();  // start again with the poses for the rotation
     }
     turns_.push_back(*T);
     refresh();
@@ -150,7 +150,7 @@ std::optional<Eigen::Vector3d> TcpTeacher::rotation() const {
     switch (turning_->currentIndex()) {
         case StraightDown:
             if (turns_.size() == 1) {
-                // Z pointing down, X along X of the base.
+                // Z points down, and X is parallel to X of the base frame.
                 const Eigen::Matrix3d R_base_tool = rotationMatrix({M_PI, 0, 0});
                 return rotationVector(kinematics::toolRotation(turns_[0].linear(), R_base_tool));
             }
@@ -191,18 +191,19 @@ QString TcpTeacher::tipFeedback() const {
                 .arg(format::length(fit_.residuals[static_cast<std::size_t>(fit_.worst)], 2));
         case Problem::TooAlike:
             return tr(
-                "The tool orientations are too similar. Take one more pose, tilted by 30° or more in another "
-                "direction.");
+                "The tool orientations are too similar. Record one more pose, tilted by 30° or more in "
+                "another direction.");
         case Problem::NotFinite:
-            return tr("The robot sent an invalid position. Take the poses again.");
+            return tr("The robot sent an invalid position. Record the poses again.");
         case Problem::TooFew:
             break;
     }
-    return taken == 0 ? tr("Jog the tip to a fixed, sharp point and take the pose. Take four poses in total, "
-                           "each with the tip on the same point and the tool tilted in another direction.")
-                      : tr("Tilt the tool in another direction, move the tip to the same point again, and "
-                           "take the pose. Poses still needed: %n",
-                           nullptr, kinematics::kMinTipPoses - taken);
+    return taken == 0
+               ? tr("Jog the tip to a fixed, sharp point and record the pose. Record four poses in total, "
+                    "each with the tip on the same point and the tool tilted in another direction.")
+               : tr("Tilt the tool in another direction, move the tip to the same point again, and record "
+                    "the pose. Poses still needed: %n",
+                    nullptr, kinematics::kMinTipPoses - taken);
 }
 
 QString TcpTeacher::turnFeedback() const {
@@ -212,20 +213,20 @@ QString TcpTeacher::turnFeedback() const {
     }
     if (turning_->currentIndex() == StraightDown) {
         return turns_.empty() ? tr("Rotate the tool until it points straight down and its X axis is parallel "
-                                   "to the base X axis, then take the pose.")
-                              : tr("Rotation taken. Take it again to replace it.");
+                                   "to the base X axis, then record the pose.")
+                              : tr("Rotation recorded. Record it again to replace it.");
     }
     switch (turns_.size()) {
         case 0:
             return tr(
-                "Take the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z "
-                "only.");
+                "Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and "
+                "Z only.");
         case 1:
-            return tr("Move the tool along its +Z direction, away from the flange, by at least %1, and take "
-                      "the pose.")
+            return tr("Move the tool along its +Z direction, away from the flange, by at least %1, and "
+                      "record the pose.")
                 .arg(format::shortLength(kinematics::kMinAxisTravel));
         case 2:
-            return tr("Now move the tool along its +X direction by at least %1, and take the pose.")
+            return tr("Now move the tool along its +X direction by at least %1, and record the pose.")
                 .arg(format::shortLength(kinematics::kMinAxisTravel));
         default:
             break;
@@ -233,37 +234,37 @@ QString TcpTeacher::turnFeedback() const {
     const auto fit = kinematics::fitToolRotation({turns_[0], turns_[1], turns_[2]});
     switch (fit.problem) {
         case Problem::None:
-            return tr("Rotation taken: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.")
+            return tr("Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.")
                 .arg(format::length(fit.alongZ, 1), format::length(fit.offLine, 1),
                      format::degrees(fit.residual, 2))
                 .arg(fit.worst + 1);
         case Problem::Turned:
-            return tr("The flange rotated by up to %1 (pose %2). Take the three poses again without rotating "
-                      "the tool.")
+            return tr("The flange rotated by up to %1 (pose %2). Record the three poses again without "
+                      "rotating the tool.")
                 .arg(format::degrees(fit.residual, 2))
                 .arg(fit.worst + 1);
         case Problem::ZTooClose:
-            return tr("The distance along +Z is only %1. Take the three poses again, at least %2 apart.")
+            return tr("The distance along +Z is only %1. Record the three poses again, at least %2 apart.")
                 .arg(format::length(fit.alongZ, 1), format::shortLength(kinematics::kMinAxisTravel));
         case Problem::XTooClose:
-            return tr("The distance along +X is only %1. Take the three poses again, at least %2 apart.")
+            return tr("The distance along +X is only %1. Record the three poses again, at least %2 apart.")
                 .arg(format::length(fit.towardsX, 1), format::shortLength(kinematics::kMinAxisTravel));
         case Problem::InLine:
-            return tr("The three poses are collinear: the third is only %1 from the line. Take the three "
+            return tr("The three poses are collinear: the third is only %1 from the line. Record the three "
                       "poses again.")
                 .arg(format::length(fit.offLine, 1));
         case Problem::NotFinite:
             break;
     }
-    return tr("The robot sent an invalid position. Take the three poses again.");
+    return tr("The robot sent an invalid position. Record the three poses again.");
 }
 
 void TcpTeacher::refresh() {
     const bool live = flange().has_value();
     take_->setEnabled(live);
     again_->setEnabled(live && !tips_.empty());
-    again_->setText(fit_.ok() ? tr("Retake least accurate pose") : tr("Retake last pose"));
-    take_->setText(tr("Take pose %1").arg(tips_.size() + 1));
+    again_->setText(fit_.ok() ? tr("Redo least accurate pose") : tr("Redo last pose"));
+    take_->setText(tr("Record pose %1").arg(tips_.size() + 1));
     takeTurn_->setEnabled(live && turning_->currentIndex() != AsItIs);
     QStringList lines;
     for (std::size_t i = 0; i < tips_.size(); ++i) {
@@ -277,7 +278,7 @@ void TcpTeacher::refresh() {
         lines << line;
     }
     poses_->setText(lines.join(QLatin1Char('\n')));
-    feedback_->setText(!live && tips_.empty() ? tr("Poses can be taken only while the robot sends data.")
+    feedback_->setText(!live && tips_.empty() ? tr("Poses can be recorded only while the robot sends data.")
                                               : tipFeedback());
     turnFeedback_->setText(turnFeedback());
     make_->setEnabled(tcp().has_value());

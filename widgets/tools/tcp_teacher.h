@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Teaches a TCP with the arm: the tip from four or more poses with the tip at the same point, and the rotation from
-// one or three poses. Shows the next pose, the consistency of the poses, and the one with the largest residual.
+// Teaches a TCP with the arm. The tip position results from four or more poses with the tip at the same
+// point. The rotation results from one or three poses. Shows the next pose, the consistency of the poses, and
+// the pose with the largest residual.
 
 #include <QWidget>
 #include <array>
@@ -26,11 +27,11 @@ public:
     explicit TcpTeacher(QWidget* parent = nullptr);
 
     /// Restarts teaching.
-    /// rotation  rotation of the tool, kept unless another one is taught
+    /// rotation  rotation of the tool, which is kept unless a rotation is taught
     void begin(const QString& title, const Eigen::Vector3d& rotation);
-    /// The current flange pose; poses can be recorded while data are live.
+    /// Sets the current flange pose. Poses can be recorded while data are live.
     void setLive(const SessionState& state);
-    /// Records the next pose of the tip, or of the rotation after the tip is complete.
+    /// Records the next pose of the tip or, when the tip is complete, of the rotation.
     void takeNext();
     void finish();
 

@@ -17,7 +17,7 @@ namespace tiller {
 
 namespace {
 
-/// A page that scrolls if the tab has little height, and is never narrower than its buttons.
+/// A page that scrolls if the tab has little height. It is never narrower than its buttons.
 class PageArea : public NoFocusScrollArea {
 public:
     explicit PageArea(QWidget* page) {
@@ -106,7 +106,7 @@ ToolsTab::ToolsTab(RobotSession& session, ProjectDocument& document, MotionPort 
         }
     });
 
-    // Values that change sixty times per second are not legible; measurements need every state.
+    // Values that change sixty times per second are not legible. Measurements still use every state.
     liveTimer_.setSingleShot(true);
     liveTimer_.setInterval(100);
     connect(&liveTimer_, &QTimer::timeout, this, [this] {

@@ -22,7 +22,7 @@ namespace {
 using project::IoGroup;
 using Action = project::WaypointAction;
 
-/// A longer delay of a sensor usually indicates a fault [s].
+/// Longer delays than this [s] of a sensor usually indicate a fault.
 constexpr double kUsualWait = 10;
 constexpr double kUsualPulse = 0.5;  // [s]
 
@@ -54,7 +54,7 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     setWindowTitle(count == 1 ? tr("Actions at “%1”").arg(waypoints.front().name)
                               : tr("Actions at %n waypoints", nullptr, count));
     auto* what = new QLabel(
-        tr("Actions run in this order when “Run route” reaches the waypoint, while its key is held."));
+        tr("Actions run in this order when “Run route” reaches the waypoint and its button is held."));
     what->setProperty("role", "secondary");
     what->setWordWrap(true);
     const bool differ =
@@ -96,7 +96,7 @@ QPushButton* ActionsDialog::addKey(const char* name, const QString& text, const 
     key->setObjectName(QStringLiteral("waypoint.actions.") + QLatin1String(name));
     key->setAccessibleName(toolTip);
     key->setToolTip(toolTip);
-    key->setAutoDefault(true);  // Default button for Return, because Space stops the robot
+    key->setAutoDefault(true);  // Return activates the default button, because Space stops the robot
     connect(key, &QPushButton::clicked, this, pressed);
     return key;
 }
@@ -151,7 +151,7 @@ QWidget* ActionsDialog::buildFields() {
         const int row = grid->rowCount();
         grid->addWidget(label, row, 0);
         grid->addWidget(field, row, 1);
-        // All fields have the same position for all action types.
+        // All fields are at the same position for all action types.
         for (QWidget* part : {static_cast<QWidget*>(label), field}) {
             QSizePolicy policy = part->sizePolicy();
             policy.setRetainSizeWhenHidden(true);
@@ -164,7 +164,7 @@ QWidget* ActionsDialog::buildFields() {
 void ActionsDialog::add() {
     Action action;
     action.kind = Action::Kind::SetOutput;
-    // The next action usually has the same type as the last one.
+    // The next action usually has the same type as the previous action.
     const int row = list_->currentRow();
     if (row >= 0) {
         action = actions_[static_cast<std::size_t>(row)];
@@ -264,8 +264,8 @@ void ActionsDialog::refresh() {
     secondsText_->setText(action.kind == Action::Kind::WaitForInput ? tr("Timeout in seconds")
                                                                     : tr("Seconds"));
     seconds_->setToolTip(action.kind == Action::Kind::WaitForInput
-                             ? tr("After this time the wait fails with a message. 0: waits while the key is "
-                                  "held, for one hour at most")
+                             ? tr("After this time, the wait fails with a message. 0: waits while the button "
+                                  "is held, for at most one hour")
                              : QString());
     if (any) {
         kind_->setCurrentIndex(static_cast<int>(action.kind));

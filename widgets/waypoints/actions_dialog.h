@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Edits the actions at one or several waypoints: a list in execution order, and the parameters of the selected
-// action. The dialog executes no action.
+// Edits the actions at one or several waypoints: a list in execution order and the parameters of the selected
+// action. The dialog does not execute actions.
 
 #include <QDialog>
 #include <functional>
@@ -26,7 +26,7 @@ public:
     /// waypoints  at least one; the actions of the first one are shown initially
     explicit ActionsDialog(const std::vector<project::Waypoint>& waypoints, QWidget* parent = nullptr);
 
-    /// The edited actions for each waypoint.
+    /// The edited actions. They apply to each of the waypoints.
     const project::WaypointActions& actions() const { return actions_; }
 
     void accept() override;
@@ -45,7 +45,7 @@ private:
     void refresh();
 
     project::WaypointActions actions_;
-    bool filling_ = false;  ///< true while the program updates the fields
+    bool filling_ = false;  ///< true while the code updates the fields
     QListWidget* list_;
     QPushButton* remove_ = nullptr;
     QPushButton* up_ = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A row of buttons that is hidden if there is not enough space, so that it does not enlarge a panel.
+// A row of buttons that is hidden if there is not enough space, so that the row does not enlarge the panel.
 
 #include <QWidget>
 
@@ -14,8 +14,8 @@ public:
     }
 
     QSize minimumSizeHint() const override { return {0, 0}; }
-    /// room  space in the panel without its other content [px]. Hiding the row ends a hold-to-run motion of
-    /// its buttons.
+    /// Shows or hides the row. Hiding the row ends a hold-to-run motion of its buttons.
+    /// room  space in the panel without its other content [px]
     void fitInto(const QSize& room) {
         const QSize wanted = sizeHint();
         setVisible(room.width() >= wanted.width() && room.height() >= wanted.height());

@@ -35,17 +35,17 @@ GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actio
     layout->setSpacing(8);
     layout->addWidget(
         addKey(tr("Run route (hold)"), QStringLiteral("waypoint.goThrough"), tr("Run route, hold"),
-               tr("Moves from waypoint to waypoint while the key is held, no faster than the jog speed, and "
-                  "runs the actions of each waypoint. Release to pause; the next press continues to the next "
-                  "waypoint."),
+               tr("Moves from waypoint to waypoint while the button is held, no faster than the jog speed, "
+                  "and runs the actions of each waypoint. Release to pause; the next press continues to the "
+                  "next waypoint."),
                Way::Through),
         3);
     layout->addWidget(addKey(QStringLiteral("‹"), QStringLiteral("waypoint.stepBack"),
                              tr("Previous waypoint, hold"),
-                             tr("Moves to the previous waypoint while the key is held"), Way::StepBack));
+                             tr("Moves to the previous waypoint while the button is held"), Way::StepBack));
     layout->addWidget(
         addKey(QStringLiteral("›"), QStringLiteral("waypoint.stepOn"), tr("Next waypoint, hold"),
-               tr("Moves to the next waypoint while the key is held, and stops there"), Way::StepOn));
+               tr("Moves to the next waypoint while the button is held, and stops there"), Way::StepOn));
     through().setWidestDetail(QStringLiteral("000 waypoints · 000 mm/s"));
 
     scope_->setObjectName(QStringLiteral("waypoint.routeScope"));
@@ -57,7 +57,7 @@ GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actio
     layout->addWidget(scope_);
     loop_->setObjectName(QStringLiteral("waypoint.routeLoop"));
     loop_->setAccessibleName(tr("Loop"));
-    loop_->setToolTip(tr("Restarts at the first waypoint after the last one, as long as the key is held"));
+    loop_->setToolTip(tr("Restarts at the first waypoint after the last one while the button is held"));
     layout->addWidget(loop_);
     connect(scope_, &QComboBox::currentIndexChanged, this, [this] {
         stop(control::StopCause::SelectionChanged);
@@ -140,7 +140,7 @@ void GoThroughBar::updateAvailability() {
                                                : state_.controlReason;
     }
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        // A held button is not disabled: the motion ends by itself.
+        // A held button is not disabled, because the motion ends by itself.
         if (robot.isEmpty() && keys_[i]->isHolding()) {
             continue;
         }
@@ -182,7 +182,7 @@ HoldToRunButton& GoThroughBar::through() {
 
 void GoThroughBar::showSpeed() {
     if (isHolding()) {
-        return;  // the current motion keeps its speed
+        return;  // the speed of the current motion does not change
     }
     const bool known = state_.hasData() && obstacles_[static_cast<std::size_t>(Way::Through)].isEmpty();
     const Result<MoveRequest> move =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The buttons for "Run route": hold to run, one waypoint back, one forward, selection of waypoints, once or
-// in a loop, and display of the next waypoint. The rules are those of HoldRules.
+// The buttons for "Run route": hold to run, one waypoint back, one waypoint forward, selection of waypoints,
+// and running once or in a loop. Also shows the next waypoint. The rules are those of HoldRules.
 
 #include <QWidget>
 #include <array>
@@ -22,7 +22,7 @@ class GoThroughBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// The selection of waypoints, in the order of the list.
+    /// The waypoints of the route, in the order of the list.
     enum class Scope { FromHere, Selection, All };
 
     /// policy  the one of the window; must outlive the bar
@@ -33,14 +33,14 @@ public:
 
     void setState(const SessionState& state);
     void setGripper(GripperPort gripper) { actions_.gripper = std::move(gripper); }
-    /// The selection has changed: the route restarts.
+    /// Sets the selection and restarts the route.
     /// current  -1 for none
     void setSelection(int current, const QList<int>& selected);
-    /// The document was edited, with this selection.
+    /// Updates the route after an edit of the document, with this selection.
     void followDocument(int current, const QList<int>& selected);
     /// Updates the displayed speed.
     void showSpeed();
-    /// Ends an active motion.
+    /// Ends the active motion, if any.
     void stop(control::StopCause cause);
     bool isHolding() const;
 
@@ -51,7 +51,7 @@ public:
 Q_SIGNALS:
     /// The next waypoint has changed, or a button was pressed or released.
     void comingChanged();
-    /// A press had no effect, or the run aborted, with the reason.
+    /// A press had no effect, or the run was aborted. The argument is the reason.
     void refused(const QString& reason);
 
 private:
@@ -76,7 +76,7 @@ private:
     QString place_;  ///< e.g. "2 of 7"
     QString speed_;
 
-    std::array<HoldToRunButton*, 3> keys_{};  ///< keys by RouteRunner::Way
+    std::array<HoldToRunButton*, 3> keys_{};  ///< hold-to-run buttons by RouteRunner::Way
     ChoiceBox* scope_;
     QCheckBox* loop_;
 };

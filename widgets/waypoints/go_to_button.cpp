@@ -29,8 +29,8 @@ GoToButton::GoToButton(MotionPort port, HoldPolicy& policy, Target target, QWidg
     setObjectName(QStringLiteral("waypoint.goTo"));
     setAccessibleName(tr("Go to, hold"));
     setToolTip(
-        tr("Moves the arm to the selected waypoint while the key is held (G), no faster than the "
-           "jog speed"));
+        tr("Moves the arm to the selected waypoint while the button or G is held, no faster than the jog "
+           "speed"));
     setWidestDetail(QStringLiteral("000 mm/s"));
     setMotion({
         .begin = [this] { return begin(); },
@@ -69,7 +69,7 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
     const KeyCode code = PhysicalKeys::codeOf(key);
     const bool press = key.type() == QEvent::KeyPress;
     if (!key_.isEmpty() && !key_.isDown(code)) {
-        // Another key was pressed or released in addition to the held one. Two keys do not count as holding,
+        // Another key was pressed or released in addition to the held key. Two keys do not count as holding,
         // and an unmatched release may have been that of the held key.
         if (!key.isAutoRepeat()) {
             guard().tell(press ? HoldEvent::Kind::OtherKey : HoldEvent::Kind::Unmatched);
@@ -77,7 +77,7 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
         return false;
     }
     if (key_.isDown(code)) {
-        // The held key, independent of modifiers and layout.
+        // The key code identifies the held key independently of modifiers and layout.
         switch (key_.take(key, Qt::Key_G)) {
             case PhysicalKeys::Change::Up:
                 guard().release();
@@ -103,14 +103,14 @@ bool GoToButton::takeKey(const QKeyEvent& key) {
 
 bool GoToButton::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
-    // A key event is sent to the native window and then to the widget: process it once.
+    // A key event is delivered to the native window and then to the widget. Process it only once.
     if (isKey && watched->isWidgetType() && takeKey(*static_cast<QKeyEvent*>(event))) {
         return true;
     }
-    // For any window: the panel of this button may have moved to another one since the press.
+    // Check any window, because the panel of this button may have moved to another window since the press.
     if (event->type() == QEvent::WindowDeactivate && !key_.isEmpty() && watched->isWidgetType() &&
         static_cast<QWidget*>(watched)->isWindow()) {
-        key_.clear();  // its release will not be received
+        key_.clear();  // the release of the key will not be received
         if (watched != window()) {
             guard().stop(control::StopCause::WindowDeactivated);
         }

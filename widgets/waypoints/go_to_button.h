@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The button "Go to (hold)": while it or the key G is held, the arm moves to a waypoint. The rules are those of
-// HoldRules. G works anywhere in the window except in text fields.
+// The button "Go to (hold)". The arm moves to a waypoint while the button or the key G is held. The rules are
+// those of HoldRules. G works anywhere in the window except in text fields.
 
 #include <functional>
 
@@ -16,7 +16,7 @@ class GoToButton : public HoldToRunButton {
     Q_OBJECT
 
 public:
-    /// Returns the move for a press, or the reason why no move is possible, as text for the operator
+    /// Returns the move for a press. If no move is possible, returns the reason as text for the operator
     /// (NoSolution).
     using Target = std::function<Result<MoveRequest>()>;
 
@@ -25,11 +25,11 @@ public:
     ~GoToButton() override;
 
     void setState(const SessionState& state);
-    /// Ends an active motion.
+    /// Ends the active motion, if any.
     void stop(control::StopCause cause) { guard().stop(cause); }
 
 Q_SIGNALS:
-    /// A press had no effect, with the reason.
+    /// A press had no effect. The argument is the reason.
     void refused(const QString& reason);
 
 protected:
@@ -45,7 +45,7 @@ private:
     Target target_;
     SessionState state_;
     HoldBounds bounds_;
-    PhysicalKeys key_;  ///< the held key, while it is down
+    PhysicalKeys key_;  ///< the key G while it is pressed
 };
 
 }  // namespace tiller

@@ -33,7 +33,7 @@ PathControls::PathControls(RobotSession& session, ProjectDocument& document, Sel
     , record_(new QPushButton)
     , tolerances_(new QMenu(tr("Tolerance of recorded paths"), this)) {
     record_->setObjectName(QStringLiteral("waypoint.recordPath"));
-    record_->setFocusPolicy(Qt::TabFocus);  // a click does not take the focus from the list
+    record_->setFocusPolicy(Qt::TabFocus);  // a click does not move the focus away from the list
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 12, 8);
     layout->addWidget(record_);
@@ -96,26 +96,29 @@ void PathControls::toggle() {
     }
 }
 
+QString PathControls::recordingText() const {
+    const int seconds = static_cast<int>(recorder_.seconds());
+    return recorder_.isRecording() ? QStringLiteral("● REC %1:%2")
+                                         .arg(seconds / 60, 2, 10, QLatin1Char('0'))
+                                         .arg(seconds % 60, 2, 10, QLatin1Char('0'))
+                                   : QString();
+}
+
 void PathControls::show() {
     const bool recording = recorder_.isRecording();
-    const int seconds = static_cast<int>(recorder_.seconds());
-    const QString running = QStringLiteral("● REC %1:%2")
-                                .arg(seconds / 60, 2, 10, QLatin1Char('0'))
-                                .arg(seconds % 60, 2, 10, QLatin1Char('0'));
-    record_->setText(recording ? running : tr("○ Path"));
+    record_->setText(recording ? recordingText() : tr("○ Path"));
     record_->setAccessibleName(recording ? tr("Stop recording path") : tr("Record path"));
     const QString obstacle = recorder_.isBusy()   ? tr("Simplifying the path…")
                              : live_ || recording ? QString()
                                                   : tr("The robot sends no data: nothing to record.");
     record_->setEnabled(obstacle.isEmpty());
     record_->setToolTip(!obstacle.isEmpty() ? obstacle
-                        : recording
-                            ? tr("Stops recording and stores the path as waypoints")
-                            : tr("Records the path of the arm during Freedrive or jogging until pressed "
-                                 "again, and stores it as waypoints. The robot does not move."));
+                        : recording         ? tr("Stops recording and stores the path as waypoints")
+                                    : tr("Records the path of the arm during Freedrive or jogging and stores "
+                                         "it as waypoints. Press again to stop. The robot does not move."));
     actions_.first()->setText(recording ? tr("Stop recording path") : tr("Record path"));
     actions_.first()->setEnabled(obstacle.isEmpty());
-    // Keep the width of the longest text, so that adjacent elements do not move.
+    // Keep the width that fits the longest text, so that adjacent elements do not move.
     const QString now = record_->text();
     int widest = record_->sizeHint().width();
     record_->setText(recording ? tr("○ Path") : QStringLiteral("● REC 00:00"));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Controls for recorded paths: the button that starts and stops a recording and shows its duration, the tolerance,
-// and export and import.
+// Controls for recorded paths: the button that starts and stops a recording and shows its duration, the
+// tolerance menu, and export and import.
 
 #include <QList>
 #include <QWidget>
@@ -30,11 +30,13 @@ public:
                  QWidget* parent = nullptr);
 
     PathRecorder& recorder() { return recorder_; }
-    /// The actions Record, Export and Import for menus, the command palette and the help.
+    /// The actions Record, Export and Import, for menus, the command palette and the help.
     QList<QAction*> actions() const { return actions_; }
-    /// The maximum deviation of the recorded positions from the reduced path.
+    /// Menu for the maximum deviation of the simplified path from the recorded positions.
     QMenu* toleranceMenu() { return tolerances_; }
     void setState(const SessionState& state);
+    /// "● REC 00:12" while a path is recorded, otherwise empty.
+    QString recordingText() const;
 
     /// Called by the commands after a file was selected.
     void exportTo(const QString& path);
@@ -43,7 +45,7 @@ public:
 Q_SIGNALS:
     void kept(const QString& summary);
     void refused(const QString& reason, const QString& details);
-    /// A file was written: a sentence for the log.
+    /// A file was written. The argument is a sentence for the log.
     void exported(const QString& summary);
 
 private:

@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-constexpr double kMinSide = 0.001;  ///< minimum distance of two corners [m]
+constexpr double kMinSide = 0.001;  ///< minimum distance between two corners [m]
 
 class CountBox : public QSpinBox {
 public:
@@ -180,17 +180,17 @@ void PatternDialog::takeCorner(int corner) {
 
 QString PatternDialog::problem() const {
     if (name_->text().trimmed().isEmpty()) {
-        return tr("A pattern needs a name.");
+        return tr("Enter a name for the pattern.");
     }
     const project::Pattern* other = document_.patterns().findByName(name_->text().trimmed());
     if (other != nullptr && other->id != pattern_.id) {
-        return tr("A pattern with this name exists. Choose another name.");
+        return tr("A pattern with this name already exists. Choose another name.");
     }
     if (isNew_) {
         for (std::size_t i = 0; i < 3; ++i) {
             const bool needed = i == 0 || (i == 1 ? pattern_.columns > 1 : pattern_.rows > 1);
             if (needed && pattern_.corners[i].isNull()) {
-                return tr("Select a waypoint for each corner. Teach the three corners first.");
+                return tr("Teach the three corners first, then select a waypoint for each corner.");
             }
         }
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Edits a pattern between three corners: corner waypoints, number of positions, order, skipped positions, layers.
-// For new and existing patterns.
+// Edits a new or existing pattern between three corners: corner waypoints, number of positions, order,
+// skipped positions, and layers.
 
 #include <QDialog>
 #include <array>
@@ -25,14 +25,13 @@ class PatternDialog : public QDialog {
 
 public:
     /// Creates a new pattern.
-    /// corners  waypoints of the first position, the end of the first row, and the start of the last row;
-    /// missing corners can be selected
+    /// corners  waypoints of the first position, of the end of the first row, and of the start of the last
+    /// row; missing corners can be selected
     PatternDialog(const ProjectDocument& document, const QVector<QUuid>& corners, QWidget* parent = nullptr);
     /// Edits an existing pattern of the document.
     PatternDialog(const ProjectDocument& document, const project::Pattern& pattern,
                   QWidget* parent = nullptr);
 
-    /// The edited pattern.
     const project::Pattern& pattern() const { return pattern_; }
     void accept() override;
 

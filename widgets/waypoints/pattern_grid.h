@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A pattern in top view: one square per position, with its number in execution order. A click, or Space on
-// the current square, skips or includes a position.
+// A top view of a pattern: one square per position, with the number of the position in execution order. A
+// click, or Space on the current square, skips or includes a position.
 
 #include <QWidget>
 
@@ -16,7 +16,7 @@ class PatternGrid : public QWidget {
 public:
     explicit PatternGrid(QWidget* parent = nullptr);
 
-    /// Sets positions and order; excluded positions are kept if they are in the grid.
+    /// Sets positions and order. Skipped positions are kept if they are in the grid.
     void setPattern(const project::Pattern& pattern);
     const std::vector<project::PatternCell>& excluded() const { return pattern_.excluded; }
     QRect rectOf(const project::PatternCell& cell) const;

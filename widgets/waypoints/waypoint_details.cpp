@@ -53,14 +53,14 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     advice_->setObjectName(QStringLiteral("waypoint.details.advice"));
     advice_->setProperty("role", "warning");
     advice_->setFont(textFont(12));
-    advice_->setWordWrap(true);  // not elided, because it contains the suggested action
+    advice_->setWordWrap(true);  // not elided, because the text contains the suggested action
 
     frame_->setObjectName(QStringLiteral("waypoint.details.frame"));
     frame_->setAccessibleName(tr("Frame of the waypoint"));
     frame_->view()->setAccessibleName(tr("Frames"));
     frame_->setToolTip(
-        tr("Reference frame of the waypoint. The position in space does not change. —: joint positions have "
-           "priority"));
+        tr("Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint "
+           "positions have priority"));
     frame_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     frame_->setMinimumContentsLength(5);
     connect(frame_, &QComboBox::activated, this, [this](int choice) {
@@ -77,13 +77,13 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     place_->setCheckable(true);
     place_->setFocusPolicy(Qt::TabFocus);
     place_->hide();
-    // Describes the effect of a press.
+    // The text of the button describes the effect of a press.
     const auto name = [this](bool keysShown) {
         place_->setText(keysShown ? tr("Values") : tr("Run route"));
         place_->setToolTip(keysShown ? tr("Shows the values instead of the route controls.")
                                      : tr("Shows the route controls instead of the values."));
     };
-    // Measure the longer text, so that the button keeps its size when it is pressed.
+    // Measure both texts, so that the button does not change its size when it is pressed.
     name(true);
     const int valuesWidth = place_->sizeHint().width();
     name(false);
@@ -112,7 +112,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     layout->setSpacing(6);
     layout->addLayout(headline);
     layout->addWidget(pose_);
-    // Buttons below do not move when the texts change.
+    // A change of the texts must not move the buttons below.
     for (QWidget* part :
          {static_cast<QWidget*>(headlines_), static_cast<QWidget*>(pose_), static_cast<QWidget*>(frame_)}) {
         QSizePolicy policy = part->sizePolicy();
@@ -159,7 +159,8 @@ void WaypointDetails::setValuesVisible(bool shown) {
     policy.setRetainSizeWhenHidden(shown);
     pose_->setSizePolicy(policy);
     refresh();
-    layout()->activate();  // immediately: otherwise the panel would use the size of the previous content
+    // Update at once, because the panel would otherwise use the size of the previous content.
+    layout()->activate();
 }
 
 int WaypointDetails::valuesHeight() const {
@@ -186,7 +187,8 @@ void WaypointDetails::refresh() {
     }
     const project::Waypoint& point = document_.waypoints().at(row_);
     const bool joints = point.ruling == project::TargetKind::Joints;
-    // With a joint target, the position results from the joints and the current arm, not from the stored pose.
+    // With a joint target, the position results from the joint positions and the current arm model. The
+    // stored pose is not used.
     const std::optional<Pose> place =
         joints ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))
                : project::poseInBase(point, document_.frames());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Details of the selected waypoint below the list: editable values, distance from the current position, and its
-// frame. Editing only changes the waypoint.
+// Details of the selected waypoint below the list: editable values, distance from the current position, and
+// the frame of the waypoint. Editing changes only the waypoint.
 
 #include <QWidget>
 #include <optional>
@@ -33,17 +33,17 @@ public:
     void setLive(const SessionState& state);
     /// Shows the limit on the path to the waypoint; empty: none.
     void setPathLimitText(const QString& text);
-    /// Number of program steps that use the waypoint; initially not displayed.
+    /// Sets the number of program steps that use the waypoint. Initially it is not displayed.
     void setUsedIn(std::optional<int> steps);
-    /// Shows a button that switches between the values and other buttons of the tab, if there is not enough space
-    /// for both.
+    /// Shows or hides the button that switches between the values and other buttons of the tab. The button is
+    /// needed if there is not enough space for both.
     void offerPlace(bool offered);
     /// True if the user switched to the other buttons.
     bool isPlaceWanted() const;
     void setValuesVisible(bool shown);
     bool areValuesVisible() const { return valuesVisible_; }
-    int valuesHeight() const;  ///< Height of the values, including the spacing to the headline [px].
-    /// Fixes the height of the values with their spacing [px]; 0: their natural height.
+    int valuesHeight() const;  ///< height of the values, including the spacing to the headline [px]
+    /// Fixes the height of the values with their spacing [px]. 0 restores their natural height.
     void setValuesSlot(int height);
 
     QString headline() const;

@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-/// Larger files are not lists of waypoints.
+/// A file larger than this is not a list of waypoints.
 constexpr qint64 kMaxImportBytes = 64LL * 1024 * 1024;
 
 bool isJson(const QString& path) {

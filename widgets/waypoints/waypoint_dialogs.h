@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Functions for waypoints that use dialogs: properties, moving a selection, patterns, history, files. Each is one
-// undoable edit of the document.
+// Functions for waypoints that use dialogs: properties, moving a selection, patterns, history and files. Each
+// change is one undoable edit of the document.
 
 #include <QObject>
 #include <vector>
@@ -21,14 +21,14 @@ class WaypointDialogs : public QObject {
     Q_OBJECT
 
 public:
-    /// document, table  must outlive the object; the selection of the table is edited
+    /// document, table  must outlive the object; the selected rows of the table are edited
     WaypointDialogs(ProjectDocument& document, WaypointTable& table, QObject* parent = nullptr);
 
     void properties();
     /// Edits the actions of the selected waypoints.
     void actions();
     void moveSelection();
-    /// Creates a pattern at the selected waypoints, or edits the pattern of the selected waypoint.
+    /// Creates a pattern from the selected waypoints, or edits the pattern of the selected waypoint.
     void pattern();
     void dissolvePattern();
     void removePattern();
@@ -38,13 +38,13 @@ public:
     /// Imports waypoints from a file: JSON if the name ends in .json, otherwise CSV. Nothing is imported if
     /// the file contains an error.
     void importFrom(const QString& path);
-    /// Exports the selected waypoints, or all if none or one is selected.
+    /// Exports the selected waypoints. If only one or none is selected, exports all waypoints.
     void exportTo(const QString& path);
-    /// Current joint positions [rad] and TCP, for poses without joint positions.
+    /// Sets the current joint positions [rad] and TCP, which are used for poses without joint positions.
     void setLive(const JointPositions& q, const Pose& tcpOffset);
 
 Q_SIGNALS:
-    /// No change was made: a sentence with the reason, and the invalid numbers or lines of the text.
+    /// Nothing was changed. reason is a sentence; details contains the invalid numbers or lines of the text.
     void refused(const QString& reason, const QString& details);
     /// A change was made that is not visible in the list.
     void done(const QString& text);
@@ -55,7 +55,8 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};  ///< a typical position until data arrive
+    /// A typical position, used until data arrive.
+    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};
     Pose liveTcp_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Edits the selected waypoints other than by teaching: duplicate, delete, move, copy and paste. Each is one
-// undoable edit of the document.
+// Edits the selected waypoints by other means than teaching: duplicate, delete, move, copy and paste. Each
+// change is one undoable edit of the document.
 
 #include <QObject>
 
@@ -20,7 +20,7 @@ class WaypointEditing : public QObject {
     Q_OBJECT
 
 public:
-    /// document, table  must outlive the object; the selection of the table is edited
+    /// document, table  must outlive the object; the selected rows of the table are edited
     WaypointEditing(ProjectDocument& document, WaypointTable& table, QObject* parent = nullptr);
 
     void duplicate();
@@ -29,14 +29,14 @@ public:
     void move(int by);
     /// Copies the selected waypoints as a table for spreadsheets.
     void copy() const;
-    /// Inserts after the current row. A pose without joint positions gets those nearest to the current row, or to
-    /// the arm.
+    /// Inserts the pasted waypoints after the current row. A pose without joint positions gets the solution
+    /// nearest to the joint positions of the current row, or to those of the arm.
     void paste();
-    /// Current joint positions [rad] and TCP.
+    /// Sets the current joint positions [rad] and TCP.
     void setLive(const JointPositions& q, const Pose& tcpOffset);
 
 Q_SIGNALS:
-    /// No change was made: a sentence with the reason, and the invalid numbers or lines of the text.
+    /// Nothing was changed. reason is a sentence; details contains the invalid numbers or lines of the text.
     void refused(const QString& reason, const QString& details);
     /// This row should be selected; -1: none.
     void rowWanted(int row);
@@ -46,7 +46,8 @@ private:
 
     ProjectDocument& document_;
     WaypointTable& table_;
-    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};  ///< a typical position until data arrive
+    /// A typical position, used until data arrive.
+    JointPositions liveJoints_{0, -1.57, 1.57, -1.57, -1.57, 0};
     Pose liveTcp_;
 };
 

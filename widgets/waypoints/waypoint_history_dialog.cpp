@@ -60,7 +60,7 @@ const project::WaypointRevision& WaypointHistoryDialog::revision() const {
 project::Waypoint WaypointHistoryDialog::chosen() const {
     project::Waypoint result = revision().before;
     result.history = waypoint_.history;
-    // The name may be in use now, and a pattern may have been deleted.
+    // Another waypoint may use the name in the meantime, and the pattern may have been deleted.
     const int named = document_.waypoints().indexOfName(result.name);
     if (named >= 0 && document_.waypoints().at(named).id != result.id) {
         result.name = waypoint_.name;
@@ -119,7 +119,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
         lines << tr("Blend: %1, now %2").arg(format::length(before.blend, 1), format::length(now.blend, 1));
     }
     if (!(before.tcpOffset == now.tcpOffset)) {
-        lines << tr("TCP: taught with another TCP");
+        lines << tr("TCP: taught with a different TCP");
     }
     if (before.group != now.group) {
         lines << tr("Group: “%1”, now “%2”").arg(before.group, now.group);
@@ -146,7 +146,7 @@ void WaypointHistoryDialog::refresh() {
     }
     const QStringList lines = differences(revision().before, waypoint_, document_);
     compare_->setText(lines.isEmpty()
-                          ? tr("The version before this change equals the current version.")
+                          ? tr("The version before this change is identical to the current version.")
                           : tr("Before this change:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The latest changes of a waypoint: author, time, and differences from the current state. An earlier state can be
-// restored.
+// Shows the latest changes of a waypoint: author, time, and differences from the current state. An earlier
+// state can be restored.
 
 #include <QDialog>
 
@@ -23,10 +23,10 @@ public:
     WaypointHistoryDialog(const ProjectDocument& document, const project::Waypoint& waypoint,
                           QWidget* parent = nullptr);
 
-    /// The waypoint before the selected change, with its history.
+    /// The waypoint before the selected change, together with its history.
     project::Waypoint chosen() const;
 
-    /// The differences, one sentence per line; empty if none.
+    /// The differences, one sentence per line; empty if there are none.
     static QStringList differences(const project::Waypoint& before, const project::Waypoint& now,
                                    const ProjectDocument& document);
 

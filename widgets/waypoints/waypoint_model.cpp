@@ -26,13 +26,13 @@ constexpr double kMinTcpSpeed = 0.001;   ///< [m/s]
 constexpr double kMaxTcpSpeed = 1.0;     ///< [m/s]
 constexpr double kMaxBlendRadius = 1.0;  ///< [m]
 
-/// The colours of the curves, which remain distinguishable with colour vision deficiencies.
+/// The colours are those of the plot curves, which are distinguishable with colour vision deficiencies.
 QColor colourOf(project::WaypointColour colour) {
     static constexpr QRgb kColours[] = {0x000000, 0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9};
     return QColor(kColours[static_cast<int>(colour)]);
 }
 
-/// The name with additional information: the next waypoint is marked, and the number of actions is shown.
+/// The name with additional information: a mark if it is the next waypoint, and the number of actions.
 QString shownName(const project::Waypoint& point, bool coming) {
     QString text = coming ? QStringLiteral("▶ ") + point.name : point.name;
     if (!point.actions.empty()) {
@@ -41,7 +41,8 @@ QString shownName(const project::Waypoint& point, bool coming) {
     return text;
 }
 
-/// "250", "250,5", "250 mm/s" -> 250; empty without a leading number.
+/// Returns the leading number of a text, e.g. 250 for "250" or "250 mm/s"; "250,5" is accepted. Empty without
+/// a leading number.
 std::optional<double> leadingNumber(const QString& text) {
     QString figure;
     for (const QChar c : text.trimmed()) {
@@ -205,7 +206,8 @@ QVariant WaypointModel::data(const QModelIndex& index, int role) const {
                              (!document_.reach(index.row()).ok() || !pathLimit(index.row()).isEmpty());
     switch (role) {
         case Qt::DisplayRole:
-            // The view displays the row number; as model data it would change with every insertion above.
+            // The view displays the row number. As model data, the row number would change with every
+            // insertion above.
             return index.column() == Number ? QVariant() : display(point, index.row(), index.column());
         case Qt::EditRole:
             if (index.column() == Speed) {
@@ -278,7 +280,7 @@ QVariant WaypointModel::headerData(int section, Qt::Orientation orientation, int
 
 Qt::ItemFlags WaypointModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) {
-        return Qt::ItemIsDropEnabled;  // drop between rows only
+        return Qt::ItemIsDropEnabled;  // drop only between rows
     }
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
     if (index.column() != Number && index.column() != ReachColumn) {
@@ -315,11 +317,11 @@ bool WaypointModel::setName(int row, const QString& text) {
         return true;
     }
     if (text.isEmpty()) {
-        Q_EMIT editRefused(tr("A waypoint needs a name."));
+        Q_EMIT editRefused(tr("Enter a name for the waypoint."));
         return false;
     }
     if (document_.waypoints().indexOfName(text) >= 0) {
-        Q_EMIT editRefused(tr("Waypoint %2 is named “%1”. Choose another name.")
+        Q_EMIT editRefused(tr("Waypoint %2 is already named “%1”. Choose another name.")
                                .arg(text)
                                .arg(document_.waypoints().indexOfName(text) + 1));
         return false;
@@ -385,7 +387,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         return true;
     }
     if (text == QStringLiteral("—")) {
-        // The joint positions are set to those of the current pose.
+        // The joint target uses the joint positions of the current pose.
         if (document_.reach(row).ok()) {
             point.joints = document_.reach(row).q;
         }
@@ -398,7 +400,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
         Q_EMIT editRefused(tr("There is no frame “%1” in this project.").arg(text));
         return false;
     }
-    // The position is unchanged: only its frame changes.
+    // The position is unchanged. Only the frame changes.
     const std::optional<Pose> place =
         point.ruling == project::TargetKind::Joints
             ? std::optional(kinematics::forwardTcp(document_.robot().dh, point.joints, point.tcpOffset))

@@ -23,15 +23,15 @@ public:
     /// The choices for the frame column: "—" (joint target), "Base" and the taught frames.
     QStringList frameChoices() const;
 
-    /// Sets the position of the waypoint: in its frame, or in Base with a joint target. Its joint positions become
-    /// the nearest solution. An unreachable position is kept and marked with a pose target, and refused with a
-    /// joint target.
+    /// Sets the position of the waypoint, in its frame or, with a joint target, in the base frame. The joint
+    /// positions become the nearest solution. An unreachable position is accepted and marked if the waypoint
+    /// has a pose target, and rejected if it has a joint target.
     void setPose(int row, const Pose& pose);
 
     /// Highlights the next waypoint of the route; null: none.
     void setComing(const QUuid& id);
-    /// Sets the reason why the arm may not move from its position to this waypoint, as a sentence; empty: no
-    /// limit.
+    /// Sets the reason why the arm may not move from its current position to this waypoint, as a sentence;
+    /// empty: no limit.
     void setPathLimit(const QUuid& id, const QString& limit);
     QString pathLimit(int row) const { return pathLimits_.value(waypointAt(row).id); }
 
@@ -50,7 +50,7 @@ public:
                       const QModelIndex& parent) override;
 
 Q_SIGNALS:
-    /// An edit was refused, with the reason.
+    /// An edit was rejected. The argument is the reason.
     void editRefused(const QString& reason);
 
 private:
@@ -65,8 +65,8 @@ private:
 
     ProjectDocument& document_;
     QUuid coming_;
-    QHash<QUuid, QString> pathLimits_;  ///< non-empty texts only
-    QVector<QUuid> orderBefore_;        ///< used to update persistent indexes while the order changes
+    QHash<QUuid, QString> pathLimits_;  ///< contains only non-empty texts
+    QVector<QUuid> orderBefore_;        ///< used to update persistent indexes when the order changes
 };
 
 }  // namespace tiller

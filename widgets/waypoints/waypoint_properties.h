@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Edits properties of one or several waypoints: group, colour, note, move type, speeds, blend. Only checked
-// properties are changed, so that many waypoints can be edited together.
+// Edits properties of one or several waypoints: group, colour, note, move type, speeds and blend radius. Only
+// checked properties are changed, so that many waypoints can be edited together.
 
 #include <QDialog>
 #include <vector>
@@ -28,10 +28,9 @@ public:
     WaypointProperties(const std::vector<project::Waypoint>& waypoints, const QStringList& groups,
                        double mostJointSpeed, QWidget* parent = nullptr);
 
-    /// The edited waypoints.
     std::vector<project::Waypoint> changed() const;
 
-    /// "None", "Blue" ...; one per colour.
+    /// Names of the colours, e.g. "None", "Blue"; one per colour.
     static QStringList colourNames();
 
     void accept() override;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Finds waypoints by name, group or note: other rows are hidden while the field is open. Return selects the next
-// match, Esc closes the field and shows all rows. It is an overlay at the bottom of the list.
+// Finds waypoints by name, group or note. Rows without a match are hidden while the search field is open.
+// Return selects the next match. Esc closes the field and shows all rows. The field is an overlay at the
+// bottom of the list.
 
 #include <QFrame>
 

@@ -17,7 +17,7 @@ namespace tiller {
 namespace {
 
 enum ShiftKind { kOffset, kTurn, kMirror };
-constexpr int kToolAxes = 1;  ///< index in the list of axes, after the base
+constexpr int kToolAxes = 1;  ///< index in the list of axes, after the base frame
 constexpr int kFirstFrameAxes = 2;
 
 }  // namespace
@@ -139,11 +139,11 @@ void WaypointShift::refresh() {
     for (const project::Waypoint& point : *result) {
         far += project::reach(document_.robot(), point, document_.frames()).ok() ? 0 : 1;
     }
-    feedback_->setText(far > 0
-                           ? tr("%n of them would be out of reach. They are kept and marked.", nullptr, far)
-                       : kind == kMirror ? tr("Mirrored across the plane through the origin perpendicular to "
-                                              "the axis. The tool approaches from the mirrored side.")
-                                         : tr("All remain within reach."));
+    feedback_->setText(
+        far > 0           ? tr("%n of them would be out of reach. They are kept and marked.", nullptr, far)
+        : kind == kMirror ? tr("Mirrors across the plane through the origin that is perpendicular to the "
+                               "axis. The tool approaches from the mirrored side.")
+                          : tr("All remain within reach."));
 }
 
 void WaypointShift::accept() {

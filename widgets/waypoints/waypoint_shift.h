@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Dialog for moving the selected waypoints together: offset, rotation or mirror image in a selectable frame.
+// Dialog for moving the selected waypoints together by an offset, a rotation or a mirror image in a
+// selectable frame.
 
 #include <QDialog>
 #include <array>
@@ -25,7 +26,7 @@ public:
                   QWidget* parent = nullptr);
 
     project::RelativeMove move() const;
-    /// The waypoints after the move, or the reason why it is not possible.
+    /// The waypoints after the move, or the reason why the move is not possible.
     Result<std::vector<project::Waypoint>> moved() const;
 
     void accept() override;

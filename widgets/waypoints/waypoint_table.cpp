@@ -11,7 +11,7 @@
 namespace tiller {
 namespace {
 
-/// Move and frame are selected from a list; other values are typed.
+/// Move type and frame are selected from a list. Other values are typed.
 class WaypointDelegate : public RowDelegate {
 public:
     explicit WaypointDelegate(WaypointModel& model, QObject* parent)
@@ -95,7 +95,7 @@ void WaypointTable::resizeEvent(QResizeEvent* event) {
 }
 
 void WaypointTable::fitColumns() {
-    // Columns have the width of their longest usual text; the name column takes the rest.
+    // Each column is as wide as its longest usual text. The name column fills the remaining width.
     struct Width {
         int column;
         int wide;
@@ -105,7 +105,7 @@ void WaypointTable::fitColumns() {
         {WaypointModel::Number, 34, 34}, {WaypointModel::Move, 52, 52},
         {WaypointModel::Frame, 70, 66},  {WaypointModel::Speed, 90, 88},
         {WaypointModel::Blend, 80, 80},  {WaypointModel::ReachColumn, 92, 90}};
-    // Titles are longer in some languages and reduce the remaining width.
+    // Titles are longer in some languages and then reduce the remaining width.
     constexpr int kMargins = 12;
     const QFontMetrics metrics = horizontalHeader()->fontMetrics();
     const auto titleWidth = [&](int column) {
@@ -121,12 +121,12 @@ void WaypointTable::fitColumns() {
         setColumnWidth(width.column,
                        std::max(room >= 520 ? width.wide : width.narrow, titleWidth(width.column)));
     }
-    // More than nine rows need more than one digit.
+    // Row numbers may have more than one digit.
     constexpr int kCellMargins = 20;
     const int digits = fontMetrics().horizontalAdvance(QString::number(model_.rowCount()));
     setColumnWidth(WaypointModel::Number,
                    std::max(columnWidth(WaypointModel::Number), digits + kCellMargins));
-    // The name needs a minimum width; hidden columns are displayed elsewhere.
+    // The name needs a minimum width. Hidden columns are displayed elsewhere.
     setColumnHidden(WaypointModel::Blend, room < 500);
     setColumnHidden(WaypointModel::Number, room < 440);
 }
@@ -143,7 +143,7 @@ void WaypointTable::dropEvent(QDropEvent* event) {
         before = event->position().y() < rect.center().y() ? over.row() : over.row() + 1;
     }
     model_.dropMimeData(event->mimeData(), Qt::MoveAction, before, 0, {});
-    // The model has already moved the rows; with MoveAction the view would delete them in addition.
+    // The model has already moved the rows. With MoveAction, the view would also delete them.
     event->setDropAction(Qt::CopyAction);
     event->accept();
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The list of waypoints: rows of 36 px, edited in place (F2 or double click), reordered by dragging.
+// The list of waypoints. Rows are 36 px high, edited in place (F2 or double click), and reordered by
+// dragging.
 
 #include "widgets/common/row_table.h"
 

@@ -176,6 +176,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
         Q_EMIT message(Severity::Info, summary);
     });
     connect(&paths_->recorder(), &PathRecorder::changed, this, [this] {
+        showPathRecording();
         if (!paths_->recorder().isRecording() && !paths_->recorder().isBusy()) {
             Q_EMIT pathStored();
         }
@@ -246,10 +247,22 @@ void WaypointsTab::resizeEvent(QResizeEvent* event) {
     fitRoutes();
 }
 
+/// On the button of the menu, which contains "Stop recording path": in a narrow panel the path button is hidden.
+void WaypointsTab::showPathRecording() {
+    const QString usual = QStringLiteral("···");
+    const QString marked = QStringLiteral("● ···");
+    const QString recording = paths_->recordingText();
+    more_->setText(marked);
+    more_->setMinimumWidth(more_->sizeHint().width());
+    more_->setText(recording.isEmpty() ? usual : marked);
+    more_->setToolTip(recording);
+    more_->setAccessibleDescription(recording);
+}
+
 void WaypointsTab::fitRoutes() {
     details_->setValuesSlot(0);
     routes_->setMinimumHeight(0);
-    // In a narrow panel "Record path" is only in the menu.
+    // In a narrow panel, "Record path" is available only in the menu.
     paths_->setVisible(true);
     paths_->setVisible(routes_->sizeHint().width() <= width());
     const int spare = height() - minimumSizeHint().height();
@@ -257,7 +270,8 @@ void WaypointsTab::fitRoutes() {
     const bool instead = !both && details_->isPlaceWanted();
     details_->offerPlace(!both);
     details_->setValuesVisible(!instead);
-    // Below the headline, in place of the values: the pressed button keeps its position.
+    // The route controls replace the values below the headline, so that the pressed button keeps its
+    // position.
     auto* column = static_cast<QVBoxLayout*>(layout());
     const bool below = column->indexOf(routes_) > column->indexOf(details_);
     if (instead != below) {
@@ -268,8 +282,8 @@ void WaypointsTab::fitRoutes() {
     const int wanted = routes_->sizeHint().height();
     routes_->fitInto({width(), instead ? available : spare});
     if (!both) {
-        // Values and buttons have the same height, so that the headline keeps its position when they are
-        // swapped.
+        // Values and route controls have the same height, so that the headline keeps its position when they
+        // are swapped.
         const int slot = std::max(details_->valuesHeight(), std::min(wanted, available));
         details_->setValuesSlot(slot);
         routes_->setMinimumHeight(instead ? slot : 0);
@@ -278,11 +292,12 @@ void WaypointsTab::fitRoutes() {
 
 QSize WaypointsTab::minimumSizeHint() const {
     QSize least = QWidget::minimumSizeHint();
-    // This also applies while Run route replaces the values, so that the panel does not change.
+    // The reserved height is also included while the route controls replace the values, so that the panel
+    // size does not change.
     const bool slotIsKept = details_->areValuesVisible() || routes_->minimumHeight() > 0;
     least.rheight() += slotIsKept ? 0 : details_->valuesHeight();
     if (details_->isHidden()) {
-        // The details appear with the first waypoint; this must not move buttons in a panel with little
+        // The details appear with the first waypoint. They must not move the buttons of a panel with little
         // height.
         least.rheight() += details_->minimumSizeHint().height() + layout()->spacing();
     }
@@ -290,7 +305,7 @@ QSize WaypointsTab::minimumSizeHint() const {
 }
 
 bool WaypointsTab::eventFilter(QObject* watched, QEvent* event) {
-    // The question was answered.
+    // The user has answered the question.
     if (watched == notice_ && event->type() == QEvent::Hide) {
         setTouchUpGhost(std::nullopt);
     }
@@ -346,7 +361,7 @@ void WaypointsTab::selectRow(int row) {
     if (row < 0 || row >= model_->rowCount()) {
         table_->selectionModel()->clear();
     } else {
-        // Not through the view, which would extend the selection according to the modifiers of the shortcut.
+        // Do not use the view. It would extend the selection according to the modifiers of the shortcut.
         const QModelIndex index = model_->index(row, WaypointModel::Name);
         table_->selectionModel()->setCurrentIndex(
             index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -356,7 +371,7 @@ void WaypointsTab::selectRow(int row) {
 }
 
 std::optional<Ghost> WaypointsTab::ghost() const {
-    // Show the next waypoint while the arm moves through the waypoints.
+    // Show the next waypoint while the arm runs the route.
     const int row =
         goThrough_->isHolding() && goThrough_->comingRow() >= 0 ? goThrough_->comingRow() : currentRow();
     if (row < 0) {
@@ -396,7 +411,7 @@ std::vector<WaypointMark> WaypointsTab::marks() const {
 
 QString WaypointsTab::teachObstacle() const {
     if (state_.link == LinkState::Live) {
-        // Positions of two different arm models could not be distinguished in one project.
+        // In one project, positions of two different arm models could not be distinguished.
         return document_.isOfOtherModel() ? reachAdvice({project::Reach::Obstacle::OtherModel, {}})
                                           : QString();
     }
@@ -474,7 +489,7 @@ void WaypointsTab::followSpeed() {
 /// Displays the speed of the arm on the button.
 void WaypointsTab::showSpeed() {
     if (goTo_->isHolding()) {
-        return;  // the current motion keeps its speed
+        return;  // the speed of the current motion does not change
     }
     const Result<MoveRequest> move =
         currentRow() >= 0 && state_.hasData() && document_.reach(currentRow()).ok()
@@ -503,7 +518,7 @@ void WaypointsTab::buildActions() {
                                 [this] { this->teach(); });
     QAction* touchUp = onSelected(addCommand("waypoint.action.touchUp", tr("Touch up"),
                                              QKeySequence(Qt::Key_U), [this] { this->touchUp(); }));
-    // Added to the whole window, because the focus may be on the jog pad while teaching.
+    // Added to the whole window, because the focus may be on the jog pad during teaching.
     addAction(teach);
     addAction(touchUp);
 
@@ -572,7 +587,7 @@ void WaypointsTab::buildActions() {
     for (QAction* action :
          {undo.createUndoAction(this, tr("Undo")), undo.createRedoAction(this, tr("Redo"))}) {
         const bool isUndo = actions_.last()->objectName() != QLatin1String("waypoint.action.undo");
-        // Undo through the document, which reports the change.
+        // Undo through the document, because it reports the change.
         disconnect(action, nullptr, &undo, nullptr);
         connect(action, &QAction::triggered, &document_,
                 isUndo ? &UndoableDocument::undo : &UndoableDocument::redo);
@@ -585,6 +600,7 @@ void WaypointsTab::buildActions() {
         add(action);
     }
     more_->setMenu(menu);
+    showPathRecording();
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(table_, &QWidget::customContextMenuRequested, this,
             [this, menu](const QPoint& position) { menu->popup(table_->viewport()->mapToGlobal(position)); });
@@ -607,8 +623,8 @@ void WaypointsTab::teach() {
     const int row = currentRow();
     project::Waypoint point;
     if (row >= 0) {
-        // Neighbouring waypoints usually have the same move type, frame and speed: use those of the selected
-        // one.
+        // Neighbouring waypoints usually have the same move type, frame and speed, so use the values of the
+        // selected waypoint.
         point = document_.waypoints().at(row);
         point.extra = {};
         point.note.clear();
@@ -660,7 +676,7 @@ void WaypointsTab::touchUp() {
 }
 
 void WaypointsTab::replaceByTouchUp(const QUuid& id, const project::Waypoint& taught) {
-    // The displayed position is used, even if the arm has moved since.
+    // Use the displayed position, even if the arm has moved since.
     const int row = document_.waypoints().indexOf(id);
     if (row >= 0) {
         document_.changeWaypoint(row, taught, tr("Touch up “%1”").arg(taught.name));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab "Waypoints": teach, touch up, order and edit waypoints, and move to one while a button is held. The
-// preview of a waypoint (ghost, marks) is drawn by the view.
+// The tab "Waypoints": teaches, touches up, reorders and edits waypoints, and moves the arm to a waypoint
+// while a button is held. The 3D view draws the preview of a waypoint (ghost, marks).
 
 #include <QTimer>
 #include <QUuid>
@@ -55,28 +55,30 @@ public:
     WaypointModel& model() { return *model_; }
     WaypointDialogs& dialogs() { return *dialogs_; }
 
-    /// All actions with their shortcuts for menus, the command palette and the help.
+    /// All actions with their shortcuts, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
 
-    /// Adds actions of the whole project to the menu of the tab, in "Project" at its end.
+    /// Adds actions for the whole project to the submenu "Project" at the end of the tab's menu.
     void addToMenu(const QList<QAction*>& actions);
 
-    /// Shows the limit on the path to the selected waypoint next to the button; empty: none.
+    /// Shows the limit on the path to the selected waypoint next to the button "Go to (hold)"; empty: none.
     void setPathLimitText(const QString& text);
-    /// Sets the source of the speed limit for "Go to", evaluated at each press; initially none.
+    /// Sets the function that returns the speed limit for "Go to". It is called at each press; initially
+    /// none.
     void setHeldSpeed(std::function<HeldSpeed()> speed);
     /// Sets the gripper used by "Run route"; initially none.
     void setGripper(GripperPort gripper);
 
     std::optional<Ghost> ghost() const;
-    /// During the confirmation of a touch up: the new position of the waypoint; ghost() is the current one.
+    /// While a touch-up is being confirmed, the new position of the waypoint; ghost() is then the current
+    /// position of the waypoint.
     const std::optional<Ghost>& touchUpGhost() const { return touchUpGhost_; }
     std::vector<WaypointMark> marks() const;
 
     /// Row of the selected waypoint; -1 for none.
     int currentRow() const;
 
-    /// Includes the details, whether they are visible or not.
+    /// Always includes the details, even if they are hidden.
     QSize minimumSizeHint() const override;
 
 protected:
@@ -84,24 +86,27 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 public Q_SLOTS:
-    /// Adds the current position after the selection.
+    /// Adds a waypoint at the current position after the selected row.
     void teach();
-    /// Shows the distance of the current position from the selected waypoint and asks before replacing it.
+    /// Shows the distance between the current position and the selected waypoint, and asks for confirmation
+    /// before replacing the waypoint.
     void touchUp();
     void selectWaypoint(const QUuid& id);
     void selectRow(int row);
-    /// Ends a motion of "Run route" and updates the displayed speeds after a change of the speed limit.
+    /// Call this after a change of the speed limit. Ends a motion of "Run route" and updates the displayed
+    /// speeds.
     void followSpeed();
-    /// A path is being recorded, or simplified to waypoints.
+    /// True while a path is being recorded or simplified to waypoints.
     bool isStoringPath() const;
-    /// Ends the recording of a path. Returns true if a path is still to be stored: pathStored() follows.
+    /// Ends the recording of a path. Returns true if the path has not been stored yet; pathStored() is then
+    /// emitted later.
     bool storePath();
     void showNotice(const Notice& notice);
     /// Removes the notice with this cause.
     void resolveNotice(const QString& cause);
 
 Q_SIGNALS:
-    /// The selection has changed; null: none.
+    /// The selection has changed. Null: no waypoint is selected.
     void selectionChanged(const QUuid& waypoint);
     /// ghost() or touchUpGhost() has changed.
     void ghostChanged();
@@ -109,13 +114,14 @@ Q_SIGNALS:
     void marksChanged();
     /// A message for the log.
     void message(tiller::Severity severity, const QString& text);
-    /// A recorded path has become waypoints, or contained no motion.
+    /// A recorded path was converted to waypoints, or it contained no motion.
     void pathStored();
 
 private:
     void buildActions();
     void buildLayout(MotionPort port, HoldPolicy& policy);
     void fitRoutes();
+    void showPathRecording();
     void onState(const SessionState& state);
     void onSelection();
     void refreshDetails();

@@ -25,17 +25,17 @@ _numbers = itertools.count(1)
 
 
 def _own_address() -> str:
-    """A loopback address that is not used on this machine, so that tests with standard ports can run in parallel."""
+    """A loopback address that is not used on this computer, so that tests with standard ports can run in parallel."""
     pid = os.getpid()
     return f"127.{10 + pid % 200}.{pid // 200 % 250}.{next(_numbers) % 250 + 2}"
 
 
 class Simulator:
-    """Runs until stop().
+    """A simulated controller that runs until stop().
 
-    options: options of `tiller-simulate`; see its --help. Without --listen, it uses a separate address.
-    headless: powered on, brakes released, in remote control.
-    Raises RuntimeError with the error output if it does not start.
+    options: options of `tiller-simulate`; see its --help. Without --listen, the controller uses a separate address.
+    headless: the arm is powered on with released brakes, and the controller is in remote control.
+    Raises RuntimeError with the error output if the controller does not start.
     """
 
     def __init__(self, *options: str, address: str | None = None, headless: bool = True) -> None:
@@ -54,7 +54,7 @@ class Simulator:
             self.ports[name] = int(port)
 
     def fault(self, words: str) -> str:
-        """Injects a fault: "protective-stop", "delay 20 5". Raises ValueError for an unknown fault."""
+        """Injects a fault, e.g. "protective-stop" or "delay 20 5". Raises ValueError for an unknown fault."""
         done = subprocess.run([PROGRAM, "fault", f"{self.address}:{self.ports['faults']}", *words.split()],
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:

@@ -9,7 +9,7 @@ namespace tiller::control {
 
 namespace {
 
-// Larger values are in a wrong unit: no robot rotates or reaches that far.
+// Larger values are in a wrong unit, because no robot rotates or reaches that far.
 constexpr double kSurelyDegrees = 25.0;                           // [rad] of a joint
 constexpr double kSurelyDegreesOfRotation = 6.2831853072 * 1.05;  // [rad] of a rotation vector
 constexpr double kSurelyMillimetres = 5.0;                        // [m]
@@ -143,7 +143,7 @@ ArgumentCheck& ArgumentCheck::twist(const char* name, const Twist& twist, double
     } else if (twist.linear.norm() > cap + kRounding) {
         refuse(ErrorCode::LimitExceeded, aboveCap(name, twist.linear.norm(), cap));
     }
-    constexpr double kFastestRotation = 12.0;  // [rad/s]: above the speed of all wrists
+    constexpr double kFastestRotation = 12.0;  // [rad/s], above the speed of all wrist joints
     if (twist.angular.norm() > kFastestRotation) {
         refuse(
             ErrorCode::InvalidArgument,
@@ -232,7 +232,7 @@ bool isFinite(const JogTarget& target) {
 }
 
 Error checkLimits(const MotionLimits& limits, const char* context) {
-    constexpr double kHighestTurn = 12.0;  // [rad/s]: above the speed of all wrists
+    constexpr double kHighestTurn = 12.0;  // [rad/s], above the speed of all wrist joints
     ArgumentCheck check(context);
     const auto speed = [&check](const char* name, double value, double high, const char* unit,
                                 const char* hint) {

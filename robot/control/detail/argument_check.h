@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks arguments before sending and reports the invalid one: NaN, out of range, or so large that it must be in
-// degrees or millimetres.
+// Checks arguments before they are sent and reports an invalid one: NaN, out of range, or so large that it is
+// probably in degrees or millimetres.
 
 #include "robot/control/detail/velocity_limiter.h"
 #include "robot/control/motion_types.h"
@@ -10,12 +10,12 @@
 
 namespace tiller::control {
 
-// Source: limits common to ur_rtde and the controller.
+// Limits shared by ur_rtde and the controller.
 inline constexpr double kHighestToolSpeed = 3.0;           ///< [m/s]
 inline constexpr double kHighestToolAcceleration = 150.0;  ///< [m/s2]
 inline constexpr double kHighestBlend = 2.0;               ///< [m]
 
-/// Keeps the first error. Names must be literals.
+/// Keeps the first error only. Names must be string literals.
 /// Real-time: yes, unless there is an error
 class ArgumentCheck {
 public:
@@ -25,16 +25,16 @@ public:
     ArgumentCheck& pose(const char* name, const Pose& pose);
     ArgumentCheck& jointSpeeds(const char* name, const JointVelocities& qd, const ArmLimits& arm);
     ArgumentCheck& torques(const char* name, const JointTorques& torques, const ArmLimits& arm);
-    /// cap  maximum of the linear part [m/s]
+    /// cap  maximum of the linear speed [m/s]
     ArgumentCheck& twist(const char* name, const Twist& twist, double cap);
-    /// A position or offset near the robot [m].
+    /// Checks a position or offset near the robot [m].
     ArgumentCheck& offset(const char* name, const Eigen::Vector3d& metres, double largest);
     ArgumentCheck& finite(const char* name, const double* values, int count);
-    /// low <= value <= high
+    /// Checks that low <= value <= high.
     ArgumentCheck& range(const char* name, double value, double low, double high, const char* unit);
-    /// Speed of the TCP along a line [m/s]: 0 < speed <= cap; the cap can be changed by setSpeedCap().
+    /// Checks a linear TCP speed [m/s]: 0 < speed <= cap. setSpeedCap() changes the cap.
     ArgumentCheck& toolSpeed(const char* name, double speed, double cap);
-    /// 0 < value <= high
+    /// Checks that 0 < value <= high.
     /// hint  probable unit of a value that is far too large, e.g. "deg/s"
     ArgumentCheck& positive(const char* name, double value, double high, const char* unit,
                             const char* hint = nullptr);
@@ -52,10 +52,10 @@ private:
 
 bool isFinite(const JogTarget& target);
 
-/// Detects values in a wrong unit. kNoCap is allowed for speeds; accelerations always need a limit.
+/// Detects values in a wrong unit. Speeds may be kNoCap; accelerations always need a limit.
 Error checkLimits(const MotionLimits& limits, const char* context);
 
-/// Limit of the fastest joint [rad/s].
+/// Speed limit of the fastest joint [rad/s].
 double highestJointSpeed(const ArmLimits& arm);
 
 }  // namespace tiller::control

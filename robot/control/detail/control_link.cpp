@@ -18,12 +18,12 @@ using std::chrono::milliseconds;
 
 namespace {
 
-// Maximum interval between two checks of the control thread if no data arrive. Real time; the Clock decides
+// Maximum interval in real time between two checks of the control thread if no data arrive. The Clock decides
 // whether data are late.
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
-// Data found within this time after other work of the thread may have arrived earlier.
+// Data that are read within this time after other work of the thread may have arrived earlier.
 constexpr std::int64_t kBusyNs = kNsPerMs / 20;
-// A value that the sample does not contain.
+// Marks a value that the sample does not contain.
 constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
 
 QString rangeText(RegisterRange range) {
@@ -34,7 +34,7 @@ RegisterRange other(RegisterRange range) {
     return range == RegisterRange::Upper ? RegisterRange::Lower : RegisterRange::Upper;
 }
 
-// The affected registers, their possible users, and the suggested action.
+// Names the affected registers, their possible users, and the suggested action.
 Error explainInUse(const Error& error, RegisterRange range) {
     const QString fieldbus =
         range == RegisterRange::Lower
@@ -62,11 +62,11 @@ Result<void> ControlLink::open(const Deadline& deadline) {
         static_cast<std::uint16_t>(options_.rtdePort != 0 ? options_.rtdePort : 30004 + options_.portOffset);
     const std::vector<std::string> outputs = outputNames(options_.registers, options_.fields);
     wanted.request.outputs = outputs;
-    // Motion is possible without watchdog or external wrench.
+    // Motion is possible without the watchdog or the external wrench.
     wanted.request.inputs = {{inputNames(options_.registers, kCommandInputs), true},
                              {inputNames(options_.registers, kWatchdogInputs), false},
                              {inputNames(options_.registers, kWrenchInputs), false}};
-    // A controller may reserve the registers of an ended connection a little longer.
+    // A controller may keep the registers of a closed connection reserved for some time.
     const Deadline grace =
         Deadline::after(std::min(milliseconds(1000), deadline.remaining() / 2), deadline.token());
     auto opened = rtde::Connection::open(wanted, deadline);
@@ -102,7 +102,8 @@ Result<void> ControlLink::open(const Deadline& deadline) {
     return {};
 }
 
-// The types reported by the robot apply: if one differs from the catalogue, as many numbers are used as fit.
+// Uses the types reported by the robot. If a type differs from the catalogue, only the values that fit are
+// used.
 void ControlLink::planSample(const std::vector<std::string>& names) {
     sample_ = receive::Sample(std::make_shared<receive::SampleLayout>(names));
     sample_.connection = 1;
@@ -161,7 +162,7 @@ Result<void> ControlLink::checkModes(const Deadline& deadline) {
     return {};
 }
 
-// Only reads: for another program, a request could be a command.
+// Only reads registers: another program could interpret a request as a command.
 Result<Echo> ControlLink::findProgram(const Deadline& deadline) {
     const QString context = QStringLiteral("join the control program at %1").arg(connection_->peer());
     const auto data = firstData(deadline, context);
@@ -214,12 +215,12 @@ bool ControlLink::send(const Command& command) {
     return sent;
 }
 
-// The package just read into `values`, or the newest one of a backlog.
+// The package that was just read into `values`, or the newest one of a backlog.
 Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs, std::int64_t doneNs) {
     Feedback data = decode(values);
     data.awaited = data.hostNs - doneNs > kBusyNs;
     data.lookedNs = lookedNs;
-    constexpr int kQueue = 1000;  // limits the time for a peer that sends faster than it is read
+    constexpr int kQueue = 1000;  // time limit for a peer that sends faster than this thread reads
     const bool mayQueue = !data.awaited || connection_->hasPackage();
     for (int passed = 0; passed < kQueue && mayQueue && loop_.wantsNewest(); ++passed) {
         // A failure of the connection is detected by the next read.
@@ -237,7 +238,7 @@ Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs,
 
 void ControlLink::run(script::PrimaryClient& primary) {
     realtime::nameThread("control");
-    // Without a priority request, deep sleep stays enabled to save power.
+    // Without a real-time priority, CPU deep sleep stays enabled to save power.
     std::optional<realtime::CpuLatency> latency;
     if (options_.priority > 0) {
         latency.emplace();
@@ -252,9 +253,9 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t timeoutNs = std::chrono::nanoseconds(options_.connectionTimeout).count();
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
-    int looks = 0;  // unsuccessful checks since the newest package
-    // A controller that compiles a program may send no data meanwhile, and no motion runs through this
-    // connection then.
+    int looks = 0;  // number of unsuccessful checks since the newest package
+    // A controller may send no data while it compiles a program. No motion runs through this connection at
+    // that time.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
         // After a delay of this computer, data may still be in transit.
@@ -270,7 +271,7 @@ void ControlLink::run(script::PrimaryClient& primary) {
     };
     while (alive && !quit_.load(std::memory_order_acquire)) {
         const std::int64_t due = loop_.dueNs();
-        // At the end of the wait for a scheduled cycle, poll instead of sleeping.
+        // Close to a scheduled cycle, poll instead of sleeping.
         const std::int64_t left = due == kNoCycleDue ? kLookUpNs : due - now() - kWakeUpNs;
         const std::chrono::nanoseconds wait(std::clamp<std::int64_t>(left, 0, kLookUpNs));
         switch (connection_->readPackage(values, wait, &waker_)) {
@@ -335,7 +336,7 @@ Result<void> ControlLink::kickWatchdog() {
     }
     if (!watchdogUsable_) {
         return Error{ErrorCode::RegisterInUse, context,
-                     QStringLiteral("another client owns the register it needs")};
+                     QStringLiteral("another client owns the required register")};
     }
     kick_.store(true, std::memory_order_release);
     return {};

@@ -24,9 +24,9 @@
 
 namespace tiller::control {
 
-/// Owns one thread, "control", with the priority in the options.
-/// Threads  open() to end(): one at a time; checkModes() and findProgram() between open() and begin(). All others:
-///          any
+/// Owns the thread "control", with the priority from the options.
+/// Threads  open() to end(): one at a time. checkModes() and findProgram(): between open() and begin(). All
+///          others: any
 class ControlLink {
 public:
     ControlLink(const ControllerOptions& options, ControlLoop& loop) : options_(options), loop_(loop) {}
@@ -47,24 +47,24 @@ public:
     double period() const { return connection_->period(); }
 
     /// Starts the thread.
-    /// primary  used to stop a program that was paused; must outlive the thread
+    /// primary  used to stop a paused program; must outlive the thread
     void begin(script::PrimaryClient& primary);
-    /// Ends the thread and the connection. No effect if there are none.
+    /// Ends the thread and closes the connection. No effect if neither exists.
     void end();
     std::uint16_t localPort() const { return localPort_.load(std::memory_order_acquire); }
     bool isRunning() const { return running_.load(std::memory_order_acquire); }
 
-    /// Makes the thread send the newest command immediately, unless the clock is virtual.
+    /// Makes the control thread send the newest command immediately, unless the clock is virtual.
     void wake() const {
         if (options_.clock->runsByItself()) {
             waker_.wake();
         }
     }
-    /// Sends the watchdog register once.
-    /// Errors  NotInControl; RegisterInUse if another client uses it
+    /// Writes the watchdog register once.
+    /// Errors  NotInControl; RegisterInUse if another client uses the register
     Result<void> kickWatchdog();
     /// wrench  [N, Nm]
-    /// Errors  NotInControl; RegisterInUse if the input does not exist or another client uses it
+    /// Errors  NotInControl; RegisterInUse if the input is missing or another client uses it
     Result<void> sendWrench(const std::array<double, 6>& wrench);
 
 private:
@@ -78,10 +78,10 @@ private:
 
     const ControllerOptions& options_;
     ControlLoop& loop_;
-    std::unique_ptr<rtde::Connection> connection_;  ///< used by the control thread while it is running
+    std::unique_ptr<rtde::Connection> connection_;  ///< used by the control thread while it runs
     FeedbackLayout layout_;
     receive::Sample sample_;           ///< the newest package
-    std::vector<std::size_t> places_;  ///< index in the sample of each value of a package
+    std::vector<std::size_t> places_;  ///< sample index of each value of a package
     std::thread thread_;
     std::atomic<bool> quit_{false};
     std::atomic<bool> running_{false};

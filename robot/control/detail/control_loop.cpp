@@ -12,10 +12,11 @@ namespace tiller::control {
 
 namespace {
 
-// Time without an answer after which the program counts as ended.
+// The program counts as ended after this time without an answer.
 constexpr std::int64_t kEchoLostNs = 500 * kNsPerMs;
 
-/// Cap in mm/s, at least 1, because 0 means no torques yet. kNoCap becomes a value that is never reached.
+/// Cap in mm/s, at least 1 because 0 means that no torques were sent. kNoCap becomes a value that is never
+/// reached.
 std::int32_t inMillimetres(double cap) {
     constexpr double kLargest = 1e6;
     constexpr double kMillimetresPerMetre = 1000;
@@ -74,9 +75,9 @@ void ControlLoop::permitFinish() {
 }
 
 void ControlLoop::permitForce(bool permitted) {
-    // The permission is written before checking for a stop, and a stop revokes it after stopping: with two
-    // exchanges of one word, the later one sees everything before the earlier one. A plain store would break this
-    // order.
+    // The permission is written before checking for a stop, and a stop revokes it after the stop itself. With
+    // two exchanges of the same atomic, the later one sees everything before the earlier one. A plain store
+    // would break this order.
     forcePermitted_.exchange(permitted, std::memory_order_acq_rel);
 }
 
@@ -99,7 +100,7 @@ std::int32_t ControlLoop::ask(Request request) {
 
 void ControlLoop::setHook(CycleHook* hook) {
     hook_.store(hook);
-    // Sleep rather than yield, so that a thread of lower priority can continue.
+    // Sleep rather than yield, so that a thread with lower priority can run.
     while (hookInUse_.load()) {
         std::this_thread::sleep_for(std::chrono::microseconds(50));
     }
@@ -116,7 +117,7 @@ void ControlLoop::takeIn(const Feedback& data) {
         if (static_cast<double>(sinceLast) > 1.5 * period_ * static_cast<double>(kNsPerSecond)) {
             ++status_.late;
         }
-        // The stall is over, but earlier commands are too old to be continued.
+        // The data arrive again, but earlier commands are too old to be continued.
         if (sinceLast > dataTimeoutNs()) {
             endActive(StopCause::DataStale, data.hostNs);
         }
@@ -124,7 +125,7 @@ void ControlLoop::takeIn(const Feedback& data) {
     data_ = data;
     sentEarly_ = false;
     ageNs_ = std::max<std::int64_t>(stream_.add(data.timestamp, data.hostNs).jitterNs, 0);
-    // The package may have been in the queue since the last check.
+    // The package may have been waiting in the queue since the last check.
     arrivedNs_ = data.awaited ? data.hostNs : std::max(data.hostNs - ageNs_, data.lookedNs);
     if (!hasData_) {
         hasData_ = true;
@@ -171,7 +172,7 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     if (dueNs() <= nowNs && cycleWithoutPackage(nowNs, out)) {
         return true;
     }
-    // Ends a motion that is not refreshed, even without a tick.
+    // Ends a motion that was not refreshed, even without a tick.
     mailbox_.active(nowNs);
     noteEnded(nowNs);
     publish();
@@ -232,7 +233,7 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
     if (motion != nullptr && (motion->id != followed_ || motion->kind != MotionCommand::Kind::Program)) {
         return false;  // the start depends on the current position of the arm
     }
-    // Set points are limited to one per package, stops are not.
+    // Set points are limited to one per package; stops are not.
     if (motion != nullptr ? sentEarly_ : !isStopPending()) {
         return false;
     }
@@ -286,14 +287,14 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
     const std::int32_t behind = sequence_ - echo.sequence;
     if (behind >= 0 && static_cast<std::size_t>(behind) >= kSentMemory) {
-        // The command is older than all stored times, so the round trip is at least their whole duration.
+        // The command is older than all stored times, so the round trip takes at least the time they span.
         status_.roundTripMs = static_cast<double>(kSentMemory) * period_ * 1000.0;
     }
     if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
         const auto slot = static_cast<std::size_t>(echo.sequence) % kSentMemory;
         status_.roundTripMs = static_cast<double>(std::max<std::int64_t>(arrivedNs_ - sentNs_[slot], 0)) /
                               static_cast<double>(kNsPerMs);
-        // Control begins here: the right program and session respond.
+        // Control begins when the expected program and session respond.
         const bool taking = !isInControl() && status_.loss == ControlLoss::Taking;
         if (taking && data.runtimeState == RuntimeState::Playing) {
             status_.inControl = true;
@@ -346,7 +347,7 @@ void ControlLoop::watch(const Feedback& data) {
     if (unanswered > dataTimeoutNs()) {
         endActive(StopCause::ControlLost, data.hostNs);
     }
-    // Data arrive, but late: a stop would also be late.
+    // Data arrive, but late, so a stop would be late as well.
     if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(dataTimeoutNs())) {
         endActive(StopCause::LinkLost, data.hostNs);
     }
@@ -399,7 +400,7 @@ void ControlLoop::watch(const Feedback& data) {
 }
 
 void ControlLoop::leave(ControlLoss loss, StopCause cause, std::int64_t nowNs) {
-    // This order, and the opposite order at the start of motions (confirmControl), ensures that no motion is
+    // This order, and the opposite order at the start of motions (confirmControl), ensure that no motion is
     // missed.
     inControl_.exchange(false, std::memory_order_acq_rel);
     endActive(cause, nowNs);
@@ -435,7 +436,7 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
         pressed_ = 0;
         followedTimeoutNs_ = std::chrono::nanoseconds(motion->silence).count();
         status_.limiter = motion->limiter;
-        // The measurement belongs to a motion that was replaced before standstill.
+        // The measurement belongs to a motion that was replaced before it reached standstill.
         meter_.cancel();
     }
     if (motion->kind == MotionCommand::Kind::Jog) {
@@ -488,9 +489,10 @@ bool ControlLoop::feelsContact(const JogTarget& target, const Feedback& data) {
         return false;
     }
     if (!data.tcpForce) {
-        return true;  // no motion with contact detection without force data
+        return true;  // no motion with contact detection if force data are missing
     }
-    // One noisy package is not a contact; three are 6 ms, or a tenth of a millimetre at the intended speed.
+    // A single noisy package is not a contact. Three packages take 6 ms: a tenth of a millimetre at the
+    // intended speed.
     constexpr int kPackages = 3;
     const bool pressed = (*data.tcpForce - followedForce_).norm() > target.contactForce;
     pressed_ = pressed ? pressed_ + 1 : 0;
@@ -510,7 +512,8 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
         mailbox_.end(motion.id, StopCause::LimitReached, data.hostNs);
         return;
     }
-    // Slowing down uses the deceleration of a stop; otherwise braking before a limit would lag behind.
+    // Slow down with the deceleration of a stop. With a lower value, the arm would brake too late before a
+    // limit.
     const bool brake = status_.limiter.brake;
     bool slowing = false;
     if (target.kind == JogTarget::Kind::Cartesian) {
@@ -533,7 +536,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
 
-// Records the end of the current motion, if it has ended; the epoch contains the cause and the time.
+// Records the end of the current motion if it has ended. The epoch contains the cause and the time.
 void ControlLoop::noteEnded(std::int64_t nowNs) {
     const Epoch& epoch = mailbox_.epoch();
     if (followed_ == kNoMotion || epoch.isActive(followed_)) {
@@ -546,7 +549,8 @@ void ControlLoop::noteEnded(std::int64_t nowNs) {
     if (cause != StopCause::LimitReached) {
         status_.limiter = {};
     }
-    // A replaced or completed motion is not a stop. If the operator input has ended, also end force mode.
+    // Replacing or completing a motion is not a stop. If the operator input has ended, force mode ends as
+    // well.
     if (cause == StopCause::EventLoopStalled || cause == StopCause::DataStale ||
         cause == StopCause::LinkLost) {
         forcePermitted_.exchange(false, std::memory_order_acq_rel);
@@ -566,9 +570,9 @@ void ControlLoop::publish() {
     published_.store(status_);
 }
 
-// Sets epoch and sequence number as the last step. The command of a motion that ended meanwhile is not sent. An
-// idle command must not have the epoch of a motion that has just started, because the robot would never execute the
-// motion.
+// Last step: sets the epoch and the sequence number. The command of a motion that has just ended is not sent.
+// An idle command must not carry the epoch of a motion that has just started, because the robot would then
+// never execute this motion.
 void ControlLoop::seal(Command& command, std::int64_t nowNs) {
     const bool moves = command.kind != ScriptCommand::Idle && command.kind != ScriptCommand::End;
     if (moves && mailbox_.epoch().isActive(followed_)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The processing between a package from the robot and the answer, without socket and thread: a function of the
-// data, the mailbox and the time. All automatic ends of a motion are decided here.
+// Processes a package from the robot and computes the answer, without a socket or thread. The answer depends
+// only on the data, the mailbox and the time. All automatic ends of a motion are decided here.
 
 #include <array>
 #include <atomic>
@@ -24,48 +24,50 @@
 
 namespace tiller::control {
 
-/// Older data do not permit motion.
+/// Maximum age of the data for motion.
 inline constexpr std::int64_t kMaxDataAgeNs = 100'000'000;
-/// A longer round trip from a command to its echo does not permit motion either.
+/// Maximum round trip from a command to its echo for motion.
 inline constexpr double kMaxRoundTripMs = 100.0;
 
 inline constexpr std::int64_t kNoCycleDue = std::numeric_limits<std::int64_t>::max();
 
-/// The trigger of a cycle.
+/// What triggers a cycle.
 struct Occasion {
     double period = 0.002;  ///< [s]
-    bool fresh = true;      ///< new data; otherwise the data of the previous package
-    /// Fresh: scheduled start of the cycle for even spacing, on the clock of Feedback::hostNs.
+    bool fresh = true;      ///< the data are new; otherwise they are from the previous package
+    /// If fresh: start of the cycle scheduled for even spacing, on the clock of Feedback::hostNs.
     std::int64_t evenNs = 0;
-    /// Age of the data at Feedback::hostNs, from the robot's time stamps and the fastest observed arrival [ns].
+    /// Age of the data at Feedback::hostNs [ns], computed from the robot's timestamps and the fastest
+    /// observed arrival.
     std::int64_t ageNs = 0;
 };
 
-/// Computes the target of a motion in sync with the packages: see packet_loop.h.
+/// Computes the target of a motion once per package: see packet_loop.h.
 class CycleHook {
 public:
     virtual MotionId motion() const = 0;
     /// Called in the control thread.
     /// Returns  false to end the motion
     virtual bool cycle(const Feedback& data, const Occasion& occasion, MotionCommand& target) = 0;
-    /// End of the last cycle on the clock of Feedback::hostNs; its target is sent then.
+    /// End of the last cycle on the clock of Feedback::hostNs. Its target is sent at this time.
     virtual std::int64_t endedNs() const = 0;
-    /// Time at which the next cycle runs even without a package; kNoCycleDue: it waits for a package.
+    /// Time at which the next cycle runs even without a package. kNoCycleDue: the next cycle waits for a
+    /// package.
     virtual std::int64_t dueNs(const realtime::ArrivalPace& pace) const = 0;
 
 protected:
     ~CycleHook() = default;
 };
 
-/// Threads  tick(), dueNs(), fallback(), lost(): the control thread. begin(): before it starts. All others: any;
-///          ask() and setHook() one at a time.
+/// Threads  tick(), dueNs(), fallback(), lost(): the control thread. begin(): before the control thread
+///          starts. All others: any, with ask() and setHook() one at a time.
 /// Real-time: yes
 class ControlLoop {
 public:
     ControlLoop(Mailbox& mailbox, const MotionLimits& limits)
         : mailbox_(mailbox), limits_(limits), speedCap_(limits.tcpSpeed) {}
 
-    /// Prepares for a new connection: control begins when the program with this session responds.
+    /// Prepares for a new connection. Control begins when the program with this session responds.
     void begin(std::int32_t session, double period, const ArmLimits& arm, std::int64_t nowNs);
     void setGranted(bool priority, bool cpus, bool fastWakeUps) {
         status_.priorityGranted = priority;
@@ -79,80 +81,82 @@ public:
     void pass(const Feedback& data);
     /// True if only the newest package matters: a slow packet loop must not process a backlog.
     bool wantsNewest();
-    /// Call after sending the result of tick().
+    /// Call this after sending the result of tick().
     void answered() { answeredTime_.store(data_.timestamp, std::memory_order_release); }
-    /// Time at which fallback() has to be called if no package arrives; kNoCycleDue: never.
+    /// Time at which fallback() must be called if no package arrives. kNoCycleDue: never.
     std::int64_t dueNs();
-    /// To be called if no package arrives: ends the motion when the data are too old, and runs a scheduled cycle.
-    /// Returns  true if `out` has to be sent immediately
+    /// Call this if no package arrives. Ends the motion when the data are too old, and runs a scheduled
+    /// cycle.
+    /// Returns  true if `out` must be sent immediately
     bool fallback(std::int64_t nowNs, Command& out);
-    /// To be called after a change by another thread while no package is due: returns the command immediately, but
+    /// Call this after a change by another thread while no package is due. Commands are sent immediately, but
     /// set points only once between two packages.
-    /// Returns  true if `out` has to be sent
+    /// Returns  true if `out` must be sent
     bool early(std::int64_t nowNs, Command& out);
-    /// Reports the loss of the connection.
+    /// Handles the loss of the connection.
     void lost(std::int64_t nowNs, ControlLoss loss);
 
-    /// Requests the end of the program from the next tick on; `loss` is reported when it has ended.
+    /// Requests the end of the program from the next tick on. `loss` is reported when the program has ended.
     void requestEnd(ControlLoss loss = ControlLoss::Released) {
         endLoss_.store(loss, std::memory_order_relaxed);
         endRequested_.store(true, std::memory_order_release);
     }
-    /// Maximum age of the data and maximum response time of the program before a motion without a longer timeout
-    /// ends.
+    /// Maximum age of the data and maximum response time of the program. A motion without a longer timeout
+    /// ends when either is exceeded.
     /// Threads: before the control thread starts
     void setDataTimeout(std::int64_t ns) { dataTimeoutNs_ = ns; }
-    /// As above, for the active motion. Threads: the control thread
+    /// As above, but for the active motion. Threads: the control thread
     std::int64_t dataTimeoutNs() const;
     /// For joining a running program: continues with the sequence and epoch of the previous client.
     /// Threads: after begin(), before the control thread starts
     void follow(const Echo& echo);
-    /// From the next tick on, a move or path may complete without a client.
+    /// Permits a move or path to complete without a client, from the next tick on.
     void permitFinish();
-    /// Whether the robot has received this permission.
+    /// True if the robot has received this permission.
     bool isFinishPermitted() const { return finishReceived_.load(std::memory_order_acquire); }
-    /// From the next tick on, only the program with this session is accepted.
+    /// Accepts only the program with this session, from the next tick on.
     void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
 
-    /// Adds a request to the packages until it is replaced.
-    /// Returns  its number
+    /// Adds a request to each package until another request replaces it.
+    /// Returns  the number of the request
     std::int32_t ask(Request request);
-    /// Removes the request from the packages when no caller waits for it any more.
+    /// Removes the request from the packages after its caller has stopped waiting.
     void withdraw();
-    /// The newest answer of the program.
+    /// Newest answer of the program.
     Answer answer() const { return answer_.load(); }
-    /// Permits force mode until this is revoked by the caller, an unsafe mode, the loss of control, or the end of a
-    /// motion that was not refreshed in time.
+    /// Permits force mode. The caller, an unsafe mode, the loss of control, or the end of a motion that was
+    /// not refreshed in time revokes the permission.
     void permitForce(bool permitted);
-    /// Speed limit of TCP and elbow for jogs from the next tick on [m/s].
+    /// Speed limit of TCP and elbow for jogs [m/s], from the next tick on.
     void setSpeedCap(double cap) { speedCap_.store(cap); }
     double speedCap() const { return speedCap_.load(); }
-    /// From the next tick on, jogs keep the safety distance of this check; null: no check.
+    /// Makes jogs keep the safety distance of this check from the next tick on; null: no check.
     /// Threads  any; one at a time
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check) {
         check_.publish(std::move(check));
     }
-    /// Null removes the hook; after the return it is no longer in use.
+    /// Sets the hook; null removes it. After this call returns, the previous hook is no longer in use.
     void setHook(CycleHook* hook);
 
-    /// To be called after starting a motion: true guarantees that a later loss of control ends the motion; false
-    /// means that the caller must end it. With isInControl() a simultaneous loss could be missed.
+    /// Call this after starting a motion. True guarantees that a later loss of control ends the motion. False
+    /// means that the caller must end the motion. isInControl() does not give this guarantee, because control
+    /// may be lost at the same time.
     bool confirmControl();
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const;
-    /// True once after the program was paused: it cannot be used any more, and its effects, such as force mode,
-    /// might continue.
+    /// Returns true once after the program was paused. The paused program cannot be used again, and its
+    /// effects, such as force mode, might continue.
     /// Threads  the control thread
     bool takePaused() { return std::exchange(paused_, false); }
     /// Whether force mode, freedrive or teach mode was active at the pause; only the paused program could end these
     /// modes.
     /// Threads  the control thread
     bool yieldedWhenPaused() const { return yieldedWhenPaused_; }
-    /// According to the newest package.
+    /// State of the control program according to the newest package.
     ScriptState scriptState() const { return scriptState_.load(std::memory_order_acquire); }
     /// Number of packages that reported a running program.
     std::uint64_t playing() const { return playing_.load(std::memory_order_acquire); }
-    /// For the time without a control thread.
+    /// Publishes a loss of control while there is no control thread.
     void publishLoss(ControlLoss loss);
 
 private:
@@ -165,7 +169,7 @@ private:
     void composeProgram(const MotionCommand& motion, const Feedback& data, const Occasion& occasion,
                         Command& command);
     bool cycleWithoutPackage(std::int64_t nowNs, Command& out);
-    /// True if a motion or force mode ended that the robot may still execute.
+    /// True if a motion or force mode has ended on this side but may still be active on the robot.
     bool isStopPending() const;
     void composeJog(const MotionCommand& motion, const Feedback& data, Command& command);
     bool feelsContact(const JogTarget& target, const Feedback& data);
@@ -177,7 +181,7 @@ private:
     MotionLimits limits_;
     std::atomic<double> speedCap_;  ///< replaces limits_.tcpSpeed
     VelocityLimiter limiter_{ArmLimits{}, MotionLimits{}};
-    /// The control thread only reads the newest value; the publisher frees the older ones.
+    /// The control thread only reads the newest value; the publisher frees older ones.
     realtime::TripleBuffer<std::shared_ptr<const collision::CollisionCheck>> check_;
     StopMeter meter_;
 
@@ -190,7 +194,7 @@ private:
     std::atomic<bool> forcePermitted_{false};
     std::atomic<bool> mayFinish_{false};
     std::atomic<bool> finishReceived_{false};
-    std::int32_t finishSequence_ = 0;  ///< of the first package with the permission; 0: none
+    std::int32_t finishSequence_ = 0;  ///< sequence number of the first package with the permission; 0: none
     std::int64_t dataTimeoutNs_ = kMaxDataAgeNs;
     bool sentEarly_ = false;  ///< a set point was sent since the newest package
     std::atomic<std::uint64_t> playing_{0};
@@ -199,34 +203,34 @@ private:
     std::atomic<bool> hookInUse_{false};
     bool paused_ = false;
     bool yieldedWhenPaused_ = false;
-    std::optional<std::int64_t> yieldedNs_;  ///< time of the last force mode, freedrive or teach mode command
-    std::int32_t asked_ = 0;                 ///< under the caller's lock: number of the last request
+    std::optional<std::int64_t> yieldedNs_;  ///< time of the last force, freedrive or teach mode command
+    std::int32_t asked_ = 0;                 ///< number of the last request; protected by the caller's lock
     realtime::TripleBuffer<Request> request_;
     realtime::Seqlock<Answer> answer_;
 
-    Feedback data_;  ///< newest data
+    Feedback data_;
     bool hasData_ = false;
     realtime::ArrivalPace pace_{period_};
     realtime::StreamWatch stream_;
-    std::int64_t ageNs_ = 0;       ///< age of the newest data at reading: see Occasion
+    std::int64_t ageNs_ = 0;       ///< age of the newest data when read: see Occasion
     std::int64_t arrivedNs_ = 0;   ///< estimated arrival time
-    std::int64_t evenNs_ = 0;      ///< scheduled start of the newest package's cycle for even spacing
-    std::int64_t composedNs_ = 0;  ///< creation time of the command that is about to be sent
+    std::int64_t evenNs_ = 0;      ///< start of the newest package's cycle for even spacing
+    std::int64_t composedNs_ = 0;  ///< creation time of the command to be sent
     std::int32_t sequence_ = kBeforeFirstSequence;
     static constexpr std::size_t kSentMemory = 512;
     std::array<std::int64_t, kSentMemory> sentNs_{};
     std::int32_t echoed_ = 0;
     std::int64_t unansweredSinceNs_ =
-        0;  ///< time of sending the first package after the last new echo; 0: none
+        0;  ///< time when the first package after the last new echo was sent; 0: none
 
-    MotionId sentMotion_ = kNoMotion;                          ///< last motion sent to the robot
-    bool sentForce_ = false;                                   ///< force mode permission sent with it
-    MotionId followed_ = kNoMotion;                            ///< the motion of the last command
-    bool followedHoldToRun_ = false;                           ///< a jog or a move started by the operator
-    std::int64_t followedTimeoutNs_ = 0;                       ///< heartbeat timeout of its MotionCommand
-    Pose followedTcp_;                                         ///< TCP offset at its start
-    Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< force at the TCP at its start
-    int pressed_ = 0;  ///< consecutive packages with a force above the limit of the jog
+    MotionId sentMotion_ = kNoMotion;     ///< last motion sent to the robot
+    bool sentForce_ = false;              ///< force mode permission sent with the last motion
+    MotionId followed_ = kNoMotion;       ///< motion of the last command
+    bool followedHoldToRun_ = false;      ///< true for a jog or a move started by the operator
+    std::int64_t followedTimeoutNs_ = 0;  ///< heartbeat timeout of the last motion
+    Pose followedTcp_;                    ///< TCP offset at the start of the jog
+    Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< force at the TCP at the start of the jog
+    int pressed_ = 0;  ///< number of consecutive packages with a force above the jog's limit
 
     ControllerStatus status_;
     realtime::Seqlock<ControllerStatus> published_;

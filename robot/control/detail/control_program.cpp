@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// e.g. "5.4", and "5.25.1" if the bugfix version matters.
+/// Formats a version, e.g. "5.4", or "5.25.1" if the bugfix version matters.
 QString shortly(const SoftwareVersion& version) {
     const QString both = QStringLiteral("%1.%2").arg(version.major).arg(version.minor);
     return version.bugfix > 0 ? both + QStringLiteral(".%1").arg(version.bugfix) : both;
@@ -107,8 +107,8 @@ Result<void> ControlProgram::knows(const char* name, const QString& context) con
                      .arg(QLatin1String(name))};
 }
 
-// A function that was removed from the language makes a controller refuse the whole program: after its error
-// message, the program is sent without this function.
+// A controller refuses the whole program if it contains a function that was removed from the language. After
+// this error, the program is sent without the function.
 Result<void> ControlProgram::upload(std::int32_t session, const QString& section, const Deadline& deadline) {
     for (;;) {
         auto sent = uploadOnce(session, section, deadline);
@@ -125,7 +125,7 @@ Result<void> ControlProgram::upload(std::int32_t session, const QString& section
 }
 
 std::chrono::milliseconds ControlProgram::abandonedAfter() const {
-    // Delivered programs are nodes of the operator's program, which continues behind them.
+    // Delivered programs are nodes of the operator's program, which continues after them.
     return options_.deliver
                ? kNeverAbandoned
                : std::max({kMinAbandonedAfter, options_.dataTimeout, options_.connectionTimeout});
@@ -149,8 +149,8 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
         own_ = {};
     }
     session_ = session;
-    // Stays connected until the program responds: a controller can drop a program whose sender disconnects
-    // immediately.
+    // Stays connected until the program responds, because a controller may discard a program whose sender
+    // disconnects immediately.
     std::optional<script::ScriptClient> sender;
     if (options_.deliver) {
         if (auto delivered = options_.deliver(script.text, deadline); !delivered) {
@@ -182,8 +182,8 @@ Result<void> ControlProgram::awaitControl(const Deadline& deadline, const QStrin
     };
     if (!waitUntil(deadline, settled)) {
         bad = {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-               QStringLiteral("The program was sent, but it does not answer. Is the robot in "
-                              "Remote control, and are scripts allowed on this port?")};
+               QStringLiteral("The program was sent, but it does not respond. Check that the robot is in "
+                              "Remote control and that it accepts scripts on this port.")};
     }
     return bad.code == ErrorCode::None ? Result<void>() : bad;
 }
@@ -255,7 +255,7 @@ Error ControlProgram::complaint(const QString& context) {
             const bool ours = place.contains(QLatin1String(".script line "));
             QString text = message.text;
             if (const int line = own_.lineOf(message.line); !own_.text.isEmpty() && line > 0) {
-                // A syntax error repeats its line number.
+                // A syntax error repeats its line number in the text.
                 text.replace(QStringLiteral("on_line:%1:").arg(message.line),
                              QStringLiteral("on_line:%1:").arg(line));
             }
@@ -269,7 +269,7 @@ Error ControlProgram::complaint(const QString& context) {
     return {};
 }
 
-// Needs `guard_`.
+// Requires `guard_`.
 QString ControlProgram::placeOf(int line, int column) const {
     if (own_.text.isEmpty()) {
         return script_.place(line, column);

@@ -21,7 +21,7 @@ namespace tiller::control {
 /// Threads  listen(), stopListening(), upload(), end(), restart(): one at a time. All others: any
 class ControlProgram {
 public:
-    /// Messages of the controller about a user script.
+    /// Messages from the controller about a user script.
     struct ScriptFeedback {
         QString name;
         bool started = false;
@@ -35,19 +35,19 @@ public:
 
     // ---- the controller -----------------------------------------------------------------------------------
 
-    /// Connects to the primary interface for messages about programs and for the dimensions of the arm.
+    /// Connects to the primary interface, which reports program messages and the dimensions of the arm.
     /// version  of the controller software
     Result<void> listen(const SoftwareVersion& version, const Deadline& deadline);
     void stopListening();
-    /// Only between listen() and stopListening().
+    /// Valid only between listen() and stopListening().
     script::PrimaryClient& listener() { return *primary_; }
     SoftwareVersion version() const;
     ArmLimits arm() const;
-    /// Errors  VersionUnsupported below these versions; zeros for CB3: not available there; zeros for PolyScope X:
-    ///         all versions
+    /// Errors  VersionUnsupported below these versions. Zeros for CB3: never available there. Zeros for
+    ///         PolyScope X: all versions
     Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3, const QString& context,
                        const SoftwareVersion& polyScopeX = {}) const;
-    /// Errors  VersionUnsupported if the controller does not have this builtin function
+    /// Errors  VersionUnsupported if the controller does not have this built-in function
     Result<void> knows(const char* name, const QString& context) const;
 
     // ---- sending -------------------------------------------------------------------------------------------
@@ -58,25 +58,26 @@ public:
     int primaryPort() const {
         return options_.primaryPort != 0 ? options_.primaryPort : 30001 + options_.portOffset;
     }
-    /// section  user script that runs inside; may be empty
+    /// section  user script to run inside the program; may be empty
     /// Errors   ScriptError with the controller's message; those of script::ScriptClient, Timeout, Cancelled
     Result<void> upload(std::int32_t session, const QString& section, const Deadline& deadline);
     Result<void> awaitControl(const Deadline& deadline, const QString& context);
     /// Ends the program if it is running.
     Result<void> end(ControlLoss loss, const Deadline& deadline);
     /// Ends the program and sends it again with this section.
-    /// name  of the section in messages
+    /// name  of the section, used in messages
     Result<void> restart(const QString& section, const QString& name, const Deadline& deadline);
     /// Sends the program without a section after another program has ended.
     Result<void> resend(const Deadline& deadline);
 
     // ---- messages ---------------------------------------------------------------------------------------------
 
-    /// Attributes later errors to a user script that replaces the control program.
+    /// Assigns later errors to a user script that replaces the control program.
     void yieldTo(const script::SupervisedProgram& program);
-    /// The error reported by the controller since the last upload; code None if there is none.
+    /// Error reported by the controller since the last upload; code None if there is none.
     Error complaint(const QString& context);
-    /// Number of robot states received on the message connection; each arrives after the messages of its time.
+    /// Number of robot states received on the message connection. A state arrives after all messages sent
+    /// before it.
     std::uint64_t statesReceived() const;
     ScriptFeedback scriptFeedback() const;
 
@@ -95,11 +96,11 @@ private:
     SoftwareVersion version_;
     ArmLimits arm_;
     std::unique_ptr<script::PrimaryClient> primary_;
-    ControlScript script_;  ///< the program sent last
-    /// The user program that replaces it; empty text: none.
+    ControlScript script_;  ///< the last program sent
+    /// User program that replaces the control program; empty: none.
     script::SupervisedProgram own_;
-    QString sectionName_;  ///< name of its section in messages
-    QStringList refused_;  ///< functions that this controller does not have and the program avoids
+    QString sectionName_;  ///< name of the user program's section in messages
+    QStringList refused_;  ///< functions that this controller lacks and the program avoids
     ScriptFeedback scriptFeedback_;
 };
 

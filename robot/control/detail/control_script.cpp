@@ -29,9 +29,9 @@ QString numbers(const std::array<double, 6>& values) {
     return out.join(QLatin1String(", "));
 }
 
-/// Whether `version` is at least `since`, e.g. "5.10 3.15": first versions of e-Series and CB3. If the CB3
-/// version is missing, or a version is "-", this series does not have the function. An optional third version
-/// is for PolyScope X; without it the first one applies.
+/// Returns true if `version` is at least `since`, e.g. "5.10 3.15": the first versions for e-Series and CB3.
+/// A missing CB3 version, or "-", means that this series does not have the function. An optional third
+/// version is for PolyScope X; without it the first version applies.
 bool isSince(const SoftwareVersion& version, const QString& since) {
     const QStringList series = since.split(QLatin1Char(' '), Qt::SkipEmptyParts);
     const bool ownOfX = version.isPolyScopeX() && series.size() > 2;
@@ -44,20 +44,20 @@ bool isSince(const SoftwareVersion& version, const QString& since) {
            SoftwareVersion{parts.value(0).toUInt(), parts.value(1).toUInt(), parts.value(2).toUInt(), 0};
 }
 
-/// mark  e.g. "teach_mode", or "time 5.17": true unless the controller has refused this function, and only
-///       from these versions on.
+/// mark  a function, e.g. "teach_mode", or a function and its first versions, e.g. "time 5.17"
+/// Returns  true if the controller has the function and has not refused it
 bool isCalled(const SoftwareVersion& version, const QString& mark, const QStringList& refused) {
     const QString since = mark.section(QLatin1Char(' '), 1);
     return !refused.contains(mark.section(QLatin1Char(' '), 0, 0)) &&
            (since.isEmpty() || isSince(version, since));
 }
 
-/// Empties the lines that are not for this software, controller or section. Lines are not removed, so that
-/// line numbers remain valid.
+/// Empties the lines that do not apply to this software, controller or section. Lines are not removed, so
+/// that line numbers remain valid.
 QString linesFor(const SoftwareVersion& version, const QString& source, const QString& section,
                  const QStringList& refused) {
     QStringList lines = source.split(QLatin1Char('\n'));
-    QList<bool> wanted;  // for each enclosing mark
+    QList<bool> wanted;  // for each enclosing block
     for (QString& line : lines) {
         const QString mark = line.trimmed();
         if (mark.startsWith(QLatin1String("#{{SINCE "))) {
@@ -78,7 +78,7 @@ QString linesFor(const SoftwareVersion& version, const QString& source, const QS
     return lines.join(QLatin1Char('\n'));
 }
 
-/// Adds a prefix to the names of the program, so that they do not collide with names of a section.
+/// Adds a prefix to the names of the program, so that they do not collide with names in a section.
 QString prefixed(const QString& program) {
     static const QRegularExpression kDefinition(QStringLiteral("^    (?:(?:def|thread) (\\w+)\\(|(\\w+) = )"),
                                                 QRegularExpression::MultilineOption);
@@ -110,7 +110,7 @@ QString ControlScript::place(int line, int column) const {
         return QStringLiteral("line %1").arg(inSection);
     }
     const int added = line > sectionLine ? sectionLines - 1 : 0;
-    // The second line of each part except the first one contains its file name.
+    // The second line of each file except the first contains the file name.
     int inPart = line - added + firstLine - 1;
     QString part = QStringLiteral("control.script");
     const QStringList lines = QString::fromUtf8(controlScriptTemplate()).split(QLatin1Char('\n'));
@@ -130,7 +130,7 @@ QString refusedName(const QString& text) {
     const QString name = kUnknown.match(text).captured(1);
     for (auto it = kOptional.globalMatch(QString::fromUtf8(controlScriptTemplate())); it.hasNext();) {
         const QString block = it.next().captured(1);
-        // The function that ends teach mode is in the block of the function that starts it.
+        // The call that ends teach mode is in the same block as the call that starts it.
         if (name == block || name == QLatin1String("end_") + block) {
             return block;
         }
@@ -143,7 +143,7 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
                             const QStringList& refused, const ForceSettings& force,
                             std::chrono::milliseconds abandonedAfter) {
     const QString source = QString::fromUtf8(controlScriptTemplate());
-    // Ports that accept scripts also accept single lines, so text before the program must not be sent.
+    // Ports that accept scripts also execute single lines, so text before the program must not be sent.
     const qsizetype begin = source.indexOf(QLatin1String("def "));
     ControlScript script;
     script.text = prefixed(linesFor(version, source.mid(begin), section, refused));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The text of control.script to be sent, with names replaced for one robot, register range and session.
+// Generates the text of control.script for one robot, register range and session.
 
 #include <QString>
 #include <QStringList>
@@ -14,38 +14,39 @@
 
 namespace tiller::control {
 
-/// The texts of control.script, control_requests.script and control_cycle.script, concatenated.
+/// control.script, control_requests.script and control_cycle.script, concatenated.
 const char* controlScriptTemplate();
 
-/// For a client with the default timeouts.
+/// Default for a client with the default timeouts.
 inline constexpr std::chrono::milliseconds kMinAbandonedAfter{500};
-/// Longer than the program runs without a client.
+/// Longer than the program runs without a client, so other clients never replace it without confirmation.
 inline constexpr std::chrono::milliseconds kNeverAbandoned{60'000};
 
 struct ControlScript {
     QString text;
-    int firstLine =
-        1;  ///< line number in control.script of the first line of `text`, for controller messages
-    int sectionLine = 0;   ///< of the section in `text`, counted from 1
-    int sectionLines = 1;  ///< number of its lines
+    int firstLine = 1;     ///< line of control.script at which `text` starts, for controller messages
+    int sectionLine = 0;   ///< first line of the section in `text`, counted from 1
+    int sectionLines = 1;  ///< number of lines of the section
 
     /// Description of a line of `text`, counted from 1, e.g. "control_cycle.script line 13", or "line 2" of the
     /// section.
     QString place(int line, int column) const;
 };
 
-/// version  selects the lines for functions available in this software
-/// session  identifies this start of the program, which echoes it
-/// arm      limits of the joints, for checking servo targets and for braking after torques
+/// version  selects the lines whose functions are available in this software version
+/// session  identifies this start of the program; the program echoes it
+/// arm      joint limits, for checking servo targets and for braking after torques
 /// section  lines of a path or a function, run by ScriptCommand::Section. Names starting with tiller_ are reserved
-/// refused  functions in CALLS that this controller does not have: the program avoids them
-/// abandonedAfter  time without a client after which other clients may replace the program without a question
+/// refused  functions in CALLS that this controller lacks; the program avoids them
+/// abandonedAfter  time without a client after which other clients may replace the program without
+///                 confirmation
 ControlScript controlScript(const SoftwareVersion& version, RegisterRange range, std::int32_t session,
                             const MotionLimits& limits, const ArmLimits& arm, const QString& section = {},
                             const QStringList& refused = {}, const ForceSettings& force = {},
                             std::chrono::milliseconds abandonedAfter = kMinAbandonedAfter);
 
-/// The unknown function in a compile error of the controller if the program can avoid it; otherwise empty.
+/// Returns the name of the unknown function in a controller's compile error if the program can avoid this
+/// function; otherwise empty.
 QString refusedName(const QString& text);
 
 }  // namespace tiller::control

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Internals of Controller: the conditions for starting a motion and for taking and releasing control. For the
-// sources of this folder only.
+// Internals of Controller: conditions for starting a motion and for taking and releasing control. Used only
+// by the sources in this folder.
 
 #include <array>
 #include <atomic>
@@ -34,41 +34,42 @@ struct Controller::Private {
 
     std::mutex taking;  ///< serializes takeControl(), release() and all functions that send programs
     std::mutex tokenMutex;
-    CancelToken underWay;  ///< protected by `tokenMutex`: token of the call that holds `taking`
-    int ending = 0;        ///< protected by `tokenMutex`: release() calls that wait for `taking`
+    CancelToken underWay;  ///< token of the call that holds `taking`; protected by `tokenMutex`
+    int ending = 0;        ///< number of release() calls waiting for `taking`; protected by `tokenMutex`
 
-    /// End of the pulse of each output [ns, on `options.clock`]; in the past: no pulse.
+    /// End of the pulse of each output [ns, on `options.clock`]. A time in the past means no pulse.
     std::array<std::atomic<std::int64_t>, kPulseOutputs> pulseEndsNs{};
 
     std::int64_t now() const { return options.clock->nowNs(); }
     std::int64_t dataTimeoutNs() const { return std::chrono::nanoseconds(options.dataTimeout).count(); }
-    /// The limits with the current cap. Call after reading the number of stops, so that a change of the cap stops a
-    /// motion that was planned with the old one.
+    /// The limits with the current cap. Call this after reading the number of stops, so that a change of the
+    /// cap stops a motion that was planned with the old cap.
     MotionLimits limitsNow() const {
         MotionLimits limits = options.limits;
         limits.tcpSpeed = loop.speedCap();
         return limits;
     }
 
-    /// True if control does not have to be taken. Needs `taking`.
+    /// True if takeControl() has nothing to do. Requires `taking`.
     bool isInControl() const { return link.isRunning() && loop.isInControl(); }
-    /// Connects and sends the control program, or joins the running one; cleans up on failure. Needs `taking`.
+    /// Connects and sends the control program, or joins the running one; cleans up on failure. Requires
+    /// `taking`.
     Result<void> take(const Deadline& deadline, bool join);
-    /// Cancels a call that is taking control, then calls `whenRunning` before the control thread ends.
+    /// Cancels a takeControl() in progress, then calls `whenRunning` before the control thread ends.
     void end(const std::function<void()>& whenRunning);
     void disconnect();
 
-    /// Waits until no output pulses, because another control program would cut pulses short. Returns early
-    /// after a stop; the caller has to check for it.
+    /// Waits until no output is pulsing, because sending another control program would cut pulses short.
+    /// Returns early after a stop; the caller must check for this.
     /// Errors   Timeout with the name of an output that is still pulsing, Cancelled
     Result<void> awaitPulses(std::uint64_t stops, const Deadline& deadline, const QString& context) const;
-    /// Starts a motion, unless a stop occurred since this number of stops or control has ended.
+    /// Starts a motion, unless a stop has occurred since `stops` was read or control has ended.
     Result<MotionId> start(const MotionCommand& command, std::uint64_t stops, const QString& context);
-    /// Sends the program with this section, unless a stop occurred since this number of stops.
+    /// Sends the program with this section, unless a stop has occurred since `stops` was read.
     /// Returns  the empty epoch in which the section can be started
     Result<std::uint64_t> sendSection(const QString& section, const QString& name, std::uint64_t stops,
                                       const Deadline& deadline, const QString& context);
-    /// Starts the section that was sent last, unless a stop or another motion occurred since this epoch.
+    /// Starts the section sent last, unless a stop or another motion has occurred since this epoch.
     /// silence  maximum time without a heartbeat; 0: default
     Result<MotionId> beginSection(std::uint64_t epoch, Holding holding, std::chrono::milliseconds silence,
                                   const QString& context);
@@ -76,7 +77,7 @@ struct Controller::Private {
     Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
                                   std::chrono::milliseconds silence, std::uint64_t stops,
                                   const Deadline& deadline, const QString& context);
-    /// The reason why no motion may start; code None if permitted.
+    /// Why no motion may start; code None if a motion may start.
     Error obstacle(const QString& context) const;
 
 private:
@@ -88,7 +89,7 @@ struct ControllerAccess {
     static Controller::Private& of(Controller& controller) { return *controller.d_; }
 };
 
-/// Creates handles and reads their members.
+/// Creates motion handles and reads their members.
 struct MotionAccess {
     static Motion make(Controller& controller, MotionId id, MotionKind kind) {
         Motion motion;
@@ -114,7 +115,8 @@ struct MotionAccess {
     static Controller* controller(const Motion& motion) { return motion.controller_; }
 };
 
-/// A deadline that release() can cancel: registers its token for the lifetime of the object. Needs `taking`.
+/// A deadline that release() can cancel: registers its token for the lifetime of the object. Requires
+/// `taking`.
 class UnderWay {
 public:
     UnderWay(Controller::Private& d, const Deadline& deadline) : d_(d) {

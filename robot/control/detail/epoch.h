@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The counter that makes a stop final. Every motion starts a new epoch and uses its number; every stop starts a
-// new, empty epoch. A command is valid only in its own epoch, and epochs are never reused.
+// The counter that makes a stop final. Every motion starts a new epoch and uses its number as its id; every
+// stop starts a new, empty epoch. A command is valid only in its own epoch. Epochs are never reused.
 
 #include <array>
 #include <atomic>
@@ -17,33 +17,35 @@ class Epoch {
 public:
     /// Starts the epoch of a new motion; the active one ends with StopCause::Superseded.
     MotionId beginMotion(std::int64_t nowNs);
-    /// As beginMotion(), unless the epoch has changed since; then returns kNoMotion.
+    /// As beginMotion(), but returns kNoMotion if the epoch has changed since `epoch` was read.
     MotionId beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs);
-    /// As beginMotion(), unless a stop occurred since stops() returned this value; then returns kNoMotion.
+    /// As beginMotion(), but returns kNoMotion if a stop has occurred since stops() returned this value.
     MotionId beginMotionUnlessStopped(std::uint64_t stops, std::int64_t nowNs);
     /// Starts an empty epoch, which ends the active motion.
     /// Returns  this epoch
     std::uint64_t stop(StopCause cause, std::int64_t nowNs);
-    /// Starts this epoch, empty, unless it is in the past, after another client.
+    /// Starts this epoch as an empty one. Used to continue after another client. No effect if the epoch is in
+    /// the past.
     void skipTo(std::uint64_t epoch);
     /// As stop(), but only if this motion is active.
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs);
 
     std::uint64_t current() const;
-    /// Number of stops, without replacements by another motion. Read this before preparing a motion to detect a
-    /// stop in between.
+    /// Number of stops; replacements by another motion do not count. Compare two values to detect a stop
+    /// during the preparation of a motion.
     std::uint64_t stops() const { return stops_.load(std::memory_order_acquire); }
     bool isActive(MotionId motion) const;
     MotionId activeMotion() const;  ///< kNoMotion in an empty epoch
-    /// The newest epoch in which no motion is possible any more: the current one if it is empty, else the previous
+    /// Newest epoch in which no motion is possible: the current epoch if it is empty, otherwise the previous
     /// one.
     std::uint64_t expiredUpTo() const;
     MotionState state(MotionId motion) const;
-    /// Time at which the end of this motion was requested, on the caller's clock. Valid only for recent motions.
+    /// Time at which the end of this motion was requested, on the caller's clock. Available only for recent
+    /// motions.
     std::int64_t endedNs(MotionId motion) const;
 
 private:
-    // epoch * 2^16 + occupied * 2^8 + cause of the end of the previous epoch
+    // epoch * 2^16 + occupied * 2^8 + cause of the previous epoch's end
     using Word = std::uint64_t;
     static constexpr std::size_t kMemory = 256;
 
@@ -56,7 +58,7 @@ private:
 
     std::atomic<Word> word_{word(1, false, StopCause::None)};
     std::atomic<std::uint64_t> stops_{0};
-    std::array<std::atomic<std::uint64_t>, kMemory> causes_{};  ///< epoch * 2^8 + cause of its end
+    std::array<std::atomic<std::uint64_t>, kMemory> causes_{};  ///< epoch * 2^8 + cause of the epoch's end
     std::array<std::atomic<std::int64_t>, kMemory> began_{};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The single command slot between the callers and the control thread. The last command wins; a command that was
-// stopped, replaced or not refreshed in time cannot become active again.
+// The single command slot between the callers and the control thread. The last command wins. A command that
+// was stopped, replaced or not refreshed in time cannot become active again.
 
 #include <array>
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace tiller::control {
 
-/// A held motion ends without a refresh for this time.
+/// A Held motion ends if it is not refreshed for this time.
 inline constexpr std::int64_t kHoldTimeNs = std::chrono::nanoseconds(kHoldTime).count();
 
 struct MotionCommand {
@@ -32,13 +32,13 @@ struct MotionCommand {
     double speed = 0;
     double acceleration = 0;
     double rotationAcceleration = 0;
-    std::array<double, 3> rotation{};  ///< only for Program: rotation vector of a custom frame
-    Limiter limiter;                   ///< of a move: the limit that reduces the requested speed
-    /// Maximum time without a heartbeat, for a free move or path; 0: default.
+    std::array<double, 3> rotation{};  ///< only for Program: rotation vector of the custom frame
+    Limiter limiter;                   ///< for a move: the limit that reduces the requested speed
+    /// Maximum time without a heartbeat for a Free move or path; 0: default.
     std::chrono::milliseconds silence{0};
 };
 
-/// A stop with a specific deceleration; valid for the epoch it created.
+/// A stop with a given deceleration; valid for the epoch created by the stop.
 struct Brake {
     enum class Along : std::uint8_t { AsFits, Joints, Line };
     std::uint64_t epoch = 0;
@@ -47,24 +47,25 @@ struct Brake {
     double rotationDeceleration = 0;
 };
 
-/// Callers: any thread; they wait for each other while copying a command, never for the control thread, and stop()
-/// does not wait. Control thread: take() and active() are real-time and wait-free.
+/// Callers: any thread. They wait for each other while copying a command, but never for the control thread,
+/// and stop() does not wait. Control thread: take() and active() are real-time and wait-free.
 class Mailbox {
 public:
     MotionId start(MotionCommand command, std::int64_t nowNs);
-    /// As start(), unless a stop or another motion occurred since `epoch` was current.
+    /// As start(), unless a stop or another motion has occurred since `epoch`.
     /// Returns  kNoMotion in this case
     MotionId startAfter(std::uint64_t epoch, MotionCommand command, std::int64_t nowNs);
-    /// As start(), unless a stop occurred since this number of stops: Epoch::stops(). Other motions do not matter.
+    /// As start(), unless a stop has occurred since Epoch::stops() returned `stops`. Other motions have no
+    /// effect.
     /// Returns  kNoMotion in this case
     MotionId startUnlessStopped(std::uint64_t stops, MotionCommand command, std::int64_t nowNs);
     /// Returns  false if the motion has ended, e.g. because this call came too late
     bool refresh(MotionId motion, std::int64_t nowNs);
     bool refresh(MotionId motion, const JogTarget& target, std::int64_t nowNs);
-    /// Refreshes a Program with new values; its identity and holding are unchanged.
+    /// Refreshes a Program with new values; its id and holding are unchanged.
     bool change(MotionId motion, const MotionCommand& values, std::int64_t nowNs);
     enum class Change : std::uint8_t { Done, Ended, Refused };
-    /// As change(), if mayFollow(the previous command, the time since its last refresh [ns]) returns true.
+    /// As change(), if mayFollow(previous command, time since its last refresh [ns]) returns true.
     template <class MayFollow>
     Change changeIf(MotionId motion, const MotionCommand& values, std::int64_t nowNs, MayFollow mayFollow) {
         const std::lock_guard lock(callers_);
@@ -82,13 +83,13 @@ public:
     }
     const Epoch& epoch() const { return epoch_; }
     void skipTo(std::uint64_t epoch) { epoch_.skipTo(epoch); }
-    /// Whether the active motion has a target: a move or a path.
+    /// True if the active motion has a target: a move or a path.
     bool hasAnEnd();
 
-    /// The command to execute, or null. Ends the command first if it was not refreshed in time.
+    /// Returns the command to execute, or null. A command that was not refreshed in time is ended first.
     /// Threads  the control thread only; the reference is valid until the next call
     const MotionCommand* active(std::int64_t nowNs);
-    /// The deceleration for this empty epoch. Threads: the control thread only
+    /// The deceleration requested for this empty epoch. Threads: the control thread only
     Brake brake(std::uint64_t epoch);
 
 private:
@@ -100,7 +101,7 @@ private:
     std::atomic<std::int64_t> refreshedNs_{0};
 
     std::mutex callers_;
-    MotionCommand last_;  ///< protected by the mutex: the command published last
+    MotionCommand last_;  ///< last published command; protected by the mutex
 
     realtime::TripleBuffer<MotionCommand> newest_;  ///< published under the mutex
     realtime::TripleBuffer<Brake> brake_;           ///< published under the mutex

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kIntInputs = 9;
 constexpr int kSliderRegister = 10;
-// The last six of the 24 registers are left to others: users set registers 18 to 22 manually.
+// The last six of the 24 registers stay free for other clients: users set registers 18 to 22 manually.
 constexpr int kDoubleInputs = 18;
 static_assert(kIntInputs + 1 + kDoubleInputs == kCommandSize);
 constexpr int kWatchdogRegister = 9;

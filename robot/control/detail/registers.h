@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The data exchanged between the controller and control.script through RTDE registers, and the field of each value.
-// The numbers are the same as in control.script.
+// Values exchanged between the controller and control.script through RTDE registers, and the RTDE field of
+// each value. The numbers are the same as in control.script.
 
 #include <array>
 #include <cstdint>
@@ -21,19 +21,19 @@ struct Sample;
 namespace tiller::control {
 
 int firstRegister(RegisterRange range);     ///< 0 or 24
-inline constexpr int kEpochRegister = 1;    ///< integer input, counted from the first register
-inline constexpr int kSessionRegister = 4;  ///< integer input, counted from the first register
-inline constexpr int kStateRegister = 2;    ///< integer output, counted from the first register
+inline constexpr int kEpochRegister = 1;    ///< integer input, relative to the first register
+inline constexpr int kSessionRegister = 4;  ///< integer input, relative to the first register
+inline constexpr int kStateRegister = 2;    ///< integer output, relative to the first register
 
 enum class ScriptCommand : std::int32_t {
-    Idle = 0,  ///< no motion; ends the active one
+    Idle = 0,  ///< no motion; ends an active one
     JogCartesian = 1,
     JogJoints = 2,
     MoveJ = 3,
     MoveL = 4,
     MoveJToPose = 5,
     MoveLToJoints = 6,
-    Section = 7,  ///< the path or function sent with the program
+    Section = 7,  ///< path or function sent with the program
     UntilContact = 8,
     End = 9,  ///< stop, then end the program
     ServoJ = 11,
@@ -49,24 +49,24 @@ enum class ScriptCommand : std::int32_t {
 enum class ScriptState : std::int32_t {
     Ready = 0,      ///< at standstill without a command
     Executing = 1,  ///< executing the command of the echoed epoch
-    Done = 2,       ///< the move of the echoed epoch reached its target
+    Done = 2,       ///< the move of the echoed epoch has reached its target
     Braking = 3,
-    /// No new sequence number for 100 ms: stopped, and the echoed epoch is invalid. A negative number in the register
-    /// means the same; see AbandonedProgram.
+    /// No new sequence number for 100 ms: the arm has stopped, and the echoed epoch is invalid. A negative
+    /// register value means the same; see AbandonedProgram.
     Expired = 4,
-    OutOfReach = 5,  ///< no joint positions for the target: stopped, invalid
-    Contact = 6,     ///< contact detected: stopped, invalid
-    TooFar = 7,      ///< servo target too far away: stopped, invalid
-    TcpTooFast = 8,  ///< torques made the TCP faster than the cap: stopped, invalid
+    OutOfReach = 5,  ///< no joint positions for the target; stopped, epoch invalid
+    Contact = 6,     ///< contact detected; stopped, epoch invalid
+    TooFar = 7,      ///< servo target too far away; stopped, epoch invalid
+    TcpTooFast = 8,  ///< torques made the TCP exceed the cap; stopped, epoch invalid
     ElbowTooFast = 9,
-    /// Of a user program that replaced the control program: it ended because of a missing heartbeat.
+    /// Set by a user program that replaced the control program and ended because of a missing heartbeat.
     HeartbeatExpired = 100'004,
 };
 
 /// Queries and settings. Source: serve() in control.script
 enum class RequestKind : std::int32_t {
     None = 0,
-    Store = 1,  ///< six more numbers for later requests; `whole`: 0 or 6 of twelve
+    Store = 1,  ///< stores six numbers for a later request; `whole`: offset 0 or 6 of the twelve
     SetPayload = 2,
     SetTargetPayload = 3,
     SetTcp = 4,
@@ -101,7 +101,7 @@ enum class RequestKind : std::int32_t {
 
 /// Sent to the control program with every package until it is answered.
 struct Request {
-    std::int32_t number = 0;  ///< unique for each request
+    std::int32_t number = 0;  ///< unique number of each request
     RequestKind kind = RequestKind::None;
     std::int32_t whole = 0;
     std::array<double, 6> numbers{};
@@ -110,31 +110,31 @@ struct Request {
 enum class Outcome : std::int32_t { Done = 0, NoSolution = 1, Unknown = 2, NotPermitted = 3 };
 
 struct Answer {
-    std::int32_t number = 0;  ///< of the request
+    std::int32_t number = 0;  ///< number of the answered request
     Outcome outcome = Outcome::Done;
     std::int32_t whole = 0;
     std::array<double, 6> numbers{};
 };
 
-/// Sequence numbers are larger than this. Programs written for ur_rtde keep 1 or 2 in the register that echoes
-/// them, so that the running program can be identified without a query.
+/// Sequence numbers are larger than this. Programs written for ur_rtde keep 1 or 2 in the register that
+/// echoes the sequence number, so the running program can be identified without a query.
 inline constexpr std::int32_t kBeforeFirstSequence = 0x1000;
 
 /// One package to the robot.
 struct Command {
-    std::int32_t sequence = 0;  ///< changes every time: the heartbeat
+    std::int32_t sequence = 0;  ///< changes with every package: the heartbeat
     std::int32_t epoch = 0;
     ScriptCommand kind = ScriptCommand::Idle;
-    std::int32_t choice = 0;           ///< jogs: a JogFrame; others: see control.script
+    std::int32_t choice = 0;           ///< jogs: a JogFrame; other commands: see control.script
     std::int32_t session = 0;          ///< identifies the instance of the program
-    std::array<double, 6> values{};    ///< twist, joint speeds, torques or target
+    std::array<double, 6> values{};    ///< twist, joint speeds, torques or target pose/positions
     double speed = 0;                  ///< moves only
     double acceleration = 0;           ///< [m/s2] or [rad/s2]
     double rotationAcceleration = 0;   ///< [rad/s2]
     std::array<double, 3> rotation{};  ///< JogFrame::Custom: rotation vector of the frame
     Request request;
-    bool forcePermitted = false;  ///< force mode may be active
-    double speedFraction = 1;     ///< of the speed slider
+    bool forcePermitted = false;  ///< force mode is permitted
+    double speedFraction = 1;     ///< speed slider value
     bool mayFinish = false;       ///< a move or path may complete without a heartbeat
     std::int32_t silenceMs = 0;   ///< maximum time of a move or path without a heartbeat; 0: default
 };
@@ -145,16 +145,16 @@ struct Echo {
     std::int32_t epoch = 0;
     ScriptState state = ScriptState::Ready;
     std::int32_t session = 0;
-    std::int32_t waypoint = 0;  ///< path: current target, from 1
+    std::int32_t waypoint = 0;  ///< path: current target, counted from 1
     Answer answer;
 };
 
-/// The values of a package from the robot that the control thread needs.
+/// The values from a robot package that the control thread needs.
 struct Feedback {
     std::int64_t hostNs = 0;
-    bool awaited = true;  ///< hostNs is the time of arrival; otherwise the package may have arrived earlier
-    std::int64_t lookedNs = 0;  ///< not awaited: time of the previous check of the connection
-    double timestamp = 0;       ///< of the controller [s]
+    bool awaited = true;  ///< true: hostNs is the arrival time; false: the package may have arrived earlier
+    std::int64_t lookedNs = 0;  ///< if not awaited: time of the previous check of the connection
+    double timestamp = 0;       ///< controller time [s]
     RuntimeState runtimeState = RuntimeState::Stopped;
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
@@ -167,24 +167,25 @@ struct Feedback {
     Pose tcpPose;
     Twist tcpSpeed;
     Pose tcpOffset;
-    std::optional<Eigen::Vector3d> tcpForce;  ///< base frame [N]
+    std::optional<Eigen::Vector3d> tcpForce;  ///< force at the TCP in the base frame [N]
     Echo echo;
-    /// All values of the package; null in the packages before control. Valid until the next package is read.
+    /// All values of the package; null for packages before control is taken. Valid until the next package is
+    /// read.
     const receive::Sample* sample = nullptr;
 };
 
-/// extra  outputs in addition to those that the controller needs; duplicates are ignored
+/// extra  additional outputs to receive; duplicates are ignored
 std::vector<std::string> outputNames(RegisterRange range, const std::vector<std::string>& extra = {});
-/// The recipes of the control connection, in this order.
+/// Recipes of the control connection, in the order in which they are set up.
 enum Inputs : std::size_t { kCommandInputs, kWatchdogInputs, kWrenchInputs, kInputRecipes };
 std::vector<std::string> inputNames(RegisterRange range, Inputs recipe = kCommandInputs);
-/// The register of the watchdog.
+/// The watchdog register.
 std::string watchdogName(RegisterRange range);
 
-/// Looks up the values of a recipe once, so that decoding only copies.
+/// Resolves the values of a recipe once, so that decoding only copies.
 class FeedbackLayout {
 public:
-    /// Errors   FieldUnknown with the required outputs that this robot does not have
+    /// Errors   FieldUnknown with the required outputs that this robot lacks
     static Result<FeedbackLayout> of(const rtde::Recipe& outputs, RegisterRange range);
     /// Real-time: yes
     Feedback decode(std::span<const double> values, std::int64_t hostNs) const;

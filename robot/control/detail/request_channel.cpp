@@ -14,7 +14,7 @@ namespace {
 
 Error overdue(const Deadline& deadline, const QString& context) {
     return {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-            QStringLiteral("the control program does not answer")};
+            QStringLiteral("the control program does not respond")};
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ Result<Answer> RequestChannel::exchange(const Request& request, const QString& c
     };
     const bool settledInTime = waitUntil(deadline, settled, std::chrono::microseconds(500));
     if (!inControl || !settledInTime) {
-        loop_.withdraw();  // a request without a waiting caller must not be executed
+        loop_.withdraw();  // a request must not be executed when no caller waits for it
     }
     if (!inControl) {
         return Error{link_.isRunning() ? ErrorCode::NotInControl : ErrorCode::LinkLost, context, {}};
@@ -50,7 +50,7 @@ Result<Answer> RequestChannel::exchange(const Request& request, const QString& c
             break;
     }
     return Error{ErrorCode::VersionUnsupported, context,
-                 QStringLiteral("the control program does not know this request")};
+                 QStringLiteral("the control program does not support this request")};
 }
 
 Result<Answer> RequestChannel::request(RequestKind kind, std::int32_t whole, std::span<const double> numbers,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Queries and settings of the control program: one at a time, within the regular packages to the robot.
+// Sends queries and settings to the control program, one at a time, within the regular packages to the robot.
 
 #include <array>
 #include <mutex>
@@ -29,7 +29,7 @@ public:
     RequestChannel(ControlLoop& loop, const ControlLink& link) : loop_(loop), link_(link) {}
 
     /// Sends a request to the control program and waits for its answer.
-    /// numbers  up to 18; those after the sixth are sent in advance, unless the program already has them
+    /// numbers  up to 18 values; values 7 to 18 are sent in advance, unless the program already has them
     /// Errors   NotInControl, LinkLost, NoSolution, Stopped, VersionUnsupported, Timeout, Cancelled
     Result<Answer> request(RequestKind kind, std::int32_t whole, std::span<const double> numbers,
                            const QString& context, const Deadline& deadline);
@@ -51,7 +51,7 @@ private:
     ControlLoop& loop_;
     const ControlLink& link_;
     Turn turn_;
-    /// Protected by the mutex: numbers 6 to 17 as stored in the program; empty if unknown.
+    /// Numbers 6 to 17 as stored in the program; empty if unknown. Protected by the mutex.
     std::array<std::optional<std::array<double, 6>>, 2> stored_;
 };
 

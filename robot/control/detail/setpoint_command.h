@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks the targets and parameters of a stream and converts them to a command. For this folder only.
+// Checks the targets and parameters of a stream and converts them to a command. Used only in this folder.
 
 #include "robot/control/detail/mailbox.h"
 #include "robot/control/detail/velocity_limiter.h"
@@ -10,7 +10,7 @@
 
 namespace tiller::control {
 
-/// Real-time: yes, unless there is an error. Code None means no error.
+/// Real-time: yes, unless there is an error. Code None means success.
 struct SetpointRules {
     ArmLimits arm;
     double toolSpeed = 0;  ///< [m/s]
@@ -25,14 +25,14 @@ struct SetpointRules {
     Error check(const SpeedParameters& parameters) const;
     Error check(const TorqueParameters& parameters) const;
 
-    /// Whether the arm can reach one servo target from the previous one: see kJointLeeway.
-    /// seconds  between them
+    /// Checks that the arm can move from one servo target to the next: see kJointLeeway.
+    /// seconds  time between the targets
     Error step(const JointPositions& from, const JointPositions& to, double seconds) const;
     Error step(const Pose& from, const Pose& to, double seconds) const;
 };
 
-/// Duration used for the step to the next servo target [s].
-/// since  time since the previous one [s]; 0 for the first
+/// Time available for the move to the next servo target [s].
+/// since  time since the previous target [s]; 0 for the first
 /// rules  duration of one target [s]
 double stepTime(double since, double rules);
 

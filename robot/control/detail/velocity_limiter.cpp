@@ -12,31 +12,31 @@ namespace tiller::control {
 
 namespace {
 
-// Joint speed limit for Cartesian jogging, higher than for joint jogging because the limits of the TCP apply. This
-// limit slows the arm down near a singularity.
+// Joint speed limit for Cartesian jogging. It is higher than for joint jogging, because the TCP limits apply
+// as well. It slows the arm down near a singularity.
 constexpr double kCartesianJointSpeed = 1.5;  // [rad/s]
 
-// Deceleration before a joint limit: less than for a stop, so that it is always achieved, with a reserve for the
-// delay of a command.
+// Deceleration before a joint limit. It is lower than for a stop, so that it is always achieved, and leaves a
+// reserve for the command delay.
 constexpr double kLimitDeceleration = 1.0;  // [rad/s2]
 constexpr double kLimitLatency = 0.03;      // [s]
-constexpr double kLimitMargin = 0.01;       // [rad] margin before the limit of the range
+constexpr double kLimitMargin = 0.01;       // [rad], distance kept from the limit
 
 // Deceleration before a collision, as a fraction of the deceleration of a stop.
 constexpr double kClearDeceleration = 0.5;
-// Maximum distance within the safety distance at the end of a jog; smaller values would prevent sliding along a
-// wall [m].
+// Maximum intrusion into the safety distance at the end of a jog [m]. A smaller value would prevent sliding
+// along a wall.
 constexpr double kClearBand = 0.0003;
 constexpr double kDeepInside = 0.0006;
-// Slower approaches, as a fraction of the body's maximum speed, count as sliding; deep inside only rounding errors
-// do.
+// Approach speeds below this fraction of the body's maximum speed count as sliding. Deep inside the safety
+// distance, only rounding errors count as sliding.
 constexpr double kSliding = 2e-3;
 constexpr double kSlidingDeepInside = 1e-4;
 
-// Smaller scales count as blocked.
+// Smaller scales count as a blocked motion.
 constexpr double kSmallestScale = 0.02;
 
-// Start of the slow-down, and end of motion towards the singularity.
+// Singularity measures at which the slow-down begins and at which motion towards the singularity ends.
 struct SingularityZone {
     double begin;
     double end;
@@ -44,10 +44,10 @@ struct SingularityZone {
 constexpr SingularityZone kWristZone{0.17, 0.03};  // |sin q5|: 10 deg, 1.7 deg
 constexpr SingularityZone kElbowZone{0.26, 0.05};  // |sin q3|: 15 deg, 3 deg
 constexpr SingularityZone kShoulderZone{0.10,
-                                        0.02};  // [m] between the wrist and the cylinder around the base axis
+                                        0.02};  // [m], from the wrist to the cylinder around the base axis
 
-/// Below this fraction of SingularityZone::end no linear motion is possible, not even away from the
-/// singularity: the joint speeds would have to change faster than a robot can follow, which would cause a
+/// Below this fraction of SingularityZone::end, no linear motion is possible, not even away from the
+/// singularity. The joint speeds would have to change faster than a robot can follow, which would cause a
 /// protective stop.
 constexpr double kDeepPart = 1.0 / 3;
 
@@ -60,7 +60,7 @@ struct Geometry {
     Eigen::Matrix<double, 3, 6> elbow;  // of the elbow, linear part only
 };
 
-// The TCP position is reported by the robot, so that TCP offset and calibration do not need to be known.
+// The robot reports the TCP position, so TCP offset and calibration need not be known.
 Geometry geometryAt(const DhParameters& dh, const JointPositions& q, const Eigen::Vector3d& tcp) {
     const auto frames = kinematics::linkFrames(dh, q);
     const Eigen::Vector3d elbow = frames[2].translation();
@@ -78,7 +78,7 @@ Geometry geometryAt(const DhParameters& dh, const JointPositions& q, const Eigen
     return g;
 }
 
-// The damping is so small that it only has an effect at the singularity, where it keeps the values finite.
+// The damping is small enough to have an effect only at the singularity, where it keeps the values finite.
 Vector6 jointSpeeds(const Matrix6& jacobian, const Vector6& twist) {
     constexpr double kDamping = 1e-4;
     Matrix6 normal = jacobian * jacobian.transpose();
@@ -103,7 +103,7 @@ void holdTo(Limiter& limiter, double speed, double cap, LimiterKind kind, int jo
     }
 }
 
-// The speed from which the arm can stop within the distance.
+// Speed from which the arm can stop within the distance.
 double approachSpeed(double distance, double deceleration) {
     if (distance <= 0) {
         return 0;
@@ -177,7 +177,7 @@ Twist twistInBase(const JogTarget& target, const Pose& tcpPose) {
     return target.twist;
 }
 
-/// The requested motion at full scale.
+/// The requested motion at a scale of 1.
 struct VelocityLimiter::Motion {
     const JogTarget& target;
     const JointPositions& q;
@@ -188,7 +188,7 @@ struct VelocityLimiter::Motion {
 
     bool isCartesian() const { return target.kind == JogTarget::Kind::Cartesian; }
 
-    /// Position of the arm after this time at this speed. A straight line of the TCP is curved in joint space.
+    /// Joint positions after this time at this speed. A straight line of the TCP is curved in joint space.
     JointPositions after(const DhParameters& dh, double seconds) const {
         Vector6 bend = Vector6::Zero();
         if (isCartesian()) {
@@ -213,15 +213,15 @@ double VelocityLimiter::brakingTime(bool cartesian, const Twist& twist, const Ve
                     twist.angular.norm() / joints);
 }
 
-// Makes the arm stop at the safety distance from everything. The approach speed to each object is determined from
-// the distances a moment later and at the expected stop position: the nearest object there may differ from the
-// nearest one now.
+// Makes the arm stop at the safety distance from all objects. The approach speed to each object is computed
+// from the distances a moment later and at the expected stop position, because the nearest object there may
+// differ from the nearest one now.
 void VelocityLimiter::keepClear(Limiter& limiter, const Motion& motion, const Situation& situation) const {
     using collision::CollisionCheck;
     const CollisionCheck& check = *situation.check;
     const Vector6& qd = motion.qd;
     const Vector6& qdNow = situation.qd.values;
-    constexpr double kMoment = 2e-5;  // [rad] over all joints
+    constexpr double kMoment = 2e-5;  // [rad], over all joints
     constexpr double kStandstill = 1e-9;
     const double sum = qd.cwiseAbs().sum();
     if (sum < kStandstill) {
@@ -308,7 +308,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
                          tcpPose.rotation.allFinite() && situation.qd.values.allFinite() &&
                          twist.allFinite() && qd.allFinite();
     if (!isKnown) {
-        // Comparisons with values that are not finite would not detect any limit.
+        // Comparisons with non-finite values would not detect any limit.
         limiter.scale = 0;
         return limiter;
     }
@@ -324,7 +324,7 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     for (int joint = 0; joint < kJointCount && !cartesian; ++joint) {
         holdTo(limiter, std::abs(qd[joint]), jointCap, LimiterKind::JointSpeed, joint);
     }
-    const double wanted = limiter.scale;  // the part allowed by the caps; the rest is due to the kinematics
+    const double wanted = limiter.scale;  // the part allowed by the caps; the kinematics may reduce it more
     for (int joint = 0; joint < kJointCount; ++joint) {
         const auto i = static_cast<std::size_t>(joint);
         const double speed = std::abs(qd[joint]);
@@ -343,8 +343,8 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     if (cartesian && fastest > 0) {
         // Joint jogs are not limited: only Cartesian motion causes high joint speeds at a singularity.
         const auto here = kinematics::singularityMeasure(arm_.dh, q);
-        // A path may approach the singularity at first and lead away from it in the end, or the other way round.
-        for (const double lookAhead : {1e-5, 0.005}) {  // [rad] of the fastest joint
+        // A path may first approach the singularity and then lead away from it, or the other way round.
+        for (const double lookAhead : {1e-5, 0.005}) {  // [rad], fastest joint
             const JointPositions next(Vector6(q.values + qd * (lookAhead / fastest)));
             const auto ahead = kinematics::singularityMeasure(arm_.dh, next);
             holdAtSingularity(limiter, here.wrist, ahead.wrist, kWristZone, kWrist2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reduces a requested velocity to the currently permitted value, and reports the limit. It only scales: the
-// direction remains as requested.
+// Reduces a requested velocity to the currently permitted value and reports the limit. The velocity is only
+// scaled; its direction is unchanged.
 
 #include <array>
 
@@ -23,14 +23,14 @@ struct ArmLimits {
     std::array<double, 6> maxTorque{};    ///< [Nm]
 
     static ArmLimits of(const RobotModel& model);
-    /// Values reported by the robot; values of the model if a reported one is missing or implausible.
+    /// Uses the values reported by the robot. Values of the model replace missing or implausible ones.
     static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& reported);
 };
 
-/// Slows down so that joints stop before their limits, and the arm before singularities and at the safety
-/// distance from itself and its surroundings. Motion away from them is not limited. Also limits the speeds of
-/// TCP, elbow, rotation and joints.
-/// Threads  one. Real-time: yes (no allocation; some ten microseconds)
+/// Limits the speed so that joints stop before their limits, and the arm stops before singularities and at
+/// the safety distance from itself and its environment. Motion away from them is not limited. Also limits the
+/// speeds of TCP, elbow, rotation and joints.
+/// Threads  one. Real-time: yes (no allocation; a few tens of microseconds)
 class VelocityLimiter {
 public:
     VelocityLimiter(const ArmLimits& arm, const MotionLimits& limits) : arm_(arm), limits_(limits) {}
@@ -40,10 +40,10 @@ public:
         JointVelocities qd = {};                           ///< current velocity of the arm [rad/s]
         const collision::CollisionCheck* check = nullptr;  ///< null: no check
     };
-    /// q, tcpPose  current position of the arm (base frame)
-    /// A jog with contact detection (contactForce) may touch the surroundings with the tool and wrist 3.
-    /// Returns     the factor for the target in Limiter::scale: 0 if motion in this direction is not permitted, or
-    ///             if a number is not finite
+    /// q, tcpPose  current joint positions, and TCP pose in the base frame
+    /// A jog with contact detection (contactForce) may touch the environment with the tool and wrist 3.
+    /// Returns     the factor for the target in Limiter::scale; 0 if motion in this direction is not
+    ///             permitted or a value is not finite
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose,
                   const Situation& situation) const;
     Limiter limit(const JogTarget& target, const JointPositions& q, const Pose& tcpPose) const {
@@ -63,7 +63,7 @@ private:
     MotionLimits limits_;
 };
 
-/// The target's twist in the base frame. tcpPose is needed for JogFrame::Tool.
+/// The target's twist in the base frame. tcpPose is used only for JogFrame::Tool.
 Twist twistInBase(const JogTarget& target, const Pose& tcpPose);
 
 }  // namespace tiller::control

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// First versions that support features used by more than one type of request. Source: the vendor's script manual.
+// First software versions that support features used by more than one type of request. Source: the vendor's
+// script manual.
 
 #include "robot/core/version.h"
 

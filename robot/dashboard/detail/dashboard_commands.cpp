@@ -13,7 +13,7 @@ Error rejected(const QString& line, const QString& reply) {
     return {ErrorCode::Rejected, QStringLiteral("dashboard command \"%1\"").arg(line), reply};
 }
 
-/// The rest of the reply after its documented prefix.
+/// The part of the reply that follows its documented prefix.
 Result<QString> after(DashboardClient& client, const QString& line, const QString& prefix,
                       const Deadline& deadline) {
     const auto reply = client.command(line, deadline);
@@ -86,7 +86,7 @@ Result<bool> isRunning(DashboardClient& client, const Deadline& deadline) {
     if (!reply) {
         return reply.error();
     }
-    // "Program running: true"; older software: "Robot running: True".
+    // The reply is "Program running: true", or "Robot running: True" in older software.
     const auto yes = truth(reply->section(QLatin1Char(':'), 1).trimmed());
     return yes ? Result<bool>(*yes) : Result<bool>(rejected(line, *reply));
 }

@@ -27,7 +27,7 @@ Result<SavedState> isProgramSaved(DashboardClient& client, const Deadline& deadl
 /// Leaves the robot in POWER_OFF.
 Result<void> loadInstallation(DashboardClient& client, const Text& path, const Deadline& deadline);
 
-// Safety. Source: safetystatus distinguishes causes that safetymode does not; since 3.11 / 5.4
+// Safety. safetystatus distinguishes causes that safetymode does not; since 3.11 / 5.4
 Result<SafetyMode> safetyStatus(DashboardClient& client, const Deadline& deadline);
 
 // Pendant and log
@@ -39,7 +39,7 @@ Result<UserRole> userRole(DashboardClient& client, const Deadline& deadline);
 // Identification and modes
 Result<QString> version(DashboardClient& client,
                         const Deadline& deadline);  ///< version number only; e-Series
-/// e-Series. The pendant cannot change a mode set here until it is cleared.
+/// e-Series. A mode set with this function cannot be changed on the pendant until it is cleared.
 Result<void> setOperationalMode(DashboardClient& client, OperationalMode mode, const Deadline& deadline);
 Result<OperationalMode> operationalMode(DashboardClient& client, const Deadline& deadline);  ///< since 5.6
 Result<void> clearOperationalMode(DashboardClient& client, const Deadline& deadline);

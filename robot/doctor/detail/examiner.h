@@ -14,7 +14,7 @@
 
 namespace tiller::doctor {
 
-/// Translation context of the doctor's texts for lupdate.
+/// Translation context of the doctor's texts, for lupdate.
 struct DoctorText {
     Q_DECLARE_TR_FUNCTIONS(Doctor)
 };
@@ -28,12 +28,12 @@ public:
     void good(Condition condition, const QString& detail);
     void found(Condition condition, Verdict verdict, const QString& cause, const QString& detail,
                const QString& fix);
-    /// Discards the findings of a condition; the next finding replaces them.
+    /// Discards the findings for a condition, so that the next finding replaces them.
     void forget(Condition condition) { findings_.erase(condition); }
     bool isGood(Condition condition) const;
-    /// One finding per condition; conditions that were not examined are Skipped.
+    /// Returns one finding per condition. Conditions that were not examined are Skipped.
     Report report() const;
-    /// A deadline of at most `ms`, but not later than the end of the examination.
+    /// Returns a deadline in `ms`, or at the end of the examination if that is earlier.
     Deadline within(int ms) const;
 
     const Patient& patient;
@@ -46,7 +46,7 @@ private:
     std::map<Condition, Finding> findings_;
 };
 
-// The steps of the examination in order; each adds its findings.
+// The steps of the examination, in order. Each step adds its findings.
 
 /// Returns  false if there is no usable address
 bool examineAddress(Examiner& examiner);

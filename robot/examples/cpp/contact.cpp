@@ -13,7 +13,7 @@ int main(int, char** argv) {
 
     Twist down;
     down.linear.z() = -0.03;  // [m/s]
-    // Free: no refresh needed. The deadline below limits the motion.
+    // Free: no refresh is needed. The deadline below limits the motion.
     auto touch = control::Motions(controller)
                      .moveUntilContact(down, Deadline::after(3s), {.holding = control::Holding::Free});
     const Result<void> felt = touch ? touch->wait(Deadline::after(10s)) : touch.error();

@@ -17,7 +17,7 @@ int main(int, char** argv) {
     control::ForceMode push;
     push.compliant = {false, false, true, false, false, false};
     push.wrench.force.z() = -5;                       // [N]
-    push.limits = {0.05, 0.05, 0.02, 0.2, 0.2, 0.2};  // Z: speed [m/s], others: deviation [m, rad]
+    push.limits = {0.05, 0.05, 0.02, 0.2, 0.2, 0.2};  // Z: speed [m/s]; other axes: deviation [m, rad]
     control::Compliance compliance(controller);
     compliance.setForceMode(push, Deadline::after(3s)).value();
     const double before = controller.status().tcpPose[2];

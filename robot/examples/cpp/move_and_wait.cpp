@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves in joint space, then along a line, and waits for both.
+// Moves in joint space and then along a line, and waits for each move.
 #include <iostream>
 
 #include "robot/control/motions.h"

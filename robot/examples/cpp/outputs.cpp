@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets an output, and reads it and an input. Works with and without a running program.
+// Sets an output, then reads it and an input. Works with and without a running program.
 #include <iostream>
 
 #include "robot/io/outputs.h"
@@ -14,7 +14,7 @@ int main(int, char** argv) {
     (void)receiver.waitForData(Deadline::after(5s)).value();
 
     io::Outputs outputs({.host = argv[1]}, io::OutputFeedback::fromReceiver(receiver));
-    outputs.setDigitalOutput(0, true, Deadline::after(3s)).value();  // returns when confirmed by the robot
+    outputs.setDigitalOutput(0, true, Deadline::after(3s)).value();  // returns once confirmed by the robot
     outputs.setAnalogOutput(0, io::AnalogDomain::Voltage, 0.5, Deadline::after(3s)).value();  // 5 V
     const receive::Sample sample = receiver.latest();
     const receive::RobotState state(sample);

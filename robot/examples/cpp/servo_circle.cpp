@@ -17,7 +17,7 @@ int main(int, char** argv) {
         const double angle = 3.14159265 * cycle.time;  // runs in the control thread: do not wait or allocate
         Pose target = start;
         target.position += 0.03 * Eigen::Vector3d(std::cos(angle) - 1, std::sin(angle), 0);
-        // returning nothing ends the loop, and the arm stops
+        // An empty result ends the loop, and the arm stops.
         return cycle.time < 2 ? std::optional(target) : std::nullopt;
     };
     control::CycleReport report;

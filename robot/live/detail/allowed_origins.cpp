@@ -48,8 +48,8 @@ Result<AllowedOrigins> AllowedOrigins::from(const std::vector<Text>& origins) {
         if (!isWellFormed(text)) {
             return Error{
                 ErrorCode::AddressInvalid, QStringLiteral("allow the origin \"%1\"").arg(origin),
-                QStringLiteral("an origin has the form https://host or https://host:port, or is file:// "
-                               "or null")};
+                QStringLiteral(
+                    "an origin must have the form https://host or https://host:port, or be file:// or null")};
         }
         allowed.listed_ << text;
     }

@@ -21,8 +21,8 @@ namespace {
 
 constexpr int kAcceptedAtOnce = 8;
 constexpr int kMaxShownOrigin = 200;  // [characters]
-// Send buffer of the kernel per connection. Its content can no longer be dropped; it is less than a second of all
-// messages.
+// Kernel send buffer per connection. Its content can no longer be dropped, so it is limited to less than a
+// second of messages.
 constexpr int kSendBuffer = 256 * 1024;
 constexpr qint64 kMaxUnsent = 64 * 1024;
 constexpr qint64 kMaxUnreadAnswers = 256 * 1024;
@@ -45,7 +45,7 @@ QJsonObject describe(const LiveChannel& channel) {
             {"schemaEncoding", "ros2msg"}};
 }
 
-/// Converts a number in a message, or returns nothing.
+/// Converts a number in a message; empty if it is invalid.
 std::optional<std::uint32_t> numberOf(const QJsonValue& value) {
     const double number = value.toDouble(-1);
     if (number < 0 || number > 4294967295.0 || number != std::floor(number)) {
@@ -64,7 +64,7 @@ FoxgloveServer::FoxgloveServer(const QString& name, AllowedOrigins origins, cons
     , upgrader_(name, QWebSocketServer::NonSecureMode) {
     upgrader_.setSupportedSubprotocols(
         {QStringLiteral("foxglove.sdk.v1"), QStringLiteral("foxglove.websocket.v1")});
-    // Queued, so that the event loop serves connected viewers between two batches.
+    // A queued call, so that the event loop serves connected viewers between two batches.
     listener_.setMaxPendingConnections(kAcceptedAtOnce);
     connect(&listener_, &QTcpServer::newConnection, this, &FoxgloveServer::accept, Qt::QueuedConnection);
     connect(&upgrader_, &QWebSocketServer::originAuthenticationRequired, this,
@@ -99,7 +99,7 @@ Result<void> FoxgloveServer::listen(const QString& address, std::uint16_t port) 
     QHostAddress host;
     if (!host.setAddress(address)) {
         return Error{ErrorCode::AddressInvalid, QStringLiteral("listen on %1").arg(address),
-                     QStringLiteral("this is not an IP address, such as 127.0.0.1")};
+                     QStringLiteral("this is not an IP address; use an address such as 127.0.0.1")};
     }
     if (!listener_.listen(host, port)) {
         return Error{ErrorCode::Rejected, QStringLiteral("listen on %1 port %2").arg(address).arg(port),
@@ -149,7 +149,8 @@ void FoxgloveServer::accept() {
         });
         connect(socket, &QTcpSocket::readyRead, this,
                 [this, socket, incoming = handshakes_.back().incoming] { countIncoming(socket, *incoming); });
-        // QWebSocketServer keeps up to 800 kB of an unfinished header; this socket never has more than its buffer.
+        // QWebSocketServer stores up to 800 kB of an unfinished header. This socket never holds more than its
+        // buffer.
         socket->setReadBufferSize(limits_.maxHeaderBytes);
         socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
         socket->setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kSendBuffer);
@@ -157,7 +158,7 @@ void FoxgloveServer::accept() {
     }
 }
 
-// QWebSocketServer emits newConnection while it processes the handshake of the corresponding socket.
+// QWebSocketServer emits newConnection while it processes the handshake of this socket.
 void FoxgloveServer::welcome() {
     while (QWebSocket* socket = upgrader_.nextPendingConnection()) {
         const auto found =
@@ -174,7 +175,7 @@ void FoxgloveServer::welcome() {
         handshakes_.erase(found);
         socket->setParent(this);
         tcp->setParent(socket);
-        // One frame with its header has to fit in the buffer.
+        // One frame including its header must fit in the buffer.
         constexpr qint64 kMaxFrameHeader = 14;
         socket->setReadBufferSize(
             std::max(limits_.maxHeaderBytes, limits_.maxRequestBytes + kMaxFrameHeader));
@@ -193,7 +194,7 @@ void FoxgloveServer::welcome() {
             }
         });
         connect(socket, &QWebSocket::disconnected, this, [this, socket] { forget(socket); });
-        // Connected after Qt's own handler, so that it runs after Qt has consumed its data.
+        // Connected after Qt's own handler, so that this one runs after Qt has consumed the data.
         connect(tcp, &QTcpSocket::readyRead, this, [this, socket, tcp = tcp, incoming = incoming] {
             incoming->unread = tcp->bytesAvailable();
             closeIfUnread(socket);
@@ -230,7 +231,7 @@ void FoxgloveServer::countIncoming(QTcpSocket* socket, Incoming& incoming) {
     }
 }
 
-// Answers and pongs are written to the socket directly.
+// Replies and pongs are written to the socket directly.
 void FoxgloveServer::closeIfUnread(QWebSocket* socket) {
     if (socket->bytesToWrite() > kMaxUnreadAnswers) {
         disconnectLater(socket, QStringLiteral("the viewer does not read the responses"));
@@ -280,7 +281,7 @@ void FoxgloveServer::subscribe(QWebSocket* socket, Client& client, std::uint32_t
     } else if (client.subscriptions.contains(id)) {
         report(socket, kError, QStringLiteral("subscription %1 is in use").arg(id));
     } else if (channels.contains(channel)) {
-        // Each subscription of a channel costs a copy of each message.
+        // Each subscription to a channel costs one copy of each message.
         report(socket, kError, QStringLiteral("channel %1 is already subscribed to").arg(channel));
     } else if (channels.isEmpty() && subscribedViewers() >= limits_.maxViewers) {
         report(socket, kError,
@@ -340,7 +341,7 @@ void FoxgloveServer::closeStalledClients() {
     }
 }
 
-// Deferred: the caller iterates over the clients, or Qt is reading from the socket.
+// Deferred, because the caller may be iterating over the clients, or Qt may be reading from the socket.
 void FoxgloveServer::disconnectLater(QWebSocket* socket, const QString& reason) {
     const auto client = clients_.find(socket);
     if (client == clients_.end() || std::exchange(client->isClosing, true)) {
@@ -403,7 +404,7 @@ void FoxgloveServer::enqueue(QWebSocket* socket, Client& client, Queued next) {
     }
 }
 
-// Data passed to the socket cannot be dropped any more, so the amount is kept small.
+// Data passed to the socket can no longer be dropped, so only a small amount is passed.
 void FoxgloveServer::sendQueued(QWebSocket* socket, Client& client) {
     while (!client.queue.empty() && socket->bytesToWrite() < kMaxUnsent) {
         auto [subscription, message] = std::move(client.queue.front());

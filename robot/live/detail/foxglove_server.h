@@ -48,14 +48,15 @@ public:
 
     /// Replaces a channel with the same topic.
     void advertise(const LiveChannel& channel);
-    /// Whether any viewer has subscribed to the channel.
+    /// True if any viewer has subscribed to the channel.
     bool isWanted(std::uint32_t channel) const { return wanted_.value(channel, 0) > 0; }
     void send(std::uint32_t channel, std::uint64_t timeNs, const std::string& message);
 
 private:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Bytes received through one TCP connection. Qt reads them between two updates of `unread`.
+    /// Number of bytes received through one TCP connection. Qt reads the bytes between two updates of
+    /// `unread`.
     struct Incoming {
         qint64 unread = 0;
         qint64 inWindow = 0;
@@ -65,17 +66,17 @@ private:
         QTcpSocket* socket = nullptr;
         std::shared_ptr<Incoming> incoming;
     };
-    /// A message for one viewer. The bytes are shared between the queues of all viewers.
+    /// A message for one viewer. The queues of all viewers share the bytes.
     struct Queued {
         std::uint32_t subscription = 0;
         QByteArray message{};
     };
     struct Client {
         QHash<std::uint32_t, std::uint32_t>
-            subscriptions{};  ///< channel by the subscription id of the client
+            subscriptions{};  ///< channel for each subscription id of the client
         std::deque<Queued> queue{};
         qint64 queuedBytes = 0;
-        Time waitingSince{};  ///< time since which no byte could be sent
+        Time waitingSince{};  ///< time since when no byte could be sent
         std::uint64_t order = 0;
         bool isSlow = false;
         bool isClosing = false;

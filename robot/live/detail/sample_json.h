@@ -8,9 +8,8 @@
 
 namespace tiller::live {
 
-/// Converts one sample to a JSON object: names of fields with numbers, or arrays for vectors; missing values are
-/// omitted.
-/// Clears `out` first. Private to this folder.
+/// Converts one sample to a JSON object of field names with numbers, or arrays for vectors. Missing values
+/// are omitted. Clears `out` first. Private to this folder.
 void writeJson(const receive::Sample& sample, const std::vector<std::string>& fields, std::string& out);
 
 }  // namespace tiller::live

@@ -214,7 +214,7 @@ Pose FieldReader::pose(const QString& where, const QJsonObject& object, const ch
 }
 
 JointPositions FieldReader::joints(const QString& where, const QJsonValue& value) {
-    // Twice the joint range: larger values are probably in degrees.
+    // Twice the joint range. Larger values are probably in degrees.
     constexpr double kMaxValue = 4 * std::numbers::pi + 0.2;
     const QVector<double> read = numbers(where, value, kJointCount);
     JointPositions q;

@@ -15,11 +15,11 @@
 
 namespace tiller::project {
 
-/// e.g. "waypoints[3]" and "name" to "waypoints[3].name".
+/// Example: "waypoints[3]" and "name" result in "waypoints[3].name".
 QString fieldAt(const QString& where, const char* key);
-QString fieldAt(const QString& where, int index);  ///< e.g. "waypoints" and 3 to "waypoints[3]".
+QString fieldAt(const QString& where, int index);  ///< Example: "waypoints" and 3 result in "waypoints[3]".
 
-/// e.g. "is a number, not a text"; "is missing".
+/// Examples: "is a number, not a text"; "is missing".
 QString isNot(const QJsonValue& value, const QString& wanted);
 
 /// The fields of `object` that are not in `known`.
@@ -29,7 +29,7 @@ QJsonObject without(QJsonObject object, std::initializer_list<const char*> known
 class FieldReader {
 public:
     void addProblem(const QString& where, const QString& what) { problems_.append({where, what}); }
-    /// Compare two results to find out whether problems occurred in between.
+    /// Number of problems so far. Compare two results to find out whether problems occurred in between.
     qsizetype problemCount() const { return problems_.size(); }
     QVector<FileProblem> takeProblems() { return std::move(problems_); }
 
@@ -42,7 +42,7 @@ public:
     QUuid optionalId(const QString& where, const QJsonObject& object, const char* key);
     /// Required; null is the base frame. The frame may be missing.
     QUuid frameId(const QString& where, const QJsonObject& object);
-    /// As frameId(), of a frame in the list.
+    /// Like frameId(), for a frame in the list.
     QUuid frame(const QString& where, const QJsonObject& object, const FrameList& frames);
     double number(const QString& where, const QJsonValue& value, double least, double most, const char* unit);
     double number(const QString& where, const QJsonObject& object, const char* key, double least, double most,

@@ -97,7 +97,7 @@ Pattern PartReader::pattern(const QString& where, const QJsonObject& object) {
         if (i >= 3 || (corner.isNull() && !corners[i].isNull())) {
             fields_.addProblem(
                 fieldAt(fieldAt(where, "corners"), i),
-                i >= 3 ? QStringLiteral("is a surplus corner") : QStringLiteral("is not an id"));
+                i >= 3 ? QStringLiteral("is an extra corner") : QStringLiteral("is not an id"));
             break;
         }
         pattern.corners[static_cast<std::size_t>(i)] = corner;
@@ -112,7 +112,8 @@ CellBox PartReader::box(const QString& where, const QJsonObject& object) {
     CellBox box;
     box.id = fields_.id(where, object, "id");
     box.name = fields_.text(where, object, "name");
-    // Kept without its frame: a dropped object would not be avoided. See collision::CellSurroundings::unplaced.
+    // The object is kept without its frame, because a removed object would not be avoided. See
+    // collision::CellSurroundings::unplaced.
     box.frame = fields_.frameId(where, object);
     box.pose = fields_.pose(where, object, "pose");
     box.size = fields_.point(where, object, "size", 2 * FieldReader::kMaxCoordinate);

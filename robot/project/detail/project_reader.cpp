@@ -63,7 +63,7 @@ template <class Entity>
 QUuid ProjectReader::reference(const QJsonObject& root, const char* key, const EntityList<Entity>& list) {
     const QUuid id = fields_.optionalId({}, root, key);
     if (!id.isNull() && list.find(id) == nullptr) {
-        fields_.addProblem(QLatin1String(key), QStringLiteral("nothing in this project has that id"));
+        fields_.addProblem(QLatin1String(key), QStringLiteral("no item of this project has that id"));
         return {};
     }
     return id;
@@ -72,7 +72,7 @@ QUuid ProjectReader::reference(const QJsonObject& root, const char* key, const E
 void ProjectReader::read(const QJsonObject& root, bool waypointsRequired) {
     readRobot(root.value(QLatin1String("robot")));
     Project& document = result_.document;
-    // Frames first, because most other entries refer to them.
+    // Frames are read first, because most other entries refer to them.
     readList<Frame>({}, root, "frames", document.frames, &PartReader::frame);
     readList<Pattern>({}, root, "patterns", document.patterns, &PartReader::pattern);
     readWaypoints(root, waypointsRequired);

@@ -37,7 +37,7 @@ private:
     template <class Entity>
     void readList(const QString& where, const QJsonObject& root, const char* key, EntityList<Entity>& list,
                   Entity (PartReader::*readOne)(const QString&, const QJsonObject&));
-    /// A reference to a missing entry becomes null; this is recorded as a problem without other consequences.
+    /// A reference to a missing entry becomes null and is recorded as a problem, without other consequences.
     template <class Entity>
     QUuid reference(const QJsonObject& root, const char* key, const EntityList<Entity>& list);
 

@@ -18,7 +18,7 @@ public:
 private:
     enum class Frames {
         MustBeHere,
-        MayBeDeleted,  ///< for a revision: its frame may have been deleted since
+        MayBeDeleted,  ///< for a revision, whose frame may have been deleted since
     };
     /// Reads a waypoint without id and history.
     Waypoint facts(const QString& where, const QJsonObject& object, Frames frames);

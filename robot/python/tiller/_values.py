@@ -28,13 +28,13 @@ def floats(values: Floats, name: str, count: int = 6) -> list[float]:
     if array.shape != (count,):
         raise InvalidArgument(name, f"{count} numbers are needed, not {array.size}")
     if not np.isfinite(array).all():
-        raise InvalidArgument(name, "contains NaN: is it from a sample without data?")
+        raise InvalidArgument(name, "contains NaN; it may come from a sample without data")
     return [float(value) for value in array]
 
 
 class _SixNumbers(_Base):
-    """An array of six numbers with a meaning. Adding or subtracting plain numbers keeps the meaning; the result of every
-    other operation, slices included, is a plain array."""
+    """An array of six numbers with a defined meaning. Adding or subtracting plain numbers keeps the meaning; the result
+    of every other operation, slices included, is a plain array."""
 
     def __new__(cls: type[_Meaning], values: Floats) -> _Meaning:
         return np.array(floats(values, cls.__name__)).view(cls)
@@ -63,31 +63,32 @@ _Meaning = TypeVar("_Meaning", bound=_SixNumbers)
 class Pose(_SixNumbers):
     """A pose in the base frame: position and rotation vector [m, rad], shape (6,).
 
-    Sample.tcp_pose and forward kinematics are of this type. Calls that take joint positions refuse it, so a pose is
-    never read as joint angles; a plain sequence of six numbers has the meaning that the argument documents.
+    Sample.tcp_pose and forward kinematics are of this type. Calls that expect joint positions reject it, so a
+    pose is never interpreted as joint angles; a plain sequence of six numbers has the meaning that the argument documents.
     """
 
 
 class Joints(_SixNumbers):
     """Joint positions, base to wrist 3 [rad], shape (6,).
 
-    Sample.q and inverse kinematics are of this type. Calls that take a pose refuse it.
+    Sample.q and inverse kinematics are of this type. Calls that expect a pose reject it.
     """
 
 
 def joint_positions(values: Floats, name: str, other: str = "") -> list[float]:
-    """Converts to six joint positions [rad]; raises InvalidArgument for a Pose. other: the call for poses."""
+    """Converts to six joint positions [rad]; raises InvalidArgument for a Pose. other: the function for
+    poses."""
     if isinstance(values, Pose):
-        hint = f"; {other} takes a pose" if other else ""
+        hint = f"; use {other} for a pose" if other else ""
         raise InvalidArgument(name, "expected joint positions, got a Pose" + hint)
     return floats(values, name)
 
 
 def pose_numbers(values: Floats, name: str, other: str = "") -> list[float]:
-    """Converts to six numbers of a pose [m, rad]; raises InvalidArgument for Joints. other: the call for joint
-    positions."""
+    """Converts to six numbers of a pose [m, rad]; raises InvalidArgument for Joints. other: the function for
+    joint positions."""
     if isinstance(values, Joints):
-        hint = f"; {other} takes joint positions" if other else ""
+        hint = f"; use {other} for joint positions" if other else ""
         raise InvalidArgument(name, "expected a pose, got Joints" + hint)
     return floats(values, name)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Settings and queries of the connected robot: Robot.tool, Robot.queries and Robot.pulses. They need control, and none
-of them starts a motion."""
+"""Settings and queries of the connected robot: Robot.tool, Robot.queries and Robot.pulses. They require control and
+never start a motion."""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -37,8 +37,9 @@ class _Part:
 
 @checked
 class Tool(_Part):
-    """Settings for the tool, the force sensor, force mode and the watchdog. Each call returns when the robot confirms it;
-    timeout [s]. Raises NotInControl, LinkLost, Timeout, InvalidArgument, LimitExceeded, VersionUnsupported."""
+    """Settings for the tool, the force sensor, force mode and the watchdog. Each call returns when the robot has
+    confirmed it; timeout [s]. Raises NotInControl, LinkLost, Timeout, InvalidArgument, LimitExceeded,
+    VersionUnsupported."""
 
     def set_target_payload(self, mass: float, centre_of_gravity: Floats, inertia: Floats,
                            timeout: float | None = TIMEOUT) -> None:
@@ -56,8 +57,9 @@ class Tool(_Part):
 
     def use_external_sensor(self, mass: float, measuring_offset: Floats = (0.0, 0.0, 0.0),
                             centre_of_gravity: Floats = (0.0, 0.0, 0.0), timeout: float | None = TIMEOUT) -> None:
-        """Uses the forces of set_external_wrench() instead of the robot's sensor. mass: of the sensor [kg]; the others
-        from the flange [m]. The robot pauses the program if no value arrives for 100 ms."""
+        """Uses the forces of set_external_wrench() instead of the robot's sensor. mass: of the sensor [kg].
+        measuring_offset, centre_of_gravity: relative to the flange [m]. The robot pauses the program if it receives no
+        value for 100 ms."""
         offset = floats(measuring_offset, "measuring_offset", 3)
         cog = floats(centre_of_gravity, "centre_of_gravity", 3)
         with self._waiting():
@@ -87,20 +89,20 @@ class Tool(_Part):
             self._native.trigger_protective_stop(timeout)
 
     def set_force_damping(self, damping: float, timeout: float | None = TIMEOUT) -> None:
-        """Damping of force mode, 0 ... 1."""
+        """Sets the damping of force mode, 0 ... 1."""
         with self._waiting():
             self._native.set_force_damping(damping, timeout)
 
     def set_force_gain_scaling(self, scaling: float, timeout: float | None = TIMEOUT) -> None:
-        """Gain of force mode, 0 ... 2."""
+        """Sets the gain of force mode, 0 ... 2."""
         with self._waiting():
             self._native.set_force_gain_scaling(scaling, timeout)
 
 
 @checked
 class Queries(_Part):
-    """Values that the robot computes with its calibration, limits and sensors; typically 6 ms, timeout [s]. Raises
-    NotInControl, LinkLost, Timeout, InvalidArgument, VersionUnsupported."""
+    """Values that the robot computes with its calibration, limits and sensors. A query takes typically 6 ms; timeout
+    [s]. Raises NotInControl, LinkLost, Timeout, InvalidArgument, VersionUnsupported."""
 
     @property
     def joint_limits(self) -> JointLimits:
@@ -140,7 +142,7 @@ class Queries(_Part):
             return self._native.tool_contact(vector, timeout)
 
     def target_waypoint(self, timeout: float | None = TIMEOUT) -> Pose:
-        """TCP pose of the target of the current move [m, rad]."""
+        """Target TCP pose of the current move [m, rad]."""
         with self._waiting():
             return Pose(self._native.target_waypoint(timeout))
 
@@ -165,13 +167,13 @@ class Queries(_Part):
             return Pose(self._native.flange_pose(timeout))
 
     def freedrive_status(self, timeout: float | None = TIMEOUT) -> int:
-        """0 normal, 1 near a singularity, 2 too near one. Since PolyScope 5.10."""
+        """Freedrive status: 0 normal, 1 near a singularity, 2 too close to a singularity. Since PolyScope 5.10."""
         with self._waiting():
             return self._native.freedrive_status(timeout)
 
     def start_contact_detection(self, direction: Floats = ZEROS, timeout: float | None = TIMEOUT) -> None:
-        """From now on, a contact ends the current motion with the cause "Contact". direction: in the base frame; zeros:
-        of the tool motion."""
+        """Starts contact detection: a contact ends the current motion with the cause "Contact". direction: in the base
+        frame; zeros: direction of the tool motion."""
         vector = floats(direction, "direction")
         with self._waiting():
             self._native.start_contact_detection(vector, timeout)

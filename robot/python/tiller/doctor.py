@@ -21,11 +21,11 @@ class Finding:
 
 
 class Report(list[Finding]):
-    """Findings in the order of their dependencies; str() has one line per finding."""
+    """Findings in the order of their dependencies; str() returns one line per finding."""
 
     @property
     def verdict(self) -> str:
-        """"bad" when any finding is, else "attention" when any is, else "good"."""
+        """"bad" if any finding is bad, otherwise "attention" if any finding needs attention, otherwise "good"."""
         verdicts = {finding.verdict for finding in self}
         return "bad" if "bad" in verdicts else "attention" if "attention" in verdicts else "good"
 

@@ -53,7 +53,7 @@ class ConnectionClosed(Error, ConnectionError):
 
 
 class Timeout(Error, TimeoutError):
-    """No response in time. A motion that was waited for continues."""
+    """No response in time. The motion that the call waited for continues."""
 
     code = "Timeout"
 
@@ -131,7 +131,7 @@ class InvalidArgument(Error, ValueError):
 
 
 class NoSolution(Error):
-    """A pose the arm cannot reach."""
+    """A pose that the arm cannot reach."""
 
     code = "NoSolution"
 
@@ -143,7 +143,7 @@ class Stopped(Error):
 
 
 class Rejected(Error):
-    """The controller refused."""
+    """The controller refused the request."""
 
     code = "Rejected"
 

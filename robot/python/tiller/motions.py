@@ -22,7 +22,7 @@ Waiting = Callable[[], AbstractContextManager[Any]]
 class Progress:
     """Progress of a motion.
 
-    active: accepted and not ended. cause: of the end, as Move.cause. fraction: completed fraction of the path, 0 ... 1,
+    active: accepted and not ended. cause: of the end, see Move.cause. fraction: completed fraction of the path, 0 ... 1,
     from the actual position of the arm; 0 for motions without a known end, and after an end before the target.
     waypoint, waypoints: of a path, the current target (from 1) and the number of targets. executing: the robot has
     confirmed the execution of this motion. speed_fraction: the speed slider, 0 ... 1. speed_scaling: reduction by the
@@ -313,8 +313,8 @@ class PathMove:
     """
 
     target: Floats
-    kind: str = "j"  #: "j" in joint space, "l" a line, "p" a line at constant speed, "c" an arc through `via`
-    pose: bool | None = None  #: type of target and via; None: from their class, or from the kind
+    kind: str = "j"  #: "j": joint space, "l": line, "p": line at constant speed, "c": arc through `via`
+    pose: bool | None = None  #: target and via are poses; None: depends on their class or on the kind
     via: Floats | None = None  #: "c": a point on the arc (orientation ignored)
     speed: float | None = None  #: "j" [rad/s], others [m/s]; None: 1.05 and 0.25, or the speed cap if lower
     acceleration: float | None = None  #: "j" [rad/s2], others [m/s2]; None: 1.4 and 1.2
@@ -325,7 +325,7 @@ class PathMove:
         self.row()
 
     def _place(self, values: Floats, name: str) -> tuple[bool, list[float]]:
-        """Returns (whether it is a pose, the numbers)."""
+        """Returns (True for a pose, the numbers)."""
         pose = self.pose
         if pose is None:
             pose = isinstance(values, Pose) or (self.kind != "j" and not isinstance(values, Joints))
@@ -334,6 +334,6 @@ class PathMove:
         return pose, pose_numbers(values, name) if pose else joint_positions(values, name)
 
     def row(self) -> _native.PathRow:
-        """The argument for the C++ library."""
+        """Converts the move to an argument for the C++ library."""
         via = None if self.via is None else self._place(self.via, "via")
         return (self.kind, self._place(self.target, "target"), via, self.speed, self.acceleration, self.blend)

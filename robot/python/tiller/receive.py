@@ -222,7 +222,7 @@ class Recording:
         return int(self._native.progress()["lost"])
 
     def frame(self) -> pandas.DataFrame:
-        """The recording as a pandas frame; call stop() first."""
+        """The recording as a pandas DataFrame; call stop() first."""
         return read_recording(self.path)
 
     def __enter__(self) -> Recording:
@@ -237,8 +237,8 @@ class Recording:
 
 
 def read_recording(path: str | os.PathLike[str]) -> pandas.DataFrame:
-    """Reads a recording (CSV, MCAP or HDF5, detected from its first bytes) as a pandas frame with one row per packet
-    and one column per number (timestamp, actual_q_0 ...); in CSV recordings also packages_lost, the number of
+    """Reads a recording (CSV, MCAP or HDF5, detected from its first bytes) as a pandas DataFrame with one row per
+    packet and one column per number (timestamp, actual_q_0 ...); in CSV recordings also packages_lost, the number of
     packets missing before the row.
 
     Raises OSError (including FileNotReadable) and FileCorrupt.

@@ -39,7 +39,7 @@ _recordings: weakref.WeakSet[Recording] = weakref.WeakSet()
 
 @atexit.register
 def _end_of_process() -> None:
-    """The remaining threads are daemons: the interpreter is shutting down, and they must not enter it again."""
+    """The interpreter is shutting down. The remaining threads are daemons and must not enter it again."""
     _native.park_other_threads()
     for recording in list(_recordings):
         with contextlib.suppress(Error):
@@ -129,7 +129,7 @@ class Robot:
     Data are received immediately; take_control() takes control. A refused connection is not retried.
     address: of the controller. fields: RTDE outputs to receive, also in the packets of packet_loop(); None: a default
     selection. frequency: packets per second
-    [Hz]; 0: maximum of the controller. speed_cap: maximum speed of TCP and elbow for all commands, moves included [m/s].
+    [Hz]; 0: maximum of the controller. speed_cap: maximum speed of TCP and elbow for all commands, including moves [m/s].
     timeout: for the first packet [s]. upper_registers: use registers 24-47 instead of 0-23. priority: of the threads for
     receiving and control; 0: normal.
     All methods may be called from any thread and let other Python threads run while they wait; Ctrl-C ends every wait.
@@ -198,7 +198,7 @@ class Robot:
         """
         if (links := self._links) is not None:
             with self._waiting():
-                links[1].release()  # refused in a callback of packet_loop(): then nothing has changed
+                links[1].release()  # refused in a callback of packet_loop(), before anything has changed
         links, self._links = self._links, None
         _open.discard(self)
         if links is None:
@@ -228,7 +228,7 @@ class Robot:
 
     @property
     def state(self) -> Sample:
-        """The newest packet; the last one when the robot is closed. Its values are NaN where the robot does not send them;
+        """The newest packet; the last one when the robot is closed. Values that the robot does not send are NaN;
         see wait_for_data(). While the link is lost, robot_mode, safety_mode and runtime_state are unknown."""
         links, last = self._links, self._last
         if links is None and last is not None:
@@ -299,7 +299,7 @@ class Robot:
                 continue
             if links[1].is_busy():
                 raise RegisterInUse(f"take control of {self.address}",
-                                    "another Robot object of this program moves the arm: stop() or close() that one first")
+                                    "another Robot object of this program is moving the arm: call its stop() or close() first")
             with other._waiting():
                 links[1].release()
         with self._waiting():
@@ -385,9 +385,9 @@ class Robot:
 
     def move_until_contact(self, velocity: Floats, direction: Floats = ZEROS, acceleration: float = 0.5,
                            timeout: float | None = 5.0) -> Move:
-        """Moves the tool [m/s, rad/s] until contact, then back to the pose at the first contact.
+        """Moves the tool [m/s, rad/s] until contact, then back to the pose of the first contact.
 
-        direction: of the contact in the base frame; zeros: any. timeout: for the start [s].
+        direction: of the contact in the base frame; zeros: any direction. timeout: for the start [s].
         """
         with self._waiting():
             return self._move(self._controller.move_until_contact(floats(velocity, "velocity"),
@@ -505,7 +505,7 @@ class Robot:
 
         kind: "servo_j" (joint positions [rad]), "servo_l" (TCP poses [m, rad]), "speed_j" [rad/s], "speed_l" [m/s,
         rad/s] or "torque" [Nm]. The callback receives a dict: cycle (from 0), time since the start of the loop [s],
-        period [s], age (of the values at the start of the call, by the robot's time stamps [s]), fresh (False: the
+        period [s], age (of the values at the start of the call, from the robot's timestamps [s]), fresh (False: the
         packet did not arrive and the values are those of the previous one, or age exceeds two periods), missed (periods
         without a call since the start), q, qd, tcp_pose, tcp_speed, speed_fraction, speed_scaling, and packet: a Sample
         with every value of this packet, such as its tcp_force and the fields=[...] of the Robot. timeout: of the whole
@@ -559,7 +559,7 @@ class Robot:
             return Pose(self._controller.forward_kinematics(joint_positions(q, "q"), timeout))
 
     def set_payload(self, mass: float, centre_of_gravity: Floats | None = None, timeout: float | None = 1.0) -> None:
-        """Sets mass [kg] and centre of gravity from the flange [m]; without the latter it is unchanged."""
+        """Sets mass [kg] and centre of gravity from the flange [m]; without it, the centre is unchanged."""
         cog = None if centre_of_gravity is None else floats(centre_of_gravity, "centre_of_gravity", 3)
         with self._waiting():
             self._controller.set_payload(mass, cog, timeout)
@@ -576,8 +576,8 @@ class Robot:
 
     def force_mode(self, compliant: Sequence[bool], wrench: Floats, limits: Floats, *, frame: Floats = ZEROS,
                    kind: int = 2, timeout: float | None = 1.0) -> ForceMode:
-        """Makes the arm compliant from now on; motions are possible meanwhile. Use it in a `with` block; see ForceMode
-        for other ends.
+        """Makes the arm compliant. Motions remain possible. Use it in a `with` block; ForceMode describes how force mode
+        ends otherwise.
 
         compliant: per axis of the frame. wrench: target on these axes [N, Nm]. limits: maximum speeds of compliant axes
         [m/s, rad/s], maximum deviation of the others [m, rad]. frame: a pose in the base frame. kind: 1, 2 or 3, the
@@ -623,7 +623,7 @@ class Robot:
 
     def recover(self, consent: services.Consent, timeout: float | None = 60.0,
                 progress: Callable[[str], None] | None = None) -> None:
-        """Brings the robot to RUNNING in NORMAL step by step, within the consents given.
+        """Brings the robot to robot mode RUNNING and safety mode NORMAL step by step, within the given consents.
 
         progress: called with the name of each step. Raises Rejected with the reason if a step needs a missing consent,
         or an action at the robot.

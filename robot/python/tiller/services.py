@@ -76,7 +76,7 @@ class Service:
     kind: str  #: "Dashboard" or "RobotApi"
     remote_control: bool | None  #: None if the software does not report it
     operational_mode: str  #: "MANUAL", "AUTOMATIC"; empty: not set or not reported
-    program: str  #: loaded on the robot; empty: none or not reported
+    program: str  #: loaded program; empty: none or not reported
 
 
 @checked
@@ -146,8 +146,8 @@ class Dashboard:
 
 @dataclass(frozen=True)
 class Consent:
-    """Explicit consents of a person for one recovery. The default permits nothing, so that no robot is unlocked by
-    error handling alone."""
+    """Explicit consents of a person for one recovery. The default permits nothing, so that error handling
+    alone cannot unlock a robot."""
 
     cause_inspected: bool = False  #: the cause was inspected: required to unlock a protective stop
     restart_safety: bool = False  #: after a violation or fault: the arm loses power

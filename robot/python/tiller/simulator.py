@@ -23,7 +23,7 @@ _simulators: weakref.WeakSet[Simulator] = weakref.WeakSet()
 
 
 def stop_all() -> None:
-    """Called at the end of the process, when no other thread runs Python code any more."""
+    """Called at the end of the process, after all other threads have stopped running Python code."""
     for simulator in list(_simulators):
         simulator.stop()
 
@@ -46,12 +46,12 @@ class Simulator:
         with tiller.Simulator() as simulator:
             robot = tiller.Robot(simulator.address)
 
-    model: e.g. "UR5e"; software: e.g. "5.22.1"; address: to listen on, None: a separate loopback address, available as
-    `simulator.address` immediately. start: joint positions [rad]. programs: folder of the programs for the dashboard.
-    priority: of its thread in real time, SCHED_FIFO if permitted, 0 for none: a real controller does not wait for
-    clients, so this thread has precedence over theirs.
-    virtual: time advances only while a call of its robots waits, and in step(): as fast as the machine allows, with the
-    same result on every machine. Create its robots by simulator.robot().
+    model: e.g. "UR5e"; software: e.g. "5.22.1"; address: to listen on; None: a separate loopback address, available
+    immediately as `simulator.address`. start: joint positions [rad]. programs: folder of the programs for the dashboard.
+    priority: SCHED_FIFO priority of the simulator's thread in real time, if permitted; 0: none. A real controller does
+    not wait for clients, so this thread has precedence over their threads.
+    virtual: time advances only in step() and while a call of one of its robots waits. It runs as fast as the machine
+    allows, with the same result on every machine. Create the robots with simulator.robot().
     """
 
     def __init__(self, model: str = "UR5e", *, software: str = "", address: str | None = None, virtual: bool = False,
@@ -79,13 +79,13 @@ class Simulator:
         return self._native.is_running()
 
     def robot(self, **options: Any) -> Robot:
-        """Returns a Robot connected to it; options as for Robot. In virtual time it uses the simulator's clock."""
+        """Returns a Robot connected to the simulator; options as for Robot. In virtual time it uses the simulator's clock."""
         from .robot import Robot
 
         return Robot(self.address, simulator=self if self.virtual else None, **options)
 
     def step(self, seconds: float) -> None:
-        """Advances virtual time [s] by whole control periods; all clients of robot() process each of them."""
+        """Advances virtual time [s] by whole control periods; all robots created by robot() process each period."""
         if not self.virtual:
             raise ValueError("step() requires Simulator(virtual=True): this simulator runs in real time")
         self._native.step(seconds)

@@ -7,12 +7,12 @@
 
 namespace tiller::recording {
 
-/// Adds the unit and the integer flag from the catalogue of RTDE fields, by the name of the column. An existing
-/// unit is kept.
+/// Adds the unit and the integer flag of a column from the catalogue of RTDE fields, using the column name.
+/// An existing unit is kept.
 void addKnowledge(RecordedColumn& column);
 /// Unit of one component of a field: "m" for the first three numbers of a pose, "rad" for the others.
 std::string unitOf(std::string_view field, std::size_t component);
-/// The column `timestamp`, or the first one named time, seconds or t; empty if there is none.
+/// The column `timestamp`, or the first column named time, seconds or t; empty if there is none.
 std::optional<std::size_t> timeColumnOf(const std::vector<RecordedColumn>& columns);
 
 }  // namespace tiller::recording

@@ -11,7 +11,7 @@ namespace tiller::recording {
 
 namespace {
 
-/// The shortest text that reads back as the same number, independent of the locale.
+/// The shortest text that converts back to the same number, independent of the locale.
 template <class Number>
 void appendNumber(std::string& out, Number value) {
     char text[32];

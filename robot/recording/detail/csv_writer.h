@@ -14,12 +14,13 @@ namespace tiller::recording {
 /// Threads  one
 class CsvWriter {
 public:
-    /// fields   fields not in the layout are omitted; timestamp is added first, and the lost packages last
-    /// asGiven  neither is added
+    /// fields   fields that are not in the layout are omitted; timestamp is added as the first column, and
+    ///          the number of lost packages as the last
+    /// asGiven  neither timestamp nor the number of lost packages is added
     CsvWriter(const receive::SampleLayout& layout, const std::vector<std::string>& fields,
               bool asGiven = false);
 
-    /// Numbers per row, not counting the last column.
+    /// Numbers per row, excluding the last column.
     std::size_t columns() const { return indices_.size(); }
     const std::string& header() const { return header_; }
     /// Appends one row including the line end.

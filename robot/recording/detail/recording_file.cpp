@@ -94,7 +94,8 @@ public:
     }
 
 private:
-    /// Locks the file until it is closed. Returns false if another recording of this or another process uses it.
+    /// Locks the file until it is closed. Returns false if another recording of this or another process uses
+    /// the file.
     bool claim() {
 #ifdef _WIN32
         return true;
@@ -103,13 +104,14 @@ private:
 #endif
     }
 
-    /// Without this, a power failure can leave the rows on the disk without a directory entry.
+    /// Syncs the directory entry. Without this, a power failure can leave the rows on the disk without a
+    /// directory entry.
     Result<void> syncFolder() {
 #ifndef _WIN32
         const QByteArray folder = QFile::encodeName(QFileInfo(file_.fileName()).absolutePath());
         const int descriptor = ::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (descriptor < 0) {
-            return {};  // a folder with write permission only
+            return {};  // the user may have only write permission for the folder
         }
         errno = 0;
         const bool failed = ::fsync(descriptor) != 0 && !isMeaningless(errno);

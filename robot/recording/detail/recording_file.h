@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// File access of the recorder: every step that can fail reports errors, including syncing and closing, because a
-// disk or network share may accept data and lose it later. Private to robot/recording.
+// File access of the recorder. Every step that can fail reports errors, including syncing and closing,
+// because a disk or network share may accept data and lose them later. Private to robot/recording.
 
 #include <QString>
 #include <cstddef>
@@ -16,16 +16,16 @@
 namespace tiller::recording {
 
 /// Threads  one at a time
-/// Errors   of every call: DiskFull, FileNotWritable; the context contains the file name, controllerMessage the
-///          message of the system
+/// Errors   of every call: DiskFull, FileNotWritable; the context contains the file name, and
+///          controllerMessage contains the system's message
 class RecordingFile {
 public:
     virtual ~RecordingFile() = default;
 
     /// Creates or truncates the file, and syncs its directory entry before returning.
     virtual Result<void> open(const QString& path) = 0;
-    /// Appends a text.
-    /// written  number of bytes written, also on failure
+    /// Appends text.
+    /// written  number of bytes written, even on failure
     virtual Result<void> write(std::string_view text, std::size_t& written) = 0;
     /// Syncs all written data to the disk.
     virtual Result<void> sync() = 0;
@@ -36,7 +36,7 @@ public:
 
 using RecordingFileFactory = std::function<std::unique_ptr<RecordingFile>()>;
 
-/// A file of the operating system.
+/// A file in the file system of the operating system.
 std::unique_ptr<RecordingFile> systemFile();
 
 }  // namespace tiller::recording

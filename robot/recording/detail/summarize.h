@@ -42,7 +42,7 @@ struct Extent {
     }
 };
 
-/// Processes the rows of a column in order, in parts of any length.
+/// Processes the rows of a column in order, in chunks of any length.
 class Summarizer {
 public:
     Summarizer(std::uint64_t firstRow, std::uint64_t rowsEach) {

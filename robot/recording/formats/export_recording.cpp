@@ -15,7 +15,7 @@ Result<ExportReport> exportRecording(const Recording& recording, const ExportCho
         return format->write(recording, choice, style);
     }
     return Error{ErrorCode::InvalidArgument, QStringLiteral("export to %1").arg(choice.path),
-                 QStringLiteral("path: it ends neither in ") + suffixWords(false, QStringLiteral("nor"))};
+                 QStringLiteral("path: must end in ") + suffixWords(false, QStringLiteral("or"))};
 }
 
 }  // namespace tiller::recording

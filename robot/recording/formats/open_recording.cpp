@@ -33,7 +33,7 @@ Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
         return format->recorder({});
     }
     return Error{ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(QString(path)),
-                 QStringLiteral("path: it ends neither in ") + suffixWords(true, QStringLiteral("nor in"))};
+                 QStringLiteral("path: must end in ") + suffixWords(true, QStringLiteral("or"))};
 }
 
 }  // namespace tiller::recording

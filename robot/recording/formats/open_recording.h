@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recordings of all formats: opens a file, and selects the format for a new file.
+// Opens recordings of all formats, and selects the format for a new file.
 
 #include <memory>
 
@@ -11,13 +11,14 @@
 
 namespace tiller::recording {
 
-/// The format is detected from the first bytes, not from the name.
+/// Opens a recording. The format is detected from the first bytes of the file.
 /// Errors   FileNotReadable; FileCorrupt with the reason
 /// Threads  any. Blocks: depends on the format
 Result<std::unique_ptr<Recording>> openRecording(const Text& path);
 
-/// The format for RecorderOptions::format, from the end of the path, ignoring case: .csv or .mcap.
-/// Errors   InvalidArgument for other paths; the message contains these suffixes
+/// Format for RecorderOptions::format, selected by the extension of the path: .csv or .mcap
+/// (case-insensitive).
+/// Errors   InvalidArgument for other extensions; the message contains both formats
 /// Threads  any. Blocks: never
 Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path);
 

@@ -24,7 +24,7 @@ constexpr double kPlaying = 2;
 constexpr double kResuming = 5;
 constexpr std::uint64_t kRowsPerLook = 65536;
 
-/// rows x numbers, in row-major order.
+/// A matrix of rows x numbers, in row-major order.
 bool putTable(hid_t group, const std::string& name, const std::vector<double>& values, std::size_t rows,
               std::size_t numbers, bool flat) {
     const hsize_t extent[2] = {rows, numbers};
@@ -47,7 +47,7 @@ Result<std::vector<std::uint64_t>> thinned(const Recording& recording, RowRange 
     }
     std::vector<std::uint64_t> kept;
     double due = -std::numeric_limits<double>::infinity();
-    // A tolerance of half a period, so that reducing 500 Hz to 20 Hz selects every 25th row.
+    // Half a period of tolerance, so that reducing 500 Hz to 20 Hz selects every 25th row.
     const double grace = recording.period() / 2;
     for (std::size_t i = 0; i < times.value().size(); ++i) {
         const double time = times.value()[i];
@@ -65,7 +65,7 @@ struct Table {
     std::size_t numbers = 0;
 };
 
-/// The components of a field in the selected rows.
+/// Components of a field in the selected rows.
 Result<Table> tableOf(const Recording& recording, const std::string& field, RowRange range,
                       const std::vector<std::uint64_t>& kept) {
     const auto columns = chooseColumns(recording, {field});
@@ -87,7 +87,7 @@ Result<Table> tableOf(const Recording& recording, const std::string& field, RowR
     return table;
 }
 
-/// Shifted by one row; the last row is repeated.
+/// Shifts by one row; the last row is repeated.
 std::vector<double> shifted(const Table& table) {
     std::vector<double> next(table.values.begin() + static_cast<std::ptrdiff_t>(table.numbers),
                              table.values.end());
@@ -96,7 +96,7 @@ std::vector<double> shifted(const Table& table) {
     return next;
 }
 
-/// Returns  the number of rows written; 0: HDF5 error
+/// Returns  the number of rows written; 0 on an HDF5 error
 Result<std::uint64_t> writeDemo(hid_t data, int number, const Recording& recording, const Episode& episode,
                                 const EpisodeChoice& choice) {
     const auto kept = thinned(recording, episode.rows, choice.rate);
@@ -135,7 +135,8 @@ Result<std::uint64_t> writeDemo(hid_t data, int number, const Recording& recordi
 
 namespace {
 
-/// Notes of the operator. Earlier versions of the window stored them as log lines with a translated prefix.
+/// Returns the operator's notes. Earlier versions of the application stored them as log lines with a
+/// translated prefix.
 std::vector<RecordedEvent> notesOf(const Recording& recording) {
     const std::vector<RecordedEvent>& events = recording.events();
     std::vector<RecordedEvent> notes;

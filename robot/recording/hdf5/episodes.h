@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Exports demonstrations as training data: recordings are split into episodes and written to one HDF5 file in the
-// layout of robomimic and similar tools: /data/demo_N with obs/, next_obs/, actions, rewards, dones. Source:
-// robomimic's documentation of its datasets.
+// Exports demonstrations as training data. Recordings are split into episodes and written to one HDF5 file in
+// the layout of robomimic and similar tools: /data/demo_N with obs/, next_obs/, actions, rewards, dones.
+// Source: robomimic's documentation of its datasets.
 
 #include <functional>
 #include <limits>
@@ -24,16 +24,16 @@ struct Episode {
 
 struct EpisodeChoice {
     enum class Cut {
-        Program,  ///< from the start to the stop of a program, according to runtime_state
+        Program,  ///< from the start to the end of a program, according to runtime_state
         Notes,    ///< from one operator note to the next or to the end
         Whole,    ///< the whole recording
     };
     Cut cut = Cut::Program;
-    double rate = 20;       ///< rows per second in the episodes (nearest preceding row); 0: all rows
+    double rate = 20;       ///< rows per second in the episodes (nearest earlier row); 0: all rows
     double shortest = 0.5;  ///< minimum duration [s]; shorter episodes are skipped
-    /// Fields used as observations; a field that is in no recording is an error.
+    /// Fields used as observations. A field that no recording contains is an error.
     std::vector<std::string> observations = {"actual_q", "actual_qd", "actual_TCP_pose", "actual_TCP_force"};
-    /// The commanded value used as the action; the next row's value of a measured field is also possible.
+    /// Value used as the action: a commanded value, or the next row's value of a measured field.
     std::string action = "target_q";
 };
 
@@ -44,12 +44,12 @@ struct EpisodeReport {
 };
 
 /// Finds the episodes of a recording.
-/// Errors   FieldUnknown: no runtime_state; and read errors
+/// Errors   FieldUnknown (no runtime_state), and read errors
 Result<std::vector<Episode>> findEpisodes(const Recording& recording, EpisodeChoice::Cut cut);
 
 /// Writes all episodes to one file.
 /// Errors   FieldUnknown, FileNotWritable, DiskFull, InvalidArgument (no episodes), and read errors
-/// Threads  one in the whole program: libhdf5 is not thread-safe. Blocks: until the file is written
+/// Threads  one for the whole program, because libhdf5 is not thread-safe. Blocks: until the file is written
 Result<EpisodeReport> writeEpisodes(const std::vector<const Recording*>& recordings, const Text& path,
                                     const EpisodeChoice& choice);
 

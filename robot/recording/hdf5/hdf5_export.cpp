@@ -22,7 +22,7 @@ using namespace hdf5;
 constexpr std::uint64_t kRowsAtOnce = 4096;
 
 struct Storage {
-    hid_t type;      ///< in the file
+    hid_t type;      ///< type in the file
     double missing;  ///< value for missing numbers; NaN if the type supports it
 };
 
@@ -56,12 +56,12 @@ struct Field {
     bool hasMissing = false;
 };
 
-/// Names are taken from a file: they may be duplicate, empty, or special in HDF5.
+/// Names come from a file, so they may be duplicates, empty, or special in HDF5.
 void makeNamesUsable(std::vector<Field>& fields) {
-    std::set<std::string> used{"time", "gaps"};  // data sets written in addition to the fields
+    std::set<std::string> used{"time", "gaps"};  // names of data sets written in addition to the fields
     for (Field& field : fields) {
         std::string name = field.name;
-        // A slash would create a group; names of dots refer to groups.
+        // A slash would create a group, and names consisting of dots refer to groups.
         std::replace(name.begin(), name.end(), '/', '_');
         if (name.find_first_not_of('.') == std::string::npos) {
             std::replace(name.begin(), name.end(), '.', '_');
@@ -76,9 +76,8 @@ void makeNamesUsable(std::vector<Field>& fields) {
     }
 }
 
-/// Combines adjacent components of a vector into one field.
-/// True if the columns begin with all components of a field, in order. Single components are not written under the
-/// name of the field.
+/// Combines adjacent components of a vector into one field. Returns true if the columns begin with all
+/// components of a field, in order. Single components are not written under the name of the field.
 bool hasAllComponents(const Recording& recording, std::span<const std::size_t> columns,
                       const rtde::Field& field) {
     const std::size_t count = rtde::componentCount(field.type);
@@ -198,7 +197,7 @@ private:
             ok = ok && putCount(file_.get(), "start_utc_ns", static_cast<std::uint64_t>(*start));
         }
         for (const auto& [key, value] : recording_.facts()) {
-            // A recording that was itself an export already has these attributes.
+            // A recording that was exported before already has these attributes.
             ok = ok && (H5Aexists(file_.get(), key.c_str()) > 0 || putText(file_.get(), key.c_str(), value));
         }
         time_ = makeSet(file_.get(), "time", H5T_IEEE_F64LE, rows_.count, 1);
@@ -292,7 +291,7 @@ private:
 }  // namespace
 
 Result<ExportReport> exportHdf5(const Recording& recording, const ExportChoice& choice) {
-    // Written to a temporary name first: an existing file is replaced completely or not at all.
+    // Written to a temporary file first, so that an existing file is replaced completely or not at all.
     const QString part = choice.path + QStringLiteral(".part");
     const auto report = Exporter(recording, choice, part).run();
     if (!report) {

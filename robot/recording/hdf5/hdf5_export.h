@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Exports a recording as an HDF5 file for h5py, MATLAB and Octave: one data set per field in the type sent by the
-// robot, with one row per package and one column per component, and the attributes `unit` and `meaning`; `time`
-// [s]; `gaps` with row, packets and seconds. Not used for live recording, because a crash would destroy the whole
-// file.
+// Exports a recording as an HDF5 file for h5py, MATLAB and Octave. The file contains one data set per field
+// in the type sent by the robot, with one row per package, one column per component, and the attributes
+// `unit` and `meaning`. It also contains `time` [s], and `gaps` with row, packets and seconds. HDF5 is not
+// used for live recording, because a crash would destroy the whole file.
 
 #include "robot/recording/export.h"
 
 namespace tiller::recording {
 
-/// Missing integers are written as the maximum of their type, which is stored in the attribute `missing` of the
-/// data set.
+/// Missing integers are written as the maximum value of their type. This value is stored in the attribute
+/// `missing` of the data set.
 /// Errors   FileNotWritable, DiskFull, FieldUnknown, Cancelled, and read errors
-/// Threads  one in the whole program: libhdf5 is not thread-safe. Blocks: until the file is written
+/// Threads  one for the whole program, because libhdf5 is not thread-safe. Blocks: until the file is written
 Result<ExportReport> exportHdf5(const Recording& recording, const ExportChoice& choice);
 
 }  // namespace tiller::recording

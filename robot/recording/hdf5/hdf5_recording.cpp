@@ -19,7 +19,7 @@ using namespace hdf5;
 
 constexpr std::size_t kMaxColumns = 20'000;
 constexpr std::uint64_t kMaxRows = 4'000'000'000;
-constexpr std::uint64_t kMaxPerRequest = 64u << 20;  // limit of numbers in memory
+constexpr std::uint64_t kMaxPerRequest = 64u << 20;  // maximum number of values in memory
 
 struct DataSet {
     std::string name;
@@ -267,7 +267,7 @@ private:
     std::optional<DataSet> time_;
     double timeStart_ = 0;
     std::vector<RecordedColumn> columns_;
-    std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< data set, and component within it
+    std::vector<std::pair<std::size_t, std::size_t>> places_;  ///< data set and component within the data set
     std::uint64_t rows_ = 0;
     double period_ = 0.002;
     std::optional<std::int64_t> start_;

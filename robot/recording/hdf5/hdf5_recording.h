@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Opens HDF5 files: files written by exportHdf5(), and others with numeric data sets at the top level, one row per
-// sample.
+// Opens HDF5 files: files written by exportHdf5(), and other files with numeric data sets at the top level,
+// one row per sample.
 
 #include <memory>
 
@@ -11,9 +11,9 @@
 
 namespace tiller::recording {
 
-/// Data sets of another length, or with texts, are skipped and reported by problems().
+/// Data sets with a different length or with text are skipped and reported by problems().
 /// Errors   FileNotReadable; FileCorrupt: not an HDF5 file, or no suitable data sets
-/// Threads  one in the whole program: libhdf5 is not thread-safe
+/// Threads  one for the whole program, because libhdf5 is not thread-safe
 Result<std::unique_ptr<Recording>> openHdf5(const Text& path);
 
 }  // namespace tiller::recording

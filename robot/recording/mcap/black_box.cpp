@@ -36,7 +36,7 @@ constexpr double kMaxTimeBefore = 600;
 constexpr double kMaxTimeAfter = 60;
 constexpr std::size_t kMaxNotes = 10'000;
 
-/// Name of this type of stop in file names; null if the mode is not a stop.
+/// Name of this type of stop in file names; null if the mode does not mean a stop.
 const char* reasonOf(SafetyMode mode) {
     switch (mode) {
         case SafetyMode::ProtectiveStop:
@@ -55,7 +55,7 @@ const char* reasonOf(SafetyMode mode) {
     }
 }
 
-/// The shortest text that reads back exactly.
+/// The shortest text that converts back exactly.
 std::string shortestText(double value) {
     std::array<char, 32> text{};
     const auto [end, failed] = std::to_chars(text.data(), text.data() + text.size(), value);
@@ -80,7 +80,7 @@ struct BlackBox::Worker {
     std::int64_t steadyToUtc = 0;
 
     std::thread thread;
-    std::mutex mutex;  // protects the following members, and for waiting
+    std::mutex mutex;  // protects the following members; also used for waiting
     std::condition_variable wake;
     bool stopping = false;
     std::deque<RecordedNote> notes;
@@ -96,8 +96,8 @@ struct BlackBox::Worker {
     std::uint64_t lastSequence = 0;
     std::uint64_t lastConnection = 0;
     std::optional<Incident> pending;
-    std::int64_t stopNs = 0;   ///< of the stop, on the receiver's clock
-    double stopTimestamp = 0;  ///< of the stop, on the controller's clock [s]
+    std::int64_t stopNs = 0;   ///< time of the stop on the receiver's clock
+    double stopTimestamp = 0;  ///< time of the stop on the controller's clock [s]
 
     void run() {
         realtime::nameThread("tiller-box");
@@ -129,7 +129,7 @@ struct BlackBox::Worker {
             lastSequence = sample.sequence;
             const SafetyMode now = receive::RobotState(sample).safetyMode();
             const std::int64_t timeNs = sample.hostTimeNs;
-            // A stop that is active at the time of connecting happened earlier.
+            // A stop that is active when connecting happened earlier.
             const bool isNew = previous && sample.connection == lastConnection && *previous != now;
             lastConnection = sample.connection;
             previous = now;
@@ -219,7 +219,7 @@ struct BlackBox::Worker {
         }
         const auto encoder = mcapFormat(format)->encoder({layout, fields, false});
         auto file = systemFile();
-        // Uses a temporary name until the file is complete.
+        // The file has a temporary name until it is complete.
         const QString part = incident.path + QStringLiteral(".part");
         if (auto opened = file->open(part); !opened) {
             return opened;

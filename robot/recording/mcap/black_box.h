@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A permanent recorder of the last minute of robot data. On a safety stop or an alarm it writes an incident file
-// with this minute, ten seconds of the following data, the log, the project and the software versions.
+// Permanently records the last minute of robot data. On a safety stop or an alarm, an incident file is
+// written with this minute, ten seconds of the following data, the log, the project and the software
+// versions.
 
 #include <cstdint>
 #include <functional>
@@ -18,29 +19,29 @@
 
 namespace tiller::recording {
 
-/// An incident file that was written, or failed.
+/// Result of writing an incident file.
 struct Incident {
     Text path = {};  ///< path of the file; empty on failure
     std::string
         reason{};  ///< "protective-stop", "fault", "violation", "emergency-stop", or the reason for an alarm
-    std::int64_t utcNs = 0;    ///< of the stop [ns since 1970]
-    double secondsBefore = 0;  ///< from the first row of the file to the stop
-    Error error = {};          ///< the reason for a failure; otherwise code None
+    std::int64_t utcNs = 0;    ///< time of the stop [ns since 1970]
+    double secondsBefore = 0;  ///< time from the first row of the file to the stop
+    Error error = {};          ///< error if writing failed; otherwise code None
 };
 
 struct BlackBoxOptions {
     Text folder = {};    ///< created if missing
     double before = 60;  ///< [s], 1 to 600
     double after = 10;   ///< [s], 0 to 60
-    int keep = 50;       ///< number of incident files in the folder; older ones are deleted
+    int keep = 50;       ///< maximum number of incident files in the folder; older ones are deleted
     std::map<std::string, std::string> facts{};  ///< metadata of the file: "robot", "software" ...
-    /// Called for each incident in the thread of the box.
+    /// Called for each incident, in the thread "tiller-box".
     std::function<void(const Incident&)> written{};
 };
 
 /// Owns the thread "tiller-box" (normal priority), which reads a subscription and writes the files. Samples enter
 /// through the subscription; notes, alarms and the project through a mutex.
-/// Threads  start() and stop() from one thread, the rest from any
+/// Threads  start() and stop(): one thread. All others: any
 class BlackBox {
 public:
     BlackBox();
@@ -48,21 +49,21 @@ public:
     BlackBox(const BlackBox&) = delete;
     BlackBox& operator=(const BlackBox&) = delete;
 
-    /// Calls stop() if running, and starts again.
+    /// Starts recording. Calls stop() first if already running.
     /// Errors   InvalidArgument (no folder)
     Result<void> start(const BlackBoxOptions& options, const receive::Receiver& receiver);
     /// Ends the thread. An incident in progress is written with the data received so far. Blocks: until the
     /// file is written
     void stop();
 
-    /// Adds a line of the log; the lines of the last minute are written to the file.
+    /// Adds a line of the log. The lines of the last minute are written to the incident file.
     void note(const RecordedNote& note);
     /// Writes an incident file without a stop.
-    /// reason  its letters, digits and hyphens become part of the file name
+    /// reason  letters, digits and hyphens of this text become part of the file name
     void alarm(const Text& reason);
-    /// Sets the project attached to the next file; none if the name is empty.
+    /// Sets the project attached to the next file. An empty name attaches none.
     void setProject(const Text& name, std::string content);
-    /// Adds metadata for the next file that are only known after the start.
+    /// Adds metadata for the next file that become known only after the start.
     void setFact(const std::string& key, const std::string& value);
     std::uint64_t packets() const;  ///< Packets received since start(); 0 when stopped.
 
@@ -70,7 +71,7 @@ private:
     struct Worker;
     std::shared_ptr<Worker> worker() const;
 
-    mutable std::mutex mutex_;  ///< protects the pointer: each start creates a new object
+    mutable std::mutex mutex_;  ///< protects the pointer, because each start creates a new object
     std::shared_ptr<Worker> d_;
 };
 

@@ -23,11 +23,11 @@ namespace {
 using namespace mcap;
 
 constexpr std::uint64_t kRowsPerChunk = 512;
-/// CDR, little-endian; every number in the message has eight bytes, so that no padding is necessary.
+/// Encodes little-endian CDR. Every number in the message has eight bytes, so no padding is necessary.
 constexpr std::string_view kCdrHead{"\0\1\0\0", 4};
 
-/// A name that the syntax of ROS messages allows, not in `used`. Capital letters are kept: they are restored from the
-/// metadata of the channel.
+/// Returns a name that is valid in ROS messages and not in `used`. Capital letters are kept, because they are
+/// restored from the metadata of the channel.
 std::string rosColumnName(std::string_view column, std::set<std::string>& used) {
     std::string name(column);
     const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -75,7 +75,7 @@ public:
         start_ = recording.startUtcNs().value_or(0);
     }
 
-    /// The rows of one chunk.
+    /// Writes the rows of one chunk.
     Result<std::string> part(RowRange range) {
         const auto times = recording_.times(range);
         const auto values = recording_.read(columns_, range);
@@ -95,7 +95,7 @@ public:
         return writer_.take();
     }
 
-    /// The events of the exported time range and the end of the file.
+    /// Writes the events of the exported time range and the end of the file.
     Result<std::string> end() {
         const auto first = rows_.count == 0 ? Result<std::vector<double>>(std::vector<double>())
                                             : recording_.times({rows_.first, 1});
@@ -164,7 +164,7 @@ Result<ExportReport> exportMcap(const Recording& recording, const ExportChoice& 
     if (!rows) {
         return rows.error();
     }
-    // Written from the gaps of the recording.
+    // Computed from the gaps of the recording.
     std::erase_if(*columns,
                   [&](std::size_t column) { return recording.columns()[column].name == kLostColumn; });
     const QString context = QStringLiteral("export to %1").arg(choice.path);

@@ -24,7 +24,7 @@ using std::chrono::steady_clock;
 constexpr std::size_t kCloseAt = 4u << 20;
 constexpr std::size_t kCloseSummaryAt = 1u << 20;
 constexpr std::size_t kMaxSummaries =
-    300;  // messages per chunk: after a crash, lost ones are recomputed from the rows
+    300;  // messages per chunk; messages lost in a crash are recomputed from the rows
 
 class McapEncoder : public RecordingEncoder {
 public:
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    /// Also fills columns_, which the constructor of the levels needs.
+    /// Also fills columns_, because the constructor of the levels needs it.
     std::size_t columnsOf(const receive::SampleLayout& layout) {
         for (const std::string& name : fields_) {
             const receive::SampleLayout::Entry* entry = layout.find(name);
@@ -138,7 +138,7 @@ private:
     }
 
     std::uint16_t channel(const char* type, const std::string& definition, const char* topic, Facts facts) {
-        // Required by the profile; empty: no particular quality of service.
+        // Required by the profile; empty: no specific quality of service.
         facts["offered_qos_profiles"] = "";
         return writer_.addChannel(writer_.addSchema(type, "ros2msg", definition), topic, "cdr", facts);
     }
@@ -167,7 +167,7 @@ private:
             summaryChannels_[level] = channel(summaryType().name, summaryType().definition, topic.c_str(),
                                               {{kSummaryColumns, columnNames_}});
         }
-        // Each level has separate chunks, so that an overview of hours only unpacks the coarse levels.
+        // Each level has separate chunks, so that an overview of hours reads only the coarse levels.
         put(summaries_[level], record, summaryChannels_[level]);
         if (summaries_[level].size() >= kCloseSummaryAt || summaries_[level].count() >= kMaxSummaries) {
             writer_.add(summaries_[level]);
@@ -200,7 +200,7 @@ private:
     ClockMap clock_;
     steady_clock::time_point opened_ = steady_clock::now();
     std::string bytes_;
-    RecordedPart part_;    ///< not in a closed chunk yet
+    RecordedPart part_;    ///< not yet in a closed chunk
     RecordedPart closed_;  ///< in chunks closed since the last take()
 };
 

@@ -28,7 +28,7 @@ constexpr std::size_t kMaxStateChannels = 64;
 constexpr std::size_t kMaxColumns = 20'000;
 constexpr int kMaxProblems = 20;
 constexpr double kAbsent = receive::kAbsent;
-constexpr std::size_t kChunksKept = 24;  // same number as in a block of the history
+constexpr std::size_t kChunksKept = 24;  // equal to the number of chunks in a block of the history
 
 /// A chunk with robot states, in file order.
 struct RowChunk {
@@ -37,7 +37,7 @@ struct RowChunk {
     std::uint64_t rows = 0;
 };
 
-/// An unpacked chunk with the positions of its states.
+/// An unpacked chunk and the positions of its states.
 struct UnpackedRows {
     struct Row {
         std::uint16_t channel;
@@ -51,10 +51,10 @@ struct UnpackedRows {
 /// Messages of one channel in one chunk.
 struct Share {
     std::size_t chunk = 0;               ///< index in the reader's list
-    std::optional<std::uint64_t> count;  ///< empty: the index in the file is missing
+    std::optional<std::uint64_t> count;  ///< empty if the index is missing in the file
 };
 
-/// A channel of states: its layout, and the column of each number.
+/// A channel of states: its layout and the column of each number.
 struct StateChannel {
     RobotStateLayout layout;
     std::unordered_map<std::size_t, std::size_t> placeOfColumn;
@@ -162,7 +162,7 @@ public:
     std::vector<std::uint64_t> summaryRows() const override {
         std::vector<std::uint64_t> kept;
         for (std::size_t level = 0; level < kSummaryLevels; ++level) {
-            // After a crash the last summaries are missing and are recomputed from the rows.
+            // After a crash, the last summaries are missing. They are recomputed from the rows.
             const std::uint64_t each = rowsOfLevel(level);
             std::uint64_t there = 0;
             const auto found = levelChannels_[level] ? shares_.find(*levelChannels_[level]) : shares_.end();
@@ -181,7 +181,7 @@ public:
         if (rows_ == 0) {
             return marks;
         }
-        // Log times are arrival times: the first row gives the offset.
+        // Log times are arrival times, so the first row gives the offset.
         const std::uint64_t arrival = reader_->chunks()[rowChunks_.front().chunk].startTime;
         for (const RowChunk& chunk : rowChunks_) {
             const std::uint64_t time = reader_->chunks()[chunk.chunk].startTime;
@@ -200,14 +200,14 @@ public:
         if (rowChunks_.empty()) {
             return 0;
         }
-        // Chunks have time ranges, so only one of them is unpacked.
+        // Chunks have time ranges, so only one chunk is unpacked.
         const auto wanted =
             seconds <= 0 ? startNs_ : startNs_ + static_cast<std::uint64_t>(std::min(seconds, 1e9) * 1e9);
         auto chunk = std::upper_bound(rowChunks_.begin(), rowChunks_.end(), wanted,
                                       [&](std::uint64_t time, const RowChunk& each) {
                                           return time < reader_->chunks()[each.chunk].startTime;
                                       });
-        // Log times are arrival times, slightly later than the requested times.
+        // Log times are arrival times, which are slightly later than the requested times.
         chunk = chunk == rowChunks_.begin() ? chunk : chunk - 1;
         std::uint64_t best = chunk->firstRow;
         for (auto each = chunk; each != rowChunks_.end() && each < chunk + 2; ++each) {
@@ -290,7 +290,7 @@ private:
             }
         }
         for (const auto& [number, named] : counts) {
-            // Minimum size of a message, so that a damaged index cannot simulate an unlimited number of rows.
+            // Minimum size of a message. Limits the number of rows that a damaged index can claim.
             constexpr std::uint64_t kMinMessageSize = 31;
             const std::uint64_t most = reader_->chunks()[number].uncompressedSize / kMinMessageSize;
             const std::uint64_t count = std::min(named, most);
@@ -317,7 +317,7 @@ private:
             }
             if (!steps.empty()) {
                 std::sort(steps.begin(), steps.end());
-                // Rounded to microseconds, which is more than the error of the clock conversion.
+                // Rounded to microseconds, a unit larger than the error of the clock conversion.
                 constexpr double kMicroseconds = 1e6;
                 const double seconds =
                     static_cast<double>(steps[steps.size() / 2]) / static_cast<double>(kNsPerSecond);
@@ -392,7 +392,7 @@ private:
         findGaps(wanted, {0, rows_}, kSummaryLevels);
     }
 
-    /// Refines the search only where a summary reports lost packages, down to the rows.
+    /// Searches for lost packages down to the rows, but only where a summary reports any.
     /// level  levels from here on have already been searched
     void findGaps(std::span<const std::size_t> lost, RowRange range, std::size_t level) {
         while (level > 0) {
@@ -402,7 +402,7 @@ private:
                 continue;
             }
             const ColumnSummary& summary = blocks->front();
-            // Neighbouring groups together, so that a common chunk is unpacked only once.
+            // Process adjacent groups together, so that a shared chunk is unpacked only once.
             for (std::size_t i = 0; i < summary.max.size();) {
                 std::size_t end = i;
                 while (end < summary.max.size() && summary.max[end] > 0) {
@@ -438,7 +438,7 @@ private:
         }
     }
 
-    /// The consecutive complete summaries of one level from a row at the start of a summary.
+    /// Reads the consecutive complete summaries of one level, starting at the row where a summary begins.
     /// until  summaries after this row are not needed
     std::vector<ColumnSummary> readLevel(std::size_t level, std::span<const std::size_t> wanted,
                                          std::uint64_t from, std::uint64_t until) const {
@@ -503,7 +503,8 @@ private:
         return out;
     }
 
-    /// The summaries that overlap a range; missing ones, e.g. after a crash, are computed from the rows.
+    /// Returns the summaries that overlap a range. Missing summaries, e.g. after a crash, are computed from
+    /// the rows.
     std::optional<std::vector<ColumnSummary>> fromSummaries(std::size_t level,
                                                             std::span<const std::size_t> wanted,
                                                             RowRange range) const {
@@ -515,8 +516,8 @@ private:
             return std::nullopt;
         }
         const std::uint64_t there = first + all.front().min.size();
-        // One block more or less at the end is acceptable; if most of the range is missing, another level may cover
-        // it.
+        // One block more or less at the end is acceptable. If most of the range is missing, another level may
+        // cover it.
         if (there < first + (last - first + 1) / 2) {
             return std::nullopt;
         }
@@ -537,7 +538,7 @@ private:
         return all;
     }
 
-    /// Calls sink with each row of a range; null if its chunk is damaged.
+    /// Calls sink with each row of a range; the argument is null if the row's chunk is damaged.
     template <class Sink>
     void eachRow(RowRange range, Sink sink) const {
         const RowRange part = within(range, rows_);
@@ -591,7 +592,7 @@ private:
     mutable QStringList problems_;
     std::map<std::uint16_t, StateChannel> states_;
     std::vector<RecordedColumn> columns_;
-    std::map<std::uint16_t, std::vector<Share>> shares_;  ///< by channel, in file order
+    std::map<std::uint16_t, std::vector<Share>> shares_;  ///< by channel, then in file order
     std::array<std::optional<std::uint16_t>, kSummaryLevels> levelChannels_;
     std::vector<RowChunk> rowChunks_;
     std::uint64_t rows_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Opens recordings written by mcapFormat(), including incomplete files after a crash.
+// Opens recordings written by mcapFormat(), including files left incomplete by a crash.
 
 #include <memory>
 

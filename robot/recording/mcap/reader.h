@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads an MCAP file by its summary or, if that is missing or damaged, by scanning all complete records. All
-// content is validated: damaged parts are skipped and reported.
+// Reads an MCAP file through its summary. If the summary is missing or damaged, all complete records are
+// scanned. All content is validated: damaged parts are skipped and reported.
 
 #include <QFile>
 #include <QStringList>
@@ -25,26 +25,27 @@ public:
     static Result<std::unique_ptr<Reader>> open(const Text& path);
 
     const QString& path() const { return path_; }  ///< Path of the file.
-    /// True if the file has a valid summary and end.
+    /// True if the file has a valid summary and a valid end.
     bool isComplete() const { return complete_; }
     const QStringList& problems() const { return problems_; }  ///< One sentence per damaged part.
     const std::string& profile() const { return profile_; }    ///< e.g. "ros2"
     const std::string& library() const { return library_; }    ///< Name of the writer.
-    const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }       ///< By id.
-    const std::map<std::uint16_t, Channel>& channels() const { return channels_; }    ///< By id.
+    const std::map<std::uint16_t, Schema>& schemas() const { return schemas_; }       ///< Schemas by id.
+    const std::map<std::uint16_t, Channel>& channels() const { return channels_; }    ///< Channels by id.
     const std::vector<ChunkIndex>& chunks() const { return chunks_; }                 ///< In file order.
     const std::vector<AttachmentIndex>& attachments() const { return attachments_; }  ///< In file order.
     const std::vector<MetadataIndex>& metadata() const { return metadata_; }          ///< In file order.
 
-    /// Number of messages of a channel according to the indexes after a chunk; empty if the indexes are missing.
+    /// Number of messages of a channel according to the message indexes of a chunk; empty if the indexes are
+    /// missing.
     std::optional<std::uint64_t> messagesIn(const ChunkIndex& chunk, std::uint16_t channel) const;
-    /// The records of a chunk, checked and uncompressed.
+    /// The records of a chunk, validated and decompressed.
     Result<std::string> records(const ChunkIndex& chunk) const;
     Result<Facts> facts(const MetadataIndex& metadata) const;  ///< Content of a metadata record.
-    /// Content of an attachment, checked.
+    /// Content of an attachment, validated.
     Result<std::string> attachment(const AttachmentIndex& attachment) const;
 
-    /// Calls sink for each message of uncompressed records, in order.
+    /// Calls sink for each message in decompressed records, in order.
     /// Returns  false if the data are truncated
     static bool forEachMessage(std::string_view records, const std::function<void(const Message&)>& sink);
 

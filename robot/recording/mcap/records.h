@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The records of an MCAP file with the names of its specification, as far as this library uses them. Source:
-// mcap.dev/spec
+// The records of an MCAP file that this library uses, named as in the specification. Source: mcap.dev/spec
 
 #include <cstdint>
 #include <map>
@@ -51,7 +50,7 @@ struct Channel {
     Facts metadata{};
 };
 
-/// Times are nanoseconds since 1970, UTC, here and below.
+/// Nanoseconds since 1970 (UTC), as for all times below.
 struct Message {
     std::uint16_t channel = 0;
     std::uint32_t sequence = 0;
@@ -64,9 +63,9 @@ struct ChunkIndex {
     std::uint64_t startTime = 0;  ///< minimum and maximum log time
     std::uint64_t endTime = 0;
     std::uint64_t offset = 0;  ///< offset of the chunk record in the file
-    std::uint64_t length = 0;  ///< of the whole record
-    /// Channels and the offsets of their index records. A list, because a file of hours has a hundred thousand
-    /// chunks.
+    std::uint64_t length = 0;  ///< length of the whole record
+    /// Channels and the offsets of their index records. A list, because a recording of several hours has a
+    /// hundred thousand chunks.
     std::vector<std::pair<std::uint16_t, std::uint64_t>> messageIndexes{};
     std::uint64_t messageIndexLength = 0;  ///< total length of the index records
     std::string compression{};

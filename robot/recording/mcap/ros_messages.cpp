@@ -61,9 +61,9 @@ constexpr MessageType kSummary{
 #undef TILLER_HEADER
 #undef TILLER_VECTOR3
 
-constexpr std::size_t kFixedParts = 512;  // upper limit for the parts other than strings and lists
+constexpr std::size_t kFixedParts = 512;  // upper limit for the size of everything except strings and lists
 
-/// Calls fill(cdr) with a buffer of this size, and keeps the used part.
+/// Calls fill(cdr) with a buffer of this size and keeps the used part.
 template <class Fill>
 void writeCdr(std::string& out, std::size_t room, Fill fill) {
     out.resize(room);
@@ -231,8 +231,8 @@ bool readSummary(std::string_view message, SummaryMessage& summary) {
 }
 
 bool readSummary(std::string_view message, std::span<const std::size_t> places, SummaryMessage& summary) {
-    // Format of writeSummary(): an encapsulation header of four bytes, then two numbers and three lists of equal
-    // length, each number aligned to its size.
+    // Format of writeSummary(): a four-byte encapsulation header, then two numbers and three lists of equal
+    // length. Each number is aligned to its size.
     constexpr std::string_view kLittleEndian("\0\1", 2);
     constexpr std::size_t kHead = 4;
     constexpr std::size_t kFirstList = 12;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Generates an MCAP file part by part: each part consists of complete records and is appended to the file. Messages
-// are stored in chunks, compressed by zstd; every chunk is followed by its message indexes, so that a file that
-// ends after a chunk only lacks the summary.
+// Generates an MCAP file in parts. Each part consists of complete records and is appended to the file.
+// Messages are stored in chunks, compressed with zstd. Message indexes follow every chunk, so a file that
+// ends after a chunk lacks only the summary.
 
 #include <map>
 #include <memory>
@@ -17,19 +17,19 @@ struct ZSTD_CCtx_s;
 
 namespace tiller::recording::mcap {
 
-/// The messages of a chunk. Cheap to fill; empty after Writer::add().
+/// Collects the messages of a chunk. Filling it is cheap. Writer::add() empties it.
 class ChunkBuilder {
 public:
     void add(const Message& message);  ///< Copies the data.
 
     bool isEmpty() const { return count_ == 0; }
-    std::size_t size() const { return records_.size(); }  ///< [bytes], uncompressed
+    std::size_t size() const { return records_.size(); }  ///< uncompressed size [bytes]
     std::uint64_t count() const { return count_; }        ///< Number of messages.
 
 private:
     friend class Writer;
     std::string records_;
-    std::map<std::uint16_t, std::string> indexes_;  ///< pairs of log time and offset in file format
+    std::map<std::uint16_t, std::string> indexes_;  ///< pairs of log time and offset, in file format
     std::uint64_t start_ = 0;
     std::uint64_t end_ = 0;
     std::uint64_t count_ = 0;
@@ -40,26 +40,26 @@ class Writer {
 public:
     /// profile  "ros2" or empty
     /// library  name of the writer
-    /// level    of zstd; 0: not compressed
+    /// level    zstd level; 0: uncompressed
     Writer(std::string_view profile, std::string_view library, int level = 1);
     ~Writer();
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
-    /// Returns  the id; the same id for the same content
+    /// Returns  the id; the same content always has the same id
     std::uint16_t addSchema(std::string_view name, std::string_view encoding, std::string_view data);
-    /// Returns  the id; the same id for the same content
+    /// Returns  the id; the same content always has the same id
     std::uint16_t addChannel(std::uint16_t schema, std::string_view topic, std::string_view encoding,
                              const Facts& metadata);
-    /// Adds a record of keys and values.
+    /// Adds a record of key-value pairs.
     void addMetadata(std::string_view name, const Facts& facts);
     /// Adds an attached file.
-    /// time  of its content [ns since 1970]
+    /// time  time of the content [ns since 1970]
     void addAttachment(std::string_view name, std::string_view mediaType, std::string_view data,
                        std::uint64_t time);
     /// Completes a chunk; no effect if it is empty.
     void add(ChunkBuilder& chunk);
-    /// Writes the summary and the end. No content can be added afterwards.
+    /// Writes the summary and the end of the file. No content can be added afterwards.
     void finish();
 
     /// Returns the data since the last call.

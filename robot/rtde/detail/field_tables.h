@@ -2,7 +2,7 @@
 #pragma once
 
 // The single (non-register) entries of the field catalogue. Private to robot/rtde; other code uses fields.h.
-// Source: RTDE guide; entries marked kRecent from newer software and field tables of other clients.
+// Source: RTDE guide. Entries marked kRecent are from newer software and the field tables of other clients.
 
 #include <array>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common parts of the clients of the primary interface: a thread that can be started, stopped and paused between
-// two attempts to connect, and splitting of the stream into packages. The clients process the packages.
+// Code shared by the clients of the primary interface: a thread that can be started, stopped and paused
+// between connection attempts, and a reader that splits the stream into packages. The clients process the
+// packages.
 
 #include <array>
 #include <chrono>
@@ -22,13 +23,13 @@
 
 namespace tiller::script {
 
-/// Delays between two attempts to connect; the last one repeats.
+/// Delays between connection attempts; the last one repeats.
 inline constexpr std::array<std::chrono::milliseconds, 4> kReconnectDelays{
     std::chrono::milliseconds(500), std::chrono::milliseconds(1000), std::chrono::milliseconds(2000),
     std::chrono::milliseconds(5000)};
 
-/// A controller sends its state ten times per second. After this time without data the connection is closed: the
-/// controller has dropped it or is not reachable, which TCP does not report.
+/// A controller sends its state ten times per second. After this time without data, the connection is closed.
+/// TCP does not report that the controller has dropped the connection or is not reachable.
 inline constexpr std::chrono::milliseconds kPrimaryTimeout(2500);
 
 /// Ends any running program.
@@ -36,15 +37,15 @@ inline constexpr std::string_view kStopProgram = "stop program\n";
 
 native_socket::Transfer sendStopProgram(native_socket::Descriptor descriptor);
 
-/// The thread of a client, with a name chosen by the client. To end it, the token is cancelled and `changed`, on
-/// which the thread waits, is notified.
+/// The thread of a client. To end it, the token is cancelled and `changed`, on which the thread waits, is
+/// notified.
 /// Threads  one for begin() and end()
 class ListenerThread {
 public:
-    /// mutex, changed  of the client; must outlive this object
+    /// mutex, changed  members of the client that must outlive this object
     ListenerThread(std::mutex& mutex, std::condition_variable& changed) : mutex_(mutex), changed_(changed) {}
 
-    /// No effect if it is already running.
+    /// Starts the thread. No effect if it is already running.
     /// prepare  called before the start, under the mutex
     template <class Prepare, class Run>
     void begin(Prepare prepare, Run run) {
@@ -58,10 +59,10 @@ public:
         cancel = CancelToken();
         thread_ = std::thread(std::move(run));
     }
-    /// Cancels and joins.
+    /// Cancels and joins the thread.
     void end();
 
-    CancelToken cancel;  ///< of the current run of the thread
+    CancelToken cancel;  ///< token of the current run of the thread
 
 private:
     std::mutex& mutex_;
@@ -69,21 +70,21 @@ private:
     std::thread thread_;
 };
 
-/// The packages of one connection.
+/// Reads the packages of one connection.
 /// Threads  one
 class PrimaryReader {
 public:
     /// Waits for bytes, at most for the given time, and reads them.
     /// clock    for the time stamps of messages
-    /// Returns  Ok after reading, WouldBlock without data, Failed after kPrimaryTimeout without data or when the
-    ///          connection has ended
+    /// Returns  Ok after reading, WouldBlock without data, Failed after kPrimaryTimeout without data or when
+    /// the connection has ended
     native_socket::Status read(native_socket::Descriptor descriptor, std::chrono::milliseconds atMost,
                                const Clock& clock);
     PrimaryParser& parser() { return parser_; }
     std::size_t lastBytes() const { return lastBytes_; }  ///< number of bytes of the last read()
-    /// False after a package with an invalid length: the connection has to be closed.
+    /// False after a package with an invalid length; the connection must then be closed.
     bool understands() const { return understands_; }
-    /// The error in this case.
+    /// The error for an invalid package length.
     static Error notUnderstood(const QString& context);
 
 private:

@@ -30,7 +30,7 @@ MessageSeverity severityOf(std::int32_t reportLevel) {
     }
 }
 
-// Newer software has a request id and a type before the flags. In the older layout there is text at this position,
+// Newer software sends a request id and a type before the flags. The older layout has text at this position,
 // which does not match any known type.
 bool readPopup(std::span<const std::uint8_t> body, ControllerMessage& message) {
     ByteReader newer(body);
@@ -168,7 +168,7 @@ bool PrimaryParser::subPackage(std::uint8_t type, std::span<const std::uint8_t> 
         readSix(in, dh.a);
         readSix(in, dh.d);
         readSix(in, dh.alpha);
-        // Older software has a shorter package with the same number and another meaning, which is skipped.
+        // Older software sends a shorter package with the same number and a different meaning. It is skipped.
         if (in.ok()) {
             RobotConfiguration next = configuration_.value_or(RobotConfiguration{});
             next.dh = dh;
@@ -289,7 +289,7 @@ bool PrimaryParser::robotMessage(std::span<const std::uint8_t> bytes, std::int64
             break;
     }
     if (in.ok()) {
-        // A package may have 128 kB, and thousands of messages are buffered.
+        // A package can be 128 kB long, and thousands of messages are buffered.
         constexpr qsizetype kMaxText = 4096;
         message.title.truncate(kMaxText);
         message.text.truncate(kMaxText);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Parses the bytes of the primary interface into messages and state, without socket or thread. Unknown packages are
-// skipped; truncated ones and those with invalid lengths are counted and skipped. No input can crash the parser.
-// Source: Universal Robots client interface manual.
+// Parses the bytes of the primary interface into messages and state, without a socket or thread. Unknown
+// packages are skipped. Truncated packages and packages with invalid lengths are counted and skipped. No
+// input can crash the parser. Source: Universal Robots client interface manual.
 
 #include <cstdint>
 #include <optional>
@@ -16,11 +16,11 @@ namespace tiller::script {
 
 class PrimaryParser {
 public:
-    /// Processes received bytes, independent of their segmentation.
-    /// Returns  false for an invalid length field: the start of the next package is unknown, and a new connection
-    ///          is needed (call reset() first)
+    /// Processes received bytes, regardless of how they are segmented.
+    /// Returns  false for an invalid length field: the start of the next package is unknown, and a new
+    /// connection is needed (call reset() first)
     bool feed(std::span<const std::uint8_t> bytes, std::int64_t hostTimeNs);
-    /// Discards an incomplete package; for a new connection.
+    /// Discards an incomplete package. Call this function for a new connection.
     void reset();
 
     std::vector<ControllerMessage> takeMessages();
@@ -28,7 +28,7 @@ public:
     const std::optional<RobotConfiguration>& configuration() const { return configuration_; }
     std::uint64_t malformed() const { return malformed_; }
 
-    /// A larger length is invalid [bytes]. Known packages are below 4096.
+    /// Maximum valid package length [bytes]. Known packages are shorter than 4096 bytes.
     static constexpr std::size_t kMaxPackage = 1 << 17;
 
 private:

@@ -50,7 +50,7 @@ struct Arm::Parts {
         state.collisionRatio = sensors.contactForce() / Environment::kForceLimit;
     }
 
-    /// Target of the program including superposed motions.
+    /// Returns the target of the program including superposed motions.
     const JointTarget& layOver() {
         if (!superposition.active()) {
             superposed = generator.target();
@@ -70,7 +70,7 @@ struct Arm::Parts {
         return superposed;
     }
 
-    /// The program continues from the position reached with offset and conveyor.
+    /// Lets the program continue from the position that includes offset and conveyor.
     void foldSuperposition() {
         if (superposition.active()) {
             generator.relocate(superposed);
@@ -97,7 +97,7 @@ struct Arm::Parts {
         sensors.setPayload(now);
     }
 
-    /// Stops triggered by forces on the arm.
+    /// Triggers stops caused by forces on the arm.
     void watchForces() {
         if (drive != DriveState::Running || generator.protectiveStop()) {
             return;
@@ -123,7 +123,7 @@ struct Arm::Parts {
         return static_cast<std::size_t>(state.controlStep - static_cast<std::uint64_t>(steps)) % size;
     }
 
-    const RobotModel model;  // a copy: the arm outlives the caller's description
+    const RobotModel model;  // a copy, because the arm outlives the caller's model
     double period;
     ArmGeometry geometry;
     MotionGenerator generator;
@@ -136,12 +136,12 @@ struct Arm::Parts {
     Environment environment;
     ArmState state;
     DriveState drive = DriveState::Off;
-    JointTarget superposed;  ///< last command during a superposition
+    JointTarget superposed;  ///< last target during a superposition
     std::optional<Wrench> externalForce;
     Payload payloadFrom;
     Payload payloadTo;
     double payloadTime = 0;
-    double payloadLeft = 0;  ///< [s] remaining of a transition
+    double payloadLeft = 0;  ///< [s] remaining time of a transition
     std::vector<Vector6> joints;
     std::vector<Eigen::Vector3d> forces;
 };

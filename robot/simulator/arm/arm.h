@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The simulated arm: it accepts motion commands, is stepped once per control period, and provides its state.
-// Deterministic (seeded noise), no threads, no sockets, no URScript; nothing allocates in step().
+// The simulated arm. It accepts motion commands, is stepped once per control period, and provides its state.
+// It is deterministic (seeded noise) and uses no threads, sockets or URScript. step() does not allocate
+// memory.
 //
 //     Arm arm(robotModel(RobotModelId::UR5e));
 //     arm.setDriveState(DriveState::Running);
@@ -26,10 +27,10 @@
 namespace tiller::simulator::arm {
 
 struct ArmOptions {
-    double period = 0;       ///< control period [s]; 0 = 0.002, or 0.008 for CB3 models
-    std::uint64_t seed = 1;  ///< of the sensor noise
+    double period = 0;       ///< control period [s]; 0: 0.002, or 0.008 for CB3 models
+    std::uint64_t seed = 1;  ///< seed of the sensor noise
     bool ideal = false;      ///< no noise and no tracking lag: actual equals target
-    /// Start position: that of the manufacturer's simulator. Source: recorded primary packet.
+    /// Start position, the same as in the manufacturer's simulator. Source: recorded primary packet.
     JointPositions start{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
 };
 
@@ -48,38 +49,39 @@ public:
 
     Motion& motion();          ///< moves, servo, speed, stops
     Compliance& compliance();  ///< force mode, freedrive
-    /// Path offset and conveyor tracking. Start only while neither force mode nor freedrive is active.
+    /// Path offset and conveyor tracking. Start them only while neither force mode nor freedrive is active.
     Superposition& superposition();
-    Environment& environment();  ///< the actual surroundings: load, hand, planes
+    Environment& environment();  ///< the actual surroundings: load, hand, surfaces, boxes
 
     // power and program time
-    /// Leaving Running stops the motion immediately (brakes) and discards every command.
+    /// Leaving Running stops the motion immediately (brakes) and discards all commands.
     void setDriveState(DriveState state);
     DriveState driveState() const;
-    /// Speed slider, 0..1 (clamped). Ramped internally, so sudden changes are allowed.
+    /// Speed slider, 0..1 (clamped). The value is ramped internally, so sudden changes are allowed.
     void setSpeedFraction(double fraction);
-    /// Pause: decelerates on the path and freezes program time. resume() continues from there.
+    /// Pauses: decelerates on the path and freezes program time. resume() continues from there.
     void hold();
     void resume();
     bool isHeld() const;
     void setReadings(const Readings& readings);
     /// Ends all motion: discards all commands, ends force mode and freedrive, and stops in joint space with
-    /// `deceleration` [rad/s2] of the leading axis. For stops of the program and of category 1.
+    /// `deceleration` [rad/s2] of the leading axis. For stops of the program and stops of category 1.
     void abort(double deceleration = 10.0);
 
     /// Ends path offset or conveyor tracking and brakes all joints with `deceleration` [rad/s2] of the leading
     /// axis. The program continues from the resulting position.
     MotionStart endPathOffset(double deceleration);
     MotionStart endConveyorTracking(double deceleration);
-    /// Maximum TCP speed [m/s] of programmed motion, as in reduced mode; nothing: limited by the joints only.
+    /// Maximum TCP speed [m/s] of programmed motion, as in reduced mode. Empty: only the joints limit the
+    /// speed.
     void setToolSpeedLimit(const std::optional<double>& limit);
-    /// Stops as if the arm had detected `reason` itself.
+    /// Stops as if the arm itself had detected `reason`.
     void raiseProtectiveStop(StopReason reason);
 
     /// The stop triggered by the arm, until it is cleared.
     const std::optional<ProtectiveStop>& protectiveStop() const;
     void clearProtectiveStop();
-    /// Returns each warning once; nothing if there is none.
+    /// Returns each warning once; empty if there is none.
     std::optional<MotionWarning> takeWarning();
 
     // tool and mounting
@@ -87,28 +89,29 @@ public:
     const Pose& tcp() const;
     /// The configured payload. The arm carries exactly this payload unless environment().setLoad() has set
     /// another one.
-    /// transition [s]  time in which the configured payload changes linearly to the new one
+    /// transition [s]  time over which the configured payload changes linearly to the new one
     void setPayload(const Payload& payload, double transition = 0);
     const Payload& payload() const;
-    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
     const Eigen::Vector3d& gravity() const;
-    /// Reading of an external sensor (base axes at the TCP) for force mode; nothing: the internal sensor is
+    /// Reading of an external sensor (base axes at the TCP) for force mode. Empty: the internal sensor is
     /// used.
     void setExternalForce(const std::optional<Wrench>& wrench);
-    /// Force on the tool not expected by the controller [N]: hand, contact, unknown weight.
+    /// Force on the tool that the controller does not expect [N]: hand, contact, unknown weight.
     double unexplainedForce() const;
-    /// zero_ftsensor(): the current reading becomes zero.
+    /// zero_ftsensor(): uses the current reading as the zero point.
     void zeroForceSensor();
-    /// set_pos(): places the arm at rest and discards every command.
+    /// set_pos(): places the arm at rest and discards all commands.
     void setJointPositions(const JointPositions& q);
 
     // history and model
-    /// Joint positions `steps` control periods ago (0 = now); nothing beyond the last 10 s.
+    /// Joint positions `steps` control periods ago (0 = now); empty beyond the last 10 s.
     std::optional<JointPositions> jointHistory(int steps) const;
-    /// tool_contact(): control periods since contact began, 0 = none. Direction in base axes, zero = any.
+    /// tool_contact(): number of control periods since contact began, 0 = no contact. Direction in base axes;
+    /// zero = any direction.
     int toolContact(const Eigen::Vector3d& direction) const;
-    /// rotors  include the inertia of the motors, as seen by the joints
+    /// rotors  whether to include the inertia of the motors, as seen by the joints
     Matrix6 massMatrix(const JointPositions& q, bool rotors = false) const;
     JointTorques coriolisTorques(const JointPositions& q, const JointVelocities& qd) const;
 

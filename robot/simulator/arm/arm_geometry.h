@@ -33,24 +33,24 @@ public:
     Eigen::Isometry3d tcpPose(const Vector6& q) const;
 
     /// Newton iteration from q to the joint positions whose TCP pose is T. Stays on the branch of q.
-    /// Returns   false if there is no solution near q; q is then the closest position found
+    /// Returns   false if there is no solution near q; q is then the closest position that was found
     bool follow(const Eigen::Isometry3d& T, Vector6& q, Posture& posture) const;
 
     /// Returns whether any joint positions reach this TCP pose.
     bool isReachable(const Eigen::Isometry3d& T) const;
 
     /// Joint velocities for a TCP twist; damped near singularities.
-    /// Returns   false if the twist cannot be produced to 1 %
+    /// Returns   false if the twist cannot be produced with an accuracy of 1 %
     bool jointRates(const Posture& posture, const Vector6& twist, Vector6& qd) const;
 
-    /// 0 in a singular position; 1 and more where singularities have no effect.
+    /// Singularity margin: 0 in a singular position, 1 or more where singularities have no effect.
     double singularityMargin(const Vector6& q, const Posture& posture) const;
 
     Vector6 maxSpeed() const;
 
 private:
     Vector6 solve(const Posture& posture, const Vector6& twist) const;
-    /// As kinematics::linkFrames(), but with precomputed sines of constant angles.
+    /// Same as kinematics::linkFrames(), but with precomputed sines of constant angles.
     void placeLinks(const Vector6& q, std::array<Eigen::Isometry3d, 7>& frames) const;
 
     const RobotModel& model_;
@@ -62,7 +62,7 @@ private:
     double determinantScale_ = 1;
 };
 
-/// exp of a rotation vector as quaternion, and its inverse; optimized for small angles.
+/// Exponential of a rotation vector as a quaternion, and the inverse function. Optimized for small angles.
 Eigen::Quaterniond quaternionFromVector(const Eigen::Vector3d& rotation);
 Eigen::Vector3d vectorFromQuaternion(const Eigen::Quaterniond& q);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// State of the simulated arm after each control period: the values that RTDE and the primary interface report.
-// Plain data in SI units, vectors in the base frame unless a name states otherwise. `target` values are set by the
-// motion generator, `actual` values are measured by the simulated drives and sensors.
+// State of the simulated arm after each control period: the values that RTDE and the primary interface
+// report. Plain data in SI units; vectors are in the base frame unless a name states otherwise. `target`
+// values are set by the motion generator, `actual` values are measured by the simulated drives and sensors.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace tiller::simulator::arm {
 
-/// Payload set on the controller: mass [kg], centre of gravity in the flange frame [m], inertia about the centre of
-/// gravity Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2].
+/// Payload set on the controller: mass [kg], centre of gravity in the flange frame [m], and inertia about the
+/// centre of gravity Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2].
 struct Payload {
     double mass = 0;
     Eigen::Vector3d centreOfGravity = Eigen::Vector3d::Zero();
@@ -23,14 +23,14 @@ struct Payload {
     friend bool operator==(const Payload&, const Payload&) = default;
 };
 
-/// Power at the joints. The arm moves in Running only; in the other two the brakes hold it.
+/// Power state of the joints. The arm moves only in Running; in the other two states, the brakes hold it.
 enum class DriveState : std::uint8_t {
     Off,      ///< no joint power: no voltage, no current
     Braked,   ///< powered, brakes applied: robot mode IDLE
     Running,  ///< powered, brakes released, position control
 };
 
-/// Causes that slow down program time, with the numbers of RTDE.
+/// Causes of slowed program time, with the numbers used by RTDE.
 enum class TimeScaleSource : std::int32_t {
     Other = -1,
     NoProgram = 0,
@@ -56,9 +56,9 @@ struct ArmState {
         externalTorque;  ///< get_joint_torques(): actual torque minus the expected torque of the model [Nm]
     Vector6 jointTemperature = Vector6::Zero();  ///< joint_temperatures [degC]
     Vector6 jointVoltage = Vector6::Zero();      ///< actual_joint_voltage [V]
-    double positionDeviationRatio{};  ///< joint_position_deviation_ratio, 1 would be a protective stop
+    double positionDeviationRatio{};  ///< joint_position_deviation_ratio; 1 causes a protective stop
 
-    // tool, in the base frame and with the TCP offset, unless the name says flange or tool
+    // tool, in the base frame and with the TCP offset unless the name says flange or tool
     Pose targetTcpPose;           ///< target_TCP_pose
     Twist targetTcpSpeed;         ///< target_TCP_speed
     Twist targetTcpAcceleration;  ///< target_TCP_acceleration [m/s2, rad/s2]
@@ -85,16 +85,16 @@ struct ArmState {
     double toolTemperature{};  ///< tool_temperature [degC]
     double energyConsumed{};   ///< actual_robot_energy_consumed [J]
     double energyBraked{};     ///< actual_robot_braking_energy_dissipated [J]
-    /// collision_detection_ratio: contact force relative to the force that stops the arm; 1 is a protective
-    /// stop.
+    /// collision_detection_ratio: contact force relative to the force that stops the arm; 1 causes a
+    /// protective stop.
     double collisionRatio{};
 
     // motion
-    /// Current slow-down factor of the motion by the trajectory limiter, a pause or a resume, 0..1
+    /// Current slow-down factor of the motion, caused by the trajectory limiter, a pause or a resume, 0..1
     /// (speed_scaling). Does not include the speed slider.
     double speedScaling = 1;
     TimeScaleSource scaledBy = TimeScaleSource::NotScaled;  ///< cause of a scale below 1 (time_scale_source)
-    double speedFraction = 1;     ///< the speed slider as set (target_speed_fraction), 0..1
+    double speedFraction = 1;     ///< setting of the speed slider (target_speed_fraction), 0..1
     double standstillTime{};      ///< time since the target velocity became zero [s]
     std::uint64_t controlStep{};  ///< control periods since construction
 

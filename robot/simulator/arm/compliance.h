@@ -15,18 +15,18 @@ class Compliance {
 public:
     explicit Compliance(ComplianceController& controller) : controller_(controller) {}
 
-    /// Starts force mode or changes it while active; may be called every period.
+    /// Starts force mode, or changes it if it is active. May be called every period.
     /// Errors    InvalidArgument, NotOperational
     MotionError startForceMode(const ForceModeParameters& parameters);
-    /// Returns to position control; no effect when not active.
+    /// Returns to position control. No effect if neither mode is active.
     void endForceMode();
     bool isForceMode() const;
-    void setDamping(double damping);      ///< 0..1 (clamped), kept until changed
+    void setDamping(double damping);      ///< 0..1 (clamped); remains set until changed
     double damping() const;               ///< initially 0.005
-    void setGainScaling(double scaling);  ///< 0..2 (clamped), kept until changed
+    void setGainScaling(double scaling);  ///< 0..2 (clamped); remains set until changed
     double gainScaling() const;
 
-    /// The arm can be moved by hand; motion commands return but do not move it. May be repeated.
+    /// The arm can be moved by hand. Motion commands return without moving it. May be called repeatedly.
     MotionError startFreedrive(const FreedriveParameters& parameters = {});
     void endFreedrive();
     bool isFreedrive() const;

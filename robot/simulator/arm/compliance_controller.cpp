@@ -7,16 +7,17 @@
 namespace tiller::simulator::arm {
 
 namespace {
-// The virtual mass moved by a force. Chosen so that 10 N at half gain and little damping result in a few
-// cm/s, as in the published force-mode run of a UR5e, and that contact with a stiff surface is well damped.
+// The virtual mass moved by a force. The value was chosen so that 10 N at half gain and with little damping
+// result in a few cm/s, as in the published force-mode run of a UR5e, and so that contact with a stiff
+// surface is well damped.
 constexpr double kMass = 10;            // kg
 constexpr double kInertia = 0.4;        // kg m2
 constexpr double kDampingLinear = 150;  // N s/m
 constexpr double kDampingLinearMore = 2000;
 constexpr double kDampingAngular = 8;  // Nm s/rad
 constexpr double kDampingAngularMore = 80;
-constexpr double kPathStiffness = 10;  // 1/s: how non-compliant axes return to the path
-// Below these limits, force mode would end because of the residual error of the arm's own control.
+constexpr double kPathStiffness = 10;  // 1/s: rate at which non-compliant axes return to the path
+// With lower limits, force mode would end because of the residual error of the position control.
 constexpr double kMinDeviation = 2e-3;  // m
 constexpr double kMinTurn = 0.02;       // rad
 
@@ -74,7 +75,7 @@ void ComplianceController::endForceMode() {
         return;
     }
     forceMode_ = false;
-    // Decelerate from the speed caused by the force; the program continues from the current position of the
+    // Decelerate from the speed caused by the force. The program continues from the current position of the
     // arm.
     generator_.relocate(command_);
 }
@@ -177,7 +178,8 @@ Eigen::Matrix3d ComplianceController::forceFrame(const Eigen::Vector3d& tcp,
     return R;
 }
 
-// `way`: distance of the axes from the target of the program, force frame.
+// True if a non-compliant axis exceeds its limit. `way`: deviation of the axes from the program target, in
+// the force frame.
 bool ComplianceController::deviates(const Vector6& way) const {
     for (int i = 0; i < 6; ++i) {
         const double least = i < 3 ? kMinDeviation : kMinTurn;
@@ -200,7 +202,7 @@ void ComplianceController::stepForceMode(const Wrench& measured) {
     Vector6 wanted;  // in the force frame
     wanted << R.transpose() * programTwist.head<3>(), R.transpose() * programTwist.tail<3>();
     if (onPath) {
-        // The motion of this step itself does not count as a deviation.
+        // The motion of this step does not count as a deviation.
         const Vector6 covered = 0.5 * (posture_.jacobian * command_.qd + programTwist) * period_;
         const Eigen::Vector3d way =
             program_.T_base_tcp.translation() - posture_.T_base_tcp.translation() - covered.head<3>();
@@ -297,7 +299,7 @@ void ComplianceController::comeToRest() {
     generator_.rebase(command_);
 }
 
-// Advances the command by a TCP twist, within the joint limits. False if that is impossible.
+// Advances the command by a TCP twist within the joint limits. Returns false if that is impossible.
 bool ComplianceController::takeTwist(const Vector6& twist) {
     const JointLimits& limits = generator_.limits();
     Vector6 qd = Vector6::Zero();
@@ -309,7 +311,7 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
     factor *= limits.rangeFactor(command_.q, qd * factor, period_, joint);
     qd *= factor;
     if (!limits.cutToAcceleration(command_.qd, qd, period_) && factor >= 1) {
-        // Follow the requested line: the position is computed from the tool pose, so that the other axes do
+        // Follow the requested line. The position is computed from the tool pose, so that the other axes do
         // not drift.
         const ToolPoint now(posture_.T_base_tcp);
         const Vector6 mean = 0.5 * (posture_.jacobian * command_.qd + twist) * period_;
@@ -328,7 +330,7 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
     return true;
 }
 
-// Compliance: the public interface.
+// Public interface of Compliance.
 
 MotionError Compliance::startForceMode(const ForceModeParameters& parameters) {
     return controller_.startForceMode(parameters);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Drives and sensors of the simulated arm without its motion generator: the caller sets one target per
-// control period, for example from a recording. Deterministic, without noise; no threads, no allocation in
-// step().
+// Drives and sensors of the simulated arm without its motion generator. The caller sets one target per
+// control period, for example from a recording. The simulation is deterministic, without noise or threads.
+// step() does not allocate memory.
 //
 //     DrivenArm arm(robotModel(RobotModelId::UR5e), 0.002);
 //     arm.place(q);
@@ -29,13 +29,14 @@ public:
     double period() const;  ///< [s]
     const RobotModel& model() const;
 
-    /// The payload known to the controller; the arm carries exactly this payload.
+    /// The payload configured on the controller. The arm carries exactly this payload.
     void setPayload(const Payload& payload);
-    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
-    /// The arm takes the position of the next target without lag, at any distance from the current one.
+    /// Moves the arm to the position of the next target without lag, at any distance from the current
+    /// position.
     void place(const JointPositions& q);
-    /// Runs one control period with this target.
+    /// Runs one control period with the given target.
     void step(const JointPositions& q, const JointVelocities& qd);
     /// Measured state after the last step, without contact.
     const ArmState& state() const;

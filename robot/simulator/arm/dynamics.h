@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Rigid-body dynamics of the arm with a payload: torques for a motion, mass matrix, Coriolis torques, momentum.
-// Torques are calculated by NewtonEuler, rarely used quantities by orocos-KDL, both on the DH chain of the model.
-// No allocation after construction except in setGravity().
+// Rigid-body dynamics of the arm with a payload: torques for a motion, mass matrix, Coriolis torques,
+// momentum. NewtonEuler calculates the torques, and orocos-KDL the rarely used quantities, both with the DH
+// chain of the model. No allocation after construction except in setGravity().
 
 #include <memory>
 
@@ -20,12 +20,13 @@ public:
     ~Dynamics();
 
     void setPayload(const Payload& payload);
-    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
 
-    /// Torques at the joints [Nm] that produce qdd while `onFlange` (flange frame, about its origin) acts.
+    /// Joint torques [Nm] that produce qdd while the wrench `onFlange` (flange frame, about its origin) acts
+    /// on the flange.
     Vector6 torques(const Vector6& q, const Vector6& qd, const Vector6& qdd, const Wrench& onFlange = {});
-    /// rotors  include the inertia of the motors, as seen by the joints through their gears
+    /// rotors  whether to include the inertia of the motors, as seen by the joints through their gears
     Matrix6 massMatrix(const Vector6& q, bool rotors = false);
     Vector6 coriolis(const Vector6& q, const Vector6& qd);
     Vector6 gravityTorques(const Vector6& q);

@@ -13,12 +13,12 @@ bool makesSense(const ContactMaterial& m) {
            std::isfinite(m.damping) && std::isfinite(m.friction);
 }
 
-// Force of a surface with this outward normal on a point at depth `depth`.
+// Force that a surface with this outward normal exerts on a point at depth `depth`.
 Eigen::Vector3d push(const ContactMaterial& material, const Eigen::Vector3d& normal, double depth,
                      const Eigen::Vector3d& velocity) {
-    constexpr double kStickSpeed = 0.005;  // m/s: friction increases to its full value over this range
+    constexpr double kStickSpeed = 0.005;  // m/s: friction reaches its full value at this speed
     const double approach = -normal.dot(velocity);
-    // A surface can push but not pull.
+    // A surface can push but cannot pull.
     const double force = std::max(0.0, material.stiffness * depth + material.damping * approach);
     const Eigen::Vector3d sliding = velocity + normal * approach;
     return normal * force - sliding * (material.friction * force / std::max(sliding.norm(), kStickSpeed));

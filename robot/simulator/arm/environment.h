@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Surroundings of the arm that the controller does not know: the actual load, a hand that pushes the arm, surfaces
-// and boxes that the tool can touch, moving conveyors.
+// Surroundings of the arm that are unknown to the controller: the actual load, a hand that pushes the arm,
+// surfaces and boxes that the tool can touch, and moving conveyors.
 
 #include <Eigen/Core>
 #include <array>
@@ -36,28 +36,29 @@ struct ContactBox {
 
 class Environment {
 public:
-    /// The actual load; nothing: exactly the configured payload.
+    /// The actual load. Empty: exactly the configured payload.
     void setLoad(const std::optional<Payload>& load) { load_ = load; }
     const std::optional<Payload>& load() const { return load_; }  ///< The actual load.
 
-    /// Force and torque of a hand at the TCP, base axes [N, Nm]; constant until changed.
+    /// Force and torque that a hand exerts at the TCP, base axes [N, Nm]; constant until changed.
     void setHandWrench(const Wrench& wrench) { hand_ = wrench; }
     const Wrench& handWrench() const { return hand_; }  ///< [N, Nm] at the TCP, base frame
 
-    /// Adds a surface; false when kMaxPlanes exist or the plane is invalid.
+    /// Adds a surface. Returns false if kMaxPlanes exist or the plane is invalid.
     bool addPlane(const ContactPlane& plane);
-    /// Adds a box; false when kMaxBoxes exist or the box is invalid.
+    /// Adds a box. Returns false if kMaxBoxes exist or the box is invalid.
     bool addBox(const ContactBox& box);
     void clearSurfaces() { planeCount_ = boxCount_ = 0; }  ///< Removes planes and boxes.
 
-    /// Moves a conveyor: rate at which its encoder (0 or 1) counts [ticks/s]. NaN is ignored.
+    /// Moves a conveyor at the rate at which its encoder (0 or 1) counts [ticks/s]. NaN is ignored.
     void setConveyorSpeed(int encoder, double ticksPerSecond);
     const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }  ///< [ticks/s]
 
-    /// Force above which contact is a protective stop [N].
+    /// Force above which contact causes a protective stop [N].
     static constexpr double kForceLimit = 250;
 
-    /// Force of surfaces and boxes on a TCP at `position` with `velocity`, base axes [N]; no torque about the TCP.
+    /// Force of surfaces and boxes on a TCP at `position` with `velocity`, base axes [N]. They exert no
+    /// torque about the TCP.
     Eigen::Vector3d contactForce(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) const;
 
     static constexpr int kMaxPlanes = 8;

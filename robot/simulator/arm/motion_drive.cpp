@@ -111,7 +111,7 @@ std::optional<MotionWarning> MotionDrive::takeWarning() {
 
 void MotionDrive::setOperational(bool operational) {
     if (operational_ && !operational) {
-        // The brakes engage: no position control, no velocity.
+        // The brakes engage: there is no position control, and the velocity is zero.
         supersede();
         path_.drop();
         velocity_.drop();
@@ -145,7 +145,7 @@ void MotionDrive::abort(double deceleration) {
     supersede();
     const bool brakes =
         mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop && !path_.nextWaiting();
-    // The end of the program must not accelerate a motion that a pause has slowed down.
+    // The end of the program must not accelerate a motion that was slowed down by a pause.
     if (!brakes || (held_ && !path_.current().realTime)) {
         path_.drop();
         velocity_.drop();
@@ -174,9 +174,9 @@ void MotionDrive::raiseFrom(const JointTarget& state, StopReason reason) {
     stepStop();
 }
 
-// Decelerates from the current velocity in joint space, all joints together.
+// Plans a deceleration of all joints together from the current velocity in joint space.
 bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace) const {
-    const Vector6 qd = state_.qd / pace;  // in the time base of the stop, as all following values
+    const Vector6 qd = state_.qd / pace;  // in the time base of the stop, like all following values
     const double hardest = limits_.acceleration / (pace * pace);
     const double fastest = qd.cwiseAbs().maxCoeff();
     if (fastest <= 1e-9) {
@@ -202,9 +202,9 @@ bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace
 }
 
 double MotionDrive::stopPace(bool scaled) const {
-    constexpr double kStandingTime = 1e-3;  // below this, program time counts as stopped
-    // A pause freezes program time, but not stops. Stopped program time cannot brake a motion that runs in real
-    // time.
+    constexpr double kStandingTime = 1e-3;  // at a lower rate, program time counts as stopped
+    // A pause freezes program time but does not affect stops. A motion that runs in real time cannot be
+    // stopped in frozen program time.
     return !scaled || held_ || programScale_ < kStandingTime ? 1 : programScale_;
 }
 
@@ -226,8 +226,7 @@ void MotionDrive::startStop(double deceleration, MotionId id, bool scaled) {
 void MotionDrive::startVelocity(MotionId id, std::optional<double> t) {
     supersede();
     path_.drop();
-    // With stretched time the period is not an integer fraction of t; the excess of each command must not
-    // accumulate.
+    // With stretched time, t is not a multiple of the period. The excess of each command must not accumulate.
     const bool follows = mode_ == Mode::Velocity && !blocking_ && sinceReturned_ == 0;
     const double spent = follows && t ? overrun_ : 0.0;
     overrun_ = 0;
@@ -272,7 +271,7 @@ void MotionDrive::step() {
     }
 }
 
-// The rate of program time changes slowly enough for the joints, and immediately when nothing moves.
+// The rate of program time changes slowly enough for the joints, or immediately if nothing moves.
 void MotionDrive::stepScale() {
     const double wanted = held_ ? 0 : slider_;
     const double going = held_ ? 0 : 1;
@@ -287,7 +286,7 @@ void MotionDrive::stepScale() {
     pauseScale_ = std::clamp(going, pauseScale_ - rate * period_, pauseScale_ + rate * period_);
 }
 
-// Factor 0..1 for the joint velocities with which the tool keeps its speed limit.
+// Returns the factor 0..1 for the joint velocities at which the tool does not exceed its speed limit.
 double MotionDrive::toolSpeedFactor(const Vector6& qd) const {
     if (!std::isfinite(toolSpeedLimit_)) {
         return 1;
@@ -298,7 +297,7 @@ double MotionDrive::toolSpeedFactor(const Vector6& qd) const {
     return speed > toolSpeedLimit_ ? toolSpeedLimit_ / speed : 1.0;
 }
 
-// Limits that slowed this step; a pause and the resumption do not count as limits.
+// Reports the limits that slowed this step. A pause and the resumption do not count as limits.
 void MotionDrive::explainScaling(double toolFactor, bool byJoints) {
     scaledBy_ = byJoints              ? TimeScaleSource::JointSpeed
                 : toolFactor < 1      ? TimeScaleSource::ToolSpeed
@@ -306,8 +305,8 @@ void MotionDrive::explainScaling(double toolFactor, bool byJoints) {
                                       : TimeScaleSource::NotScaled;
 }
 
-// Determines a rate of program time for this step at which every joint keeps its speed and acceleration
-// limits.
+// Determines a rate of program time for this step at which every joint stays within its speed and
+// acceleration limits.
 std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, PathCandidate& candidate,
                                                   int& joint) {
     const double possible = limits_.acceleration * period_;
@@ -351,8 +350,8 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
             joint = j;
             return StopReason::JointSpeedLimit;
         }
-        // A joint must always be able to stop within its range. A move between two joint positions satisfies
-        // this, because both are within the range.
+        // A joint must always be able to stop within its range. A move between two joint positions meets this
+        // condition, because both positions are within the range.
         const double outward = candidate.q[j] > 0 ? qd[j] : -qd[j];
         const double stopping = outward > 0 ? outward * stopTime : 0.0;
         if (!path_.withinItsEnds() && std::abs(candidate.q[j]) + stopping > limits_.position) {
@@ -365,7 +364,7 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
 
 void MotionDrive::pathFailed(StopReason reason, int joint) {
     if (path_.current().kind == Segment::Kind::Stop) {
-        // A stop along the tool direction that cannot be followed is replaced by one in joint space.
+        // If a stop along the tool direction cannot be followed, it is replaced by a stop in joint space.
         const MotionId id = activeId_;
         startStop(kEmergencyDeceleration, id);
         return;
@@ -373,7 +372,7 @@ void MotionDrive::pathFailed(StopReason reason, int joint) {
     raise(reason, joint);
 }
 
-// First step of a joint-space stop that has begun within this period.
+// Executes the first step of a joint-space stop that has begun within this period.
 void MotionDrive::stepStop() {
     if (mode_ != Mode::Path) {
         return;
@@ -476,7 +475,7 @@ void MotionDrive::stepVelocity() {
 
 void MotionDrive::stepTorque() {
     if (!blocking_) {
-        // Not repeated within a period, so return to position control.
+        // The command was not repeated within a period, so return to position control.
         startStop(kTorqueEndDeceleration, 0);
         stepStop();
         return;

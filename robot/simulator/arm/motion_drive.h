@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Moves the arm along a path, at a speed or with torques, one control period at a time. Keeps program time and
-// applies the final joint limits. MotionGenerator converts the commands.
+// Moves the arm along a path, at a speed or with torques, one control period at a time. Maintains program
+// time and applies the final joint limits. MotionGenerator converts the commands.
 
 #include <array>
 #include <limits>
@@ -30,8 +30,8 @@ public:
     bool isActive() const { return mode_ != Mode::Rest; }
     bool followsPath() const { return mode_ == Mode::Path; }
     bool followsTorque() const { return mode_ == Mode::Torque; }
-    /// Maximum TCP speed of the program [m/s]; infinity without limit. Slows the motion down along its path,
-    /// which is reported in speedScaling().
+    /// Maximum TCP speed of the program [m/s]; infinity: no limit. The limit slows the motion down along its
+    /// path, which speedScaling() includes.
     void setToolSpeedLimit(double limit) { toolSpeedLimit_ = limit; }
     TimeScaleSource scaledBy() const { return scaledBy_; }
 
@@ -46,24 +46,25 @@ public:
     void hold() { held_ = true; }
     void resume() { held_ = false; }
     bool isHeld() const { return held_; }
-    /// Slow-down by limits, pause and resume; without the slider.
+    /// Slow-down by limits, pause and resume; does not include the slider.
     double speedScaling() const { return scaling_; }
-    /// Discards every command and stops in joint space.
+    /// Discards all commands and stops in joint space.
     void abort(double deceleration);
-    /// Relocates the arm: at rest (`state.qd` zero), or with a velocity that is then reduced to zero.
+    /// Places the arm in `state`, either at rest (`state.qd` zero) or with a velocity that is then reduced to
+    /// zero.
     void relocate(const JointTarget& state);
-    /// Force mode or freedrive moves the target; speed commands continue from there.
+    /// Sets the target moved by force mode or freedrive; speed commands continue from there.
     void rebase(const JointTarget& state);
-    /// Speed commands rotate about the new TCP immediately; a current tool path is completed with the old
-    /// TCP.
+    /// Speed commands use the new TCP immediately as their centre of rotation. A current tool path is
+    /// completed with the old TCP.
     void setTcp(const Pose& T_flange_tcp);
     void setTorqueMotion(TorqueMotion* torque) { torque_ = torque; }
-    /// Freedrive: commands return without effect.
+    /// For freedrive: commands return without effect.
     void setIgnoringCommands(bool ignoring) { ignoring_ = ignoring; }
 
     void raise(StopReason reason, int joint);
-    /// As above, but from within a step: the arm is in `state`, and the first period of the stop is executed
-    /// immediately.
+    /// Like raise(), but called within a step. The arm is in `state`, and the first period of the stop is
+    /// executed immediately.
     void raiseFrom(const JointTarget& state, StopReason reason);
     const std::optional<ProtectiveStop>& protectiveStop() const { return protectiveStop_; }
     void clearProtectiveStop() { protectiveStop_.reset(); }
@@ -89,7 +90,7 @@ protected:
     /// pace  rate of program time used as time base of the stop; 1: real time
     bool jointRunOut(double deceleration, Segment& segment, double pace = 1) const;
     void startStop(double deceleration, MotionId id, bool scaled = false);
-    /// Time base of a stop that begins now.
+    /// Time base of a stop that begins in this period.
     double stopPace(bool scaled) const;
     /// Rate of time for speed and servo commands.
     double velocityScale() const { return readings_.speedCommandsScaled ? programScale_ : pauseScale_; }
@@ -128,8 +129,8 @@ protected:
     double slider_ = 1;
     bool held_ = false;
     double programScale_ = 1;  // slider and pause, ramped
-    double pathScale_ = 1;     // the requested scale, and the part that the limits permit
-    double pauseScale_ = 1;    // pause alone, ramped
+    double pathScale_ = 1;     // the requested scale, reduced to what the limits permit
+    double pauseScale_ = 1;    // pause only, ramped
     double scaling_ = 1;
     TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;
     double programRate_ = 0;   // fastest joint, in program time
@@ -138,7 +139,7 @@ protected:
 
     MotionId lastId_ = 0;
     MotionId activeId_ = 0;
-    MotionId goalId_ = 0;  // of a move waiting to be blended in
+    MotionId goalId_ = 0;  // ID of a move waiting to be blended in
     std::array<Record, kRecords> records_{};
     double blockingLeft_ = 0;
     bool blocksUntilSpeed_ = false;
@@ -149,7 +150,8 @@ protected:
     std::optional<ProtectiveStop> protectiveStop_;
     std::array<MotionWarning, kMaxWarnings> warnings_{};
     int warningCount_ = 0;
-    // Program time by which the last timed speed or servo command overran; the next one is shortened by it.
+    // Program time by which the last timed speed or servo command overran. The next one is shortened by this
+    // time.
     double overrun_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace tiller::simulator::arm {
 
 namespace {
 constexpr double kSamePlace = 1e-7;  // m or rad
-constexpr double kRunOutLeast = 4;   // rad/s2 for the rest of a killed motion
+constexpr double kRunOutLeast = 4;   // rad/s2 for decelerating a motion whose thread was killed
 constexpr double kBranchTolerance = 1e-3;
 
 MotionStart refuse(MotionError error, int joint = -1) {
@@ -98,7 +98,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     if (ignoring_) {
         return ignored();
     }
-    // With another TCP the old and the new path have no common corner.
+    // After a change of the TCP, the old and the new path have no common corner.
     const bool sameTool = !tcpToCome_;
     if (mode_ == Mode::Path && path_.nextWaiting() && sameTool) {
         return refuse(MotionError::Busy);
@@ -107,7 +107,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
         progress(activeId_) == MotionProgress::Returned) {
         return queueMove(kind, target, parameters, via, orientation);
     }
-    // From rest, or from any other motion, which decelerates while the move starts.
+    // The move starts from rest, or from any other motion, which decelerates while the move starts.
     adoptTcp();
     const double least = kind == Segment::Kind::Joint ? std::max(p.a, kRunOutLeast) : kRunOutLeast;
     const bool runsOut = jointRunOut(least, runOut_);
@@ -152,7 +152,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     return start;
 }
 
-// The current move has reached its blend zone, where this move takes over.
+// The current move has reached its blend zone. The new move is blended in there.
 MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& target, const MoveParameters& p,
                                        const MoveTarget* via, ArcOrientation orientation) {
     const Segment& before = path_.current();
@@ -170,7 +170,7 @@ MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& tar
         planner_.pointAt(segment, segment.inToolSpace ? segment.path.length()
                                                       : (segment.endQ - segment.from).cwiseAbs().maxCoeff());
     if (p.r > 0 && (to.p - before.endPoint.p).norm() < before.r + p.r) {
-        // The blend zones overlap: this waypoint is skipped, and the next one follows directly.
+        // The blend zones overlap. This waypoint is skipped, and the next one follows directly.
         if (warningCount_ < kMaxWarnings) {
             warnings_[static_cast<std::size_t>(warningCount_++)] = MotionWarning::OverlappingBlends;
         }
@@ -255,8 +255,8 @@ MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, doub
 
 namespace {
 
-/// For an infinite acceleration, computed by a program as a difference over a vanishing time, returns the
-/// maximum.
+/// Returns the maximum for an infinite acceleration, which a program can compute as a difference over a
+/// vanishing time.
 double finiteAcceleration(double a) {
     return std::isfinite(a) ? a : kJointAccelerationLimit;
 }

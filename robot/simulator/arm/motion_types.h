@@ -12,11 +12,11 @@
 
 namespace tiller::simulator::arm {
 
-/// A waypoint given by joints or by a TCP pose in the base frame.
+/// A waypoint given by joint positions or by a TCP pose in the base frame.
 using MoveTarget = std::variant<JointPositions, Pose>;
 
-/// moveJ: a [rad/s2], v [rad/s] of the leading axis. moveL, moveP, moveC: a [m/s2], v [m/s].
-/// t [s] has priority over a and v when above 0 (moveJ, moveL). r [m] is the blend radius.
+/// moveJ: a [rad/s2], v [rad/s] of the leading axis. moveL, moveP, moveC: a [m/s2], v [m/s]. If t [s] is
+/// above 0, it has priority over a and v (moveJ, moveL). r [m] is the blend radius.
 struct MoveParameters {
     double a = 1.2;
     double v = 0.25;
@@ -24,23 +24,23 @@ struct MoveParameters {
     double r = 0;
 };
 
-/// movec mode.
+/// Mode of movec.
 enum class ArcOrientation : std::uint8_t {
-    Interpolated,  ///< mode 0: from the start orientation to that of the target
-    FixedToArc,    ///< mode 1: rotates with the arc; the orientation of the target is ignored
+    Interpolated,  ///< mode 0: from the start orientation to the target orientation
+    FixedToArc,    ///< mode 1: rotates with the arc and ignores the target orientation
 };
 
-/// Identifies a motion command. 0 is invalid; numbers only increase.
+/// Identifies a motion command. 0 is invalid; IDs only increase.
 using MotionId = std::uint64_t;
 
-/// The reason why a command was refused. The calling script ends with a runtime error.
+/// The reason why a command was refused. The script that issued the command ends with a runtime error.
 enum class MotionError : std::uint8_t {
     None,
-    InvalidArgument,        ///< not a number, acceleration or speed not above zero, lookahead out of range...
-    JointTargetOutOfRange,  ///< a joint beyond its range
+    InvalidArgument,        ///< not a number, acceleration or speed not positive, lookahead out of range ...
+    JointTargetOutOfRange,  ///< a joint is beyond its range
     NoInverseKinematics,    ///< moveJ to an unreachable pose
-    NotOperational,         ///< drives not running, or a protective stop that has not been cleared
-    Busy,                   ///< a blend is already waiting for its second move
+    NotOperational,         ///< drives not running, or protective stop not cleared
+    Busy,                   ///< a blend is already waiting for its next move
 };
 
 /// Result of a motion command: a handle, or the reason for the refusal.
@@ -51,7 +51,7 @@ struct MotionStart {
     bool ok() const { return error == MotionError::None; }
 };
 
-/// Progress of a command. A blocking caller continues when it is no longer Running.
+/// Progress of a command. A blocking caller continues when the progress is no longer Running.
 enum class MotionProgress : std::uint8_t {
     Running,     ///< the calling thread waits
     Returned,    ///< done: target reached, blend zone reached, time elapsed, or standstill
@@ -59,7 +59,7 @@ enum class MotionProgress : std::uint8_t {
     Failed,      ///< ended by a protective stop
 };
 
-/// Causes of a stop by the arm. It decelerates and then refuses motion until the stop is cleared.
+/// Causes of a stop by the arm. The arm decelerates and then refuses motion until the stop is cleared.
 enum class StopReason : std::uint8_t {
     Singularity,         ///< Cartesian motion into or through a singular position
     PoseUnreachable,     ///< a Cartesian target or a point of its path outside the workspace
@@ -68,42 +68,43 @@ enum class StopReason : std::uint8_t {
     TcpForceLimit,       ///< contact with the environment above the limit
     PathDeviation,       ///< force mode: a non-compliant axis left its path
     Overload,            ///< the joints cannot hold the load
-    WrongPayload,        ///< freedrive with a load unknown to the controller, or pushed at the start
+    WrongPayload,        ///< freedrive with an unknown load, or with the arm pushed at the start
 };
 
 struct ProtectiveStop {
     StopReason reason = StopReason::Singularity;
-    int joint = -1;  ///< the joint concerned, or -1
+    int joint = -1;  ///< the affected joint, or -1
     MotionId motion = 0;
 };
 
 enum class MotionWarning : std::uint8_t {
-    OverlappingBlends,  ///< a waypoint was skipped because its blend zone overlaps the one before
+    OverlappingBlends,  ///< a waypoint was skipped because its blend zone overlaps the previous one
 };
 
-/// A name for logs: "Singularity", "JointTargetOutOfRange".
+/// Name for logs, e.g. "Singularity" or "JointTargetOutOfRange".
 const char* stopReasonName(StopReason reason);
 const char* motionErrorName(MotionError error);
 
-/// force_mode().
+/// Parameters of force_mode().
 struct ForceModeParameters {
     Pose T_base_task;                 ///< force frame in the base frame
     std::array<bool, 6> compliant{};  ///< axes x y z rx ry rz of the force frame
-    Wrench wrench;                    ///< to be exerted along compliant axes, force frame [N, Nm]
+    Wrench wrench;                    ///< wrench to exert along compliant axes, force frame [N, Nm]
     int type = 2;                     ///< 1, 2 or 3: how the frame is transformed
-    /// Compliant axes: maximum TCP speed [m/s, rad/s]; others: maximum deviation from the path [m, rad].
+    /// For compliant axes, the maximum TCP speed [m/s, rad/s]. For the other axes, the maximum deviation from
+    /// the path [m, rad].
     Vector6 limits = Vector6::Constant(0.1);
-    bool followTool = false;  ///< the axes are always those of the tool; T_base_task is not used
+    bool followTool = false;  ///< the axes are always those of the tool; T_base_task is unused
 };
 
-/// freedrive_mode().
+/// Parameters of freedrive_mode().
 struct FreedriveParameters {
     std::array<bool, 6> freeAxes{true, true, true, true, true, true};  ///< x y z rx ry rz of the feature
-    Pose T_base_feature;      ///< feature in the base frame; not used with `followTool`
+    Pose T_base_feature;      ///< feature in the base frame; unused with `followTool`
     bool followTool = false;  ///< feature "tool": the axes rotate with the tool
 };
 
-/// Unknown properties of a real arm; see assumptions.h.
+/// Options for unknown behaviour of a real arm; see assumptions.h.
 struct Readings {
     bool stopsScaled = false;         ///< stopj and stopl run in program time
     bool programStopsScaled = false;  ///< protective stops and abort() run in program time

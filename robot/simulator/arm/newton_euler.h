@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Joint torques of a motion by recursive Newton-Euler, each link in its own frame: outward velocities and
-// accelerations, inward forces. Optimized for six revolute joints with Denavit-Hartenberg parameters, because
-// the simulated controller needs it twice in each control period.
+// Joint torques of a motion by the recursive Newton-Euler algorithm, with each link in its own frame: outward
+// recursion of velocities and accelerations, inward recursion of forces. Optimized for six revolute joints
+// with Denavit-Hartenberg parameters, because the simulated controller uses this algorithm twice in each
+// control period.
 
 #include <array>
 
@@ -19,12 +20,13 @@ class NewtonEuler {
 public:
     explicit NewtonEuler(const RobotModel& model);
 
-    /// Payload at the flange, included in the last link.
+    /// Payload at the flange, added to the last link.
     void setPayload(const Payload& payload);
-    /// Acceleration the base experiences; upright [0, 0, 9.82] m/s2.
+    /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity) { gravity_ = gravity; }
 
-    /// Torques at the joints [Nm] that produce qdd while `onFlange` (flange frame, about its origin) acts.
+    /// Joint torques [Nm] that produce qdd while the wrench `onFlange` (flange frame, about its origin) acts
+    /// on the flange.
     Vector6 torques(const Vector6& q, const Vector6& qd, const Vector6& qdd, const Wrench& onFlange) const;
 
 private:
@@ -37,13 +39,13 @@ private:
         double theta = 0;  ///< added to the joint position [rad]
         double sinAlpha = 0;
         double cosAlpha = 1;
-        Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the previous frame, in the own frame [m]
+        Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the previous frame, in this link's frame [m]
         Body body;
     };
     static Body joined(const Body& one, const Body& other);
 
     std::array<Link, kJointCount> links_;
-    Body bareLast_;  ///< the last link without payload
+    Body bareLast_;  ///< the last link without the payload
     Eigen::Vector3d gravity_{0, 0, 9.82};
 };
 

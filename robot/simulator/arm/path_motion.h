@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Executes planned moves: in sequence, blended, or started while an earlier motion decelerates. The result is
-// always the sum of two motions: the rest of the old one (which alone would end at rest at the corner) and
-// the new one (which alone would start there). Position and velocity are continuous by construction, and the
-// sum stays inside the blend zone.
+// Executes planned moves in sequence, blended, or started while an earlier motion decelerates. The result is
+// always the sum of two motions: the end of the previous one (which alone would come to rest at the corner)
+// and the start of the next one (which alone would start from rest there). Position and velocity are
+// continuous by construction, and the sum stays inside the blend zone.
 
 #include "robot/simulator/arm/path_segment.h"
 
@@ -13,10 +13,10 @@ namespace tiller::simulator::arm {
 /// State of the arm after a step that has not been committed yet.
 struct PathCandidate {
     Vector6 q = Vector6::Zero();
-    Vector6 rateProgram = Vector6::Zero();  ///< dq by program time
-    Vector6 rateReal = Vector6::Zero();  ///< dq by real time: the part that decays regardless of program time
-    bool reached = true;                 ///< false: the tool path cannot be followed here
-    Vector6 currentQ = Vector6::Zero();  ///< of each of the two motions
+    Vector6 rateProgram = Vector6::Zero();  ///< derivative of q with respect to program time
+    Vector6 rateReal = Vector6::Zero();     ///< with respect to real time; decays regardless of program time
+    bool reached = true;                    ///< false: the tool path cannot be followed at this position
+    Vector6 currentQ = Vector6::Zero();     ///< joint positions of each of the two motions
     Vector6 tailQ = Vector6::Zero();
 };
 
@@ -27,20 +27,21 @@ public:
     bool active() const { return active_; }
     void drop() { active_ = tailActive_ = nextWaiting_ = false; }
 
-    /// Starts from rest. With `runOut` the arm is still moving: it decelerates along it and stops at the
-    /// start of `segment`.
+    /// Starts from rest. With `runOut`, the arm is still moving. It decelerates along `runOut` and stops at
+    /// the start of `segment`.
     void start(const Segment& segment);
     void start(const Segment& segment, const Segment& runOut);
 
     /// True if a move can be blended into the current one.
     bool acceptsNext() const;
     bool nextWaiting() const { return nextWaiting_; }
-    /// `segment` starts where the current one ends. `switchTime`: time of the current one at which it starts.
+    /// `segment` starts where the current segment ends. `switchTime`: time within the current segment at
+    /// which `segment` starts.
     void setNext(const Segment& segment, double switchTime);
 
-    /// Computes the step for `dt` [s] of real and `dtProgram` of program time.
+    /// Computes the step for `dt` [s] of real time and `dtProgram` [s] of program time.
     void evaluate(double dt, double dtProgram, PathCandidate& candidate);
-    /// Executes that step.
+    /// Executes the step computed by evaluate().
     void commit(double dt, double dtProgram, const PathCandidate& candidate);
 
     const Segment& current() const { return current_; }
@@ -52,10 +53,10 @@ public:
         return active_ && (current_.inToolSpace || (tailActive_ && tail_.inToolSpace) ||
                            (nextWaiting_ && next_.inToolSpace));
     }
-    /// Returns true for a single joint move or stop: every joint stays between its start and its target.
+    /// True for a single joint move or stop, in which every joint stays between its start and its target.
     bool withinItsEnds() const { return !tailActive_ && !current_.inToolSpace; }
 
-    /// To be called before each step: starts the next move at its switch time.
+    /// Starts the next move at its switch time. Must be called before each step.
     void prepare(double dtProgramMax);
 
 private:

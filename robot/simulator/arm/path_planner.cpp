@@ -11,8 +11,8 @@ constexpr double kNearlyZero = 1e-9;
 constexpr double kSampleStep = 0.01;        // m
 constexpr double kFirstStep = 1e-4;         // m
 constexpr double kLargestTurn = 0.12;       // rad between samples
-constexpr double kSmallestFraction = 1e-4;  // of the path; a large rotation within less is a singularity
-constexpr double kMaxFollowedTurn = 5;      // m: no path from one end of the reach to the other is longer
+constexpr double kSmallestFraction = 1e-4;  // of the path; a large rotation in less is a singularity
+constexpr double kMaxFollowedTurn = 5;      // m: no path from one end of the workspace to the other is longer
 }  // namespace
 
 ToolPoint PathPlanner::pointAt(const Segment& segment, double s) const {
@@ -30,7 +30,7 @@ double PathPlanner::lengthWithin(const Segment& segment, double radius, bool fro
     const auto distance = [&](double within) {
         return (pointAt(segment, fromEnd ? length - within : within).p - corner).norm();
     };
-    // The first position where the path leaves the sphere around the corner.
+    // Find the first position where the path leaves the sphere around the corner.
     constexpr int kSteps = 16;
     double inside = 0;
     for (int i = 1; i <= kSteps; ++i) {
@@ -73,8 +73,8 @@ ProfileRequest PathPlanner::profileRequest(const Segment& segment, const MoveTim
         if (segment.inToolSpace) {
             profile.zone = std::min(profile.zone, segment.path.straightEnd());
         }
-        // Deceleration within the zone uses half of a at most; the other half is for the start of the next
-        // move. A process move keeps its speed through the corner.
+        // Deceleration within the zone uses at most half of a. The other half is reserved for the start of
+        // the next move. A process move keeps its speed through the corner.
         profile.zoneSpeed =
             segment.kind == Segment::Kind::Process ? profile.v : std::sqrt(profile.a * profile.zone);
     }
@@ -96,7 +96,7 @@ void PathPlanner::plan(Segment& segment, const Vector6& startQ, const MoveTiming
     if (timing.t > 0 && segment.profile.duration() > 0) {
         double factor = timing.t / segment.profile.duration();
         if (!segment.inToolSpace) {
-            // Respect the joint limits by stretching the whole profile.
+            // Stretch the whole profile to stay within the joint limits.
             for (int j = 0; j < kJointCount; ++j) {
                 const double share = std::abs(segment.direction[j]);
                 factor = std::max(factor, share * segment.profile.peakSpeed() / limits_.speed[j]);
@@ -112,14 +112,16 @@ void PathPlanner::plan(Segment& segment, const Vector6& startQ, const MoveTiming
     }
 }
 
-// Samples the path in steps small enough for the joints; returns the number of reachable samples.
+// Samples the path in steps small enough for the joints. Returns the number of reachable samples.
 int PathPlanner::sampleToolPath(Segment& segment, const Vector6& startQ) {
-    // A target may be far out of reach: the arm moves towards it to the end of its reach.
+    // A target may be far out of reach. In this case, the arm moves towards the target to the end of its
+    // reach.
     const double length =
         std::min(segment.path.length(), kMaxFollowedTurn + 2 * geometry_.tcpTransform().translation().norm());
     const double widest = std::max(length / 200, std::min(kSampleStep, length / 32));
     const bool endsWithinReach = geometry_.isReachable(segment.path.finish().transform());
-    // Otherwise the speed is derived from the samples, which must be close together on the ramps.
+    // If the path ends out of reach, the speed is derived from the samples, which must be close together on
+    // the ramps.
     double step = endsWithinReach ? widest : std::min(widest, kFirstStep);
     std::size_t count = 1;
     s_[0] = 0;
@@ -162,7 +164,7 @@ int PathPlanner::sampleToolPath(Segment& segment, const Vector6& startQ) {
     return static_cast<int>(count);
 }
 
-// Where the profile exceeds the joint limits, replaces it by the fastest one within the limits.
+// Where the profile exceeds the joint limits, it is replaced by the fastest profile within the limits.
 void PathPlanner::limitSpeeds(Segment& segment, int count, double a) {
     const auto n = static_cast<std::size_t>(count);
     if (n < 2) {

@@ -22,28 +22,28 @@ struct Segment {
     Kind kind = Kind::Joint;
     bool inToolSpace = false;
     bool realTime = false;  ///< not slowed by the speed slider, not frozen by a pause
-    double r = 0;           ///< requested blend radius [m]; 0 ends at rest
+    double r = 0;           ///< requested blend radius [m]; 0: ends at rest
 
     Vector6 from = Vector6::Zero();       ///< joint space: q = from + direction * s
-    Vector6 direction = Vector6::Zero();  ///< largest component 1: s is the angle of the leading axis
+    Vector6 direction = Vector6::Zero();  ///< largest component is 1: s is the angle of the leading axis
     ToolPath path;                        ///< tool space
     SpeedProfile profile;
 
     Vector6 endQ = Vector6::Zero();
     ToolPoint endPoint;
-    std::optional<StopReason> endFault;  ///< the end is where the path cannot be followed any further
+    std::optional<StopReason> endFault;  ///< set if the path cannot be followed beyond its end
     int endFaultJoint = -1;
 
-    double time = 0;              ///< elapsed time [s in its own time base]
-    Vector6 q = Vector6::Zero();  ///< joints at `time`
+    double time = 0;              ///< elapsed time [s], in the time base of this segment
+    Vector6 q = Vector6::Zero();  ///< joint positions at `time`
 
     bool finished() const { return time >= profile.duration() - 1e-12; }
     double zoneLength() const { return profile.length() - profile.sample(profile.zoneTime()).s; }
 };
 
-/// Creates a speed profile for the geometry of a segment that respects the joint limits. A tool path is first
-/// sampled: it is slowed down where joint speeds would be too high, and ends where it cannot be followed at
-/// all, with the reason in `endFault`.
+/// Creates a speed profile within the joint limits for the geometry of a segment. A tool path is first
+/// sampled. The motion is slowed down where joint speeds would be too high. If the path cannot be followed at
+/// all at some point, it ends there with the reason in `endFault`.
 class PathPlanner {
 public:
     PathPlanner(const ArmGeometry& geometry, const JointLimits& limits)
@@ -58,10 +58,10 @@ public:
         double blendInRadius = 0;  ///< [m] TCP distance covered while blending in
     };
 
-    /// `segment` contains kind, r and geometry; endQ of a tool path is determined here.
+    /// `segment` contains kind, r and geometry. For a tool path, the function determines endQ.
     void plan(Segment& segment, const Vector6& startQ, const MoveTiming& timing);
 
-    /// Path parameter at which the TCP is at distance `radius` from the path's end (or its start), at most
+    /// Path parameter at which the TCP is at distance `radius` from the end (or start) of the path; at most
     /// half the path.
     double lengthWithin(const Segment& segment, double radius, bool fromEnd) const;
 

@@ -25,11 +25,11 @@ constexpr double kSupplyVoltage = 48.0;       // V
 constexpr double kIdlePower = 40.0;           // W, electronics of the joints
 constexpr double kResistance = 1.4;           // ohm, relative to joint current
 constexpr double kRounding = 1e-9;            // relative to an acceleration, and absolute in rad/s2
-// Start values as recorded from the manufacturer's simulator.
+// Initial values recorded from the manufacturer's simulator.
 const Vector6 kStartTemperature = (Vector6() << 25.5, 25.0, 24.5, 24.0, 23.5, 23.5).finished();
 
-/// The acceleration as a difference of velocities, without rounding error: a constant acceleration results in
-/// constant readings. Clients evaluate the sign of its changes.
+/// Acceleration as a difference of velocities, without rounding error, so that a constant acceleration
+/// results in constant readings. Clients evaluate the sign of differences between readings.
 Vector6 withoutRounding(const Vector6& acceleration, const Vector6& before) {
     const auto change = (acceleration - before).array().abs();
     return (change <= kRounding * (1 + before.array().abs())).select(before, acceleration);
@@ -74,7 +74,7 @@ void Sensors::setGravity(const Eigen::Vector3d& gravity) {
 
 void Sensors::setPayload(const Payload& payload) {
     if (loadHangs_) {
-        // Zeroing the sensor directly afterwards must use the new payload.
+        // If the sensor is zeroed directly afterwards, the new payload must already be in effect.
         const Wrench before = loadOnFlange(payload_);
         const Wrench now = loadOnFlange(payload);
         compensated_ = {compensated_.force + before.force - now.force,
@@ -131,7 +131,7 @@ void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
     state.actualQd.values = qd_;
     if (!ideal_) {
         for (int j = 0; j < kJointCount; ++j) {
-            // At standstill a joint returns identical readings.
+            // At standstill, the readings of a joint are identical.
             if (std::abs(qd_[j]) > kEncoderRest) {
                 state.actualQ[j] += noise_(kEncoderNoise);
             }
@@ -171,7 +171,7 @@ void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
     updateBase(target, state);
 }
 
-// Load of the base: the weight and the change of momentum.
+// Load on the base: the weight and the change of momentum.
 void Sensors::updateBase(const JointTarget& target, ArmState& state) {
     const Dynamics::Momentum now = model_.momentum(target_.frames, target.qd);
     const Eigen::Vector3d force = first_ ? Eigen::Vector3d::Zero() : Eigen::Vector3d(now.linear - linear_);
@@ -182,15 +182,15 @@ void Sensors::updateBase(const JointTarget& target, ArmState& state) {
     angular_ = now.angular;
 }
 
-// Motion of a point fixed to the flange, from the target motion: the actual motion differs only by the lag, and the
-// result has no noise.
+// Motion of a point fixed to the flange, calculated from the target motion. The actual motion differs only by
+// the lag, and the result is free of noise.
 Eigen::Vector3d Sensors::accelerationOf(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d w = targetTwist_.angular;
     const Eigen::Vector3d arm = point - target_.T_base_tcp.translation();
     return tcpAcceleration_ + tcpTurning_.cross(arm) + w.cross(w.cross(arm));
 }
 
-// Weight and inertia of a load as seen by the flange, flange frame about its origin.
+// Weight and inertia of a load, as they act on the flange (flange frame, about its origin).
 Wrench Sensors::loadOnFlange(const Payload& load) const {
     if (load.mass <= 0) {
         return {};
@@ -273,7 +273,8 @@ void Sensors::updateDrives(DriveState drive, ArmState& state) {
     state.actualMoment.values = state.actualCurrent.cwiseProduct(perCurrent);
     state.jointControlOutput = state.actualCurrent;
     state.actualCurrentWindow = (0.15 * state.targetCurrent.cwiseAbs()).array() + 1.0;
-    // Part not explained by the model, from the noise-free torques, like the filtered values of a controller.
+    // The part of the torque that the model does not explain. It is calculated from the noise-free torques,
+    // which correspond to the filtered values of a controller.
     state.externalTorque.values = needed - expected;
     const Matrix6 J = actual_.jacobian;
     const Matrix6 damped = J * J.transpose() + 1e-6 * Matrix6::Identity();
@@ -289,7 +290,7 @@ int Sensors::overloadedJoint() {
     if ((needed_.cwiseAbs().array() <= most.array()).all()) {
         return -1;
     }
-    // Hard braking may briefly exceed the limits; only the static load is checked.
+    // Only the static load is checked, because hard braking may briefly exceed the limits.
     const Vector6 holding = real_.torques(q_, Vector6::Zero(), Vector6::Zero(), external_);
     Eigen::Index joint = 0;
     return (holding.cwiseAbs().array() - most.array()).maxCoeff(&joint) > 0 ? static_cast<int>(joint) : -1;

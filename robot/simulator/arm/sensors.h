@@ -14,14 +14,14 @@
 
 namespace tiller::simulator::arm {
 
-/// Small, fast, seeded noise: bounded, mean 0, with the given standard deviation (sum of four uniform
-/// values).
+/// Small and fast seeded noise source. The noise is bounded, with mean 0 and the given standard deviation
+/// (sum of four uniform values).
 class Noise {
 public:
     explicit Noise(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ull + 0x1234567ull) {}
     double operator()(double standardDeviation);
     Eigen::Vector3d vector(double standardDeviation);
-    /// Off: every value is 0.
+    /// Turns the noise on or off. If the noise is off, every value is 0.
     void setOn(bool on) { scale_ = on ? 1 : 0; }
 
 private:
@@ -39,7 +39,7 @@ public:
     const Eigen::Vector3d& gravity() const { return gravity_; }
     void setPayload(const Payload& payload);
     const Payload& payload() const { return payload_; }
-    /// The current force reading becomes zero.
+    /// Uses the current force reading as the zero point.
     void zeroForce();
     /// Places the arm at q, at rest.
     void place(const Vector6& q);
@@ -48,12 +48,12 @@ public:
     void update(const JointTarget& target, DriveState drive, const Environment& environment, ArmState& state);
 
     Dynamics& dynamics() { return model_; }
-    /// Force on the TCP not expected by the controller: hand, contact, unknown weight.
+    /// Force on the TCP that the controller does not expect: hand, contact, unknown weight.
     const Wrench& unexplained() const { return unexplained_; }
     double contactForce() const { return contact_; }
-    /// The corresponding joint torques [Nm].
+    /// The joint torques [Nm] that correspond to unexplained().
     Vector6 unexplainedTorques() const;
-    /// Index of a joint that cannot hold its load even at standstill; -1: none.
+    /// Index of a joint that cannot hold its load even at standstill; -1 if none.
     int overloadedJoint();
 
 private:
@@ -88,8 +88,8 @@ private:
     Eigen::Vector3d angular_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d tcpAcceleration_ = Eigen::Vector3d::Zero();  // TCP acceleration of the target motion
     Eigen::Vector3d tcpTurning_ = Eigen::Vector3d::Zero();
-    Wrench atFlange_;     // external and load, flange frame
-    Wrench external_;     // on the flange, flange frame, load excluded: for the dynamics
+    Wrench atFlange_;     // external force and load, flange frame
+    Wrench external_;     // wrench on the flange, flange frame, load excluded: for the dynamics
     Wrench unexplained_;  // base axes at the TCP
     Wrench compensated_;  // flange frame, before zeroing
     Wrench zero_;         // flange frame

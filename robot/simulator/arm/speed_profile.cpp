@@ -34,7 +34,7 @@ void SpeedProfile::append(double acceleration, double duration) {
     ++count_;
 }
 
-// From the current speed to vEnd over `distance`, with at most v in between.
+// Accelerates from the current speed to vEnd over `distance`, with at most v in between.
 void SpeedProfile::appendRamp(double distance, double v, double vEnd, double a) {
     const double v0 = end().v;
     if (distance <= kNoDistance) {
@@ -89,8 +89,8 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         vEnd = std::min(request.v, request.zoneSpeed);
         vEnd = std::min(vEnd, std::sqrt(square(v0) + 2 * request.a * main));
     }
-    // Too fast for the remaining path: keep a higher speed into the zone, or brake harder than requested at
-    // the end.
+    // The speed is too high for the remaining path. Keep a higher speed into the zone, or brake harder than
+    // requested at the end.
     vEnd = std::max(vEnd, std::sqrt(std::max(0.0, square(v0) - 2 * request.a * main)));
     if (zone <= kNoDistance && vEnd > 1e-9) {
         profile.append(-square(v0) / (2 * rest), 2 * rest / v0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Distance along a path over time, as segments of constant acceleration: trapezoids, their blends and their
-// slowed-down variants. Fixed capacity, no allocation.
+// Distance along a path over time, as segments of constant acceleration: trapezoids, blends of trapezoids,
+// and slowed-down variants. Fixed capacity, no allocation.
 
 #include <array>
 #include <span>
@@ -21,9 +21,9 @@ struct ProfileRequest {
     double v = 0;  ///< cruise speed, > 0
     double a = 0;  ///< acceleration and deceleration, > 0
     double startSpeed = 0;
-    double blendInTime = 0;    ///< the first acceleration is limited for this time, which covers ...
-    double blendInLength = 0;  ///< ... at most this length
-    double zone = 0;           ///< length before the end where a blend into the next move may begin
+    double blendInTime = 0;    ///< duration of the limited acceleration at the start
+    double blendInLength = 0;  ///< maximum length covered in this time
+    double zone = 0;           ///< length before the end within which a blend may begin
     double zoneSpeed = 0;      ///< maximum speed at the beginning of the zone
 };
 
@@ -32,18 +32,18 @@ public:
     static constexpr int kMaxPhases = 420;
 
     static SpeedProfile plan(const ProfileRequest& request);
-    /// From speed v to rest in `duration`.
+    /// Decelerates from speed v to rest in `duration`.
     static SpeedProfile stop(double v, double duration);
     /// Passes through points with given speeds at path parameters s (ascending, at least two), with constant
-    /// acceleration in between. `zoneStart` is the path parameter where the blend zone begins.
+    /// acceleration between the points. `zoneStart` is the path parameter where the blend zone begins.
     static SpeedProfile through(std::span<const double> s, std::span<const double> v, double zoneStart);
 
     ProfileSample sample(double t) const;
     double duration() const { return count_ == 0 ? 0.0 : start_[last()].t + duration_[last()]; }
     double length() const;
-    double zoneTime() const { return zoneTime_; }  ///< duration() if there is no zone
+    double zoneTime() const { return zoneTime_; }  ///< duration() if there is no blend zone
     double speedAtLength(double s) const;          ///< speed when the path parameter is s
-    double timeAtLength(double s) const;           ///< when the path parameter is s
+    double timeAtLength(double s) const;           ///< time when the path parameter is s
     double peakSpeed() const;
     double peakAcceleration() const;
     /// Stretches time: speeds decrease by the factor, accelerations by its square.

@@ -8,7 +8,7 @@ namespace tiller::simulator::arm {
 
 namespace {
 constexpr double kCatchUpRate = 15;            // 1/s
-constexpr double kCatchUpSpeed = 0.6;          // rad/s above the speed of the goal
+constexpr double kCatchUpSpeed = 0.6;          // rad/s above the goal's speed
 constexpr double kCatchUpAcceleration = 10;    // rad/s2
 constexpr double kCaughtUp = 1e-4;             // rad/s and rad
 constexpr double kStandstillTolerance = 1e-4;  // m/s: below this speed a path has no tangent
@@ -174,9 +174,10 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     const Eigen::Isometry3d pose = appliedTo(program_.T_base_tcp);
     Vector6 goal = goal_;
     Vector6 rate = Vector6::Zero();
-    // A goal at standstill results in a velocity of exactly zero, so that standstill is detected.
+    // If the goal is at standstill, the velocity is exactly zero, so that standstill is detected.
     if (!(pose.matrix() - goalPose_.matrix()).isZero(1e-12) || !program.qd.isZero(0)) {
-        // The offset is applied in joint space: the goal may jump, but the motion to it must be smooth.
+        // The offset is applied in joint space. The goal may jump, but the motion towards the goal must be
+        // smooth.
         if (!geometry_.follow(pose, goal, posture_)) {
             return StopReason::PoseUnreachable;
         }
@@ -192,7 +193,7 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     return std::nullopt;
 }
 
-// Moves exactly to the goal if that is smooth, otherwise towards it.
+// Moves exactly to the goal if that motion is smooth, and otherwise towards the goal.
 void Superposition::settle(const Vector6& given, const Vector6& goal, JointTarget& state) {
     const double possible = limits_.acceleration * period_;
     // Jumps of the goal do not count as its speed.

@@ -2,8 +2,9 @@
 #pragma once
 
 // Motions superposed on the programmed path: a Cartesian offset, and a conveyor that moves the path. The
-// program is not affected; the tool moves to the sum of program, offset and conveyor. Jumps of either are
-// followed smoothly and never delay the path. Source: URScript path_offset_*, track_conveyor_*.
+// program is not affected; the tool moves to the sum of program, offset and conveyor. Jumps of the offset or
+// the conveyor are followed smoothly and never delay the path. Source: URScript path_offset_*,
+// track_conveyor_*.
 
 #include "robot/core/spatial.h"
 #include "robot/simulator/arm/arm_geometry.h"
@@ -12,12 +13,12 @@
 
 namespace tiller::simulator::arm {
 
-/// Axes in which an offset is given. Values: URScript's.
+/// Axes in which an offset is given, with the values used by URScript.
 enum class OffsetFrame : std::uint8_t {
     Base = 1,
     Tool = 2,
     Motion = 3,  ///< x along the tangent of the path, y normal to it and to the tool's z
-    World = 4,   ///< treated as the base, because the controller's mounting is not known here (unconfirmed)
+    World = 4,   ///< treated as the base: the mounting is not available here (unconfirmed)
 };
 
 class Superposition {
@@ -40,22 +41,22 @@ public:
     // the conveyor
     /// perTick  displacement per tick of the encoder [m], base axes
     void trackLinear(const Eigen::Vector3d& perTick);
-    /// centre  frame about whose z axis the conveyor rotates, by `perTick` [rad]; the tool rotates with it or
-    /// keeps its orientation
+    /// centre  frame about whose z axis the conveyor rotates by `perTick` [rad] per tick; the tool rotates
+    /// with it or keeps its orientation
     void trackCircular(const Pose& centre, double perTick, bool turnTool);
-    /// Encoder count; its value at the start of tracking is the reference.
+    /// Encoder count. The value at the start of tracking is the reference.
     void setTravel(double ticks) { travel_ = ticks; }
     bool tracksConveyor() const { return conveyor_ != Conveyor::None; }
 
     bool active() const { return offsetOn_ || tracksConveyor(); }
-    /// Adds the current offset to the program, which continues from the position of the arm.
+    /// Adds the current offset to the program, which then continues from the position of the arm.
     void endOffset();
     void endTracking();
     void drop();
 
     /// Runs one control period: calculates the joint target for the programmed target `program`. `frozen`:
-    /// neither offset nor conveyor moves (the program is paused).
-    /// Returns  the reason if it is impossible; `state` is then the state to command
+    /// the program is paused, and neither offset nor conveyor moves.
+    /// Returns  the reason if the target cannot be reached; the caller must then command `state`
     std::optional<StopReason> step(const JointTarget& program, bool frozen, JointTarget& state);
 
 private:
@@ -85,8 +86,8 @@ private:
     double anglePerTick_ = 0;
     bool turnTool_ = false;
     double travel_ = 0;
-    double zero_ = 0;     // of the travel
-    double carried_ = 0;  // the applied travel, relative to zero_
+    double zero_ = 0;     // travel at the start of tracking
+    double carried_ = 0;  // applied travel, relative to zero_
 
     bool started_ = false;
     Posture program_;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Position of the TCP by path parameter: straight lines, arcs, rounded corners, and the deceleration path of
-// a stop. Orientation changes in proportion to the position.
+// TCP pose as a function of the path parameter: straight lines, arcs, rounded corners, and the deceleration
+// path of a stop. The orientation changes in proportion to the position.
 
 #include <Eigen/Geometry>
 #include <cstdint>
 
 namespace tiller::simulator::arm {
 
-/// Rotations are converted to tool path with this radius, so that pure rotations have a length [m]. Source:
-/// eq_radius of the controller's configuration data.
+/// Radius for converting rotations to tool path, so that pure rotations have a length [m]. Source: eq_radius
+/// of the controller's configuration data.
 inline constexpr double kEquivalentRadius = 0.25;
 
 /// Position and orientation in the base frame.
@@ -25,7 +25,7 @@ struct ToolPoint {
     Eigen::Isometry3d transform() const;
 };
 
-/// A point of a path with its derivatives with respect to the path parameter, base axes.
+/// A point of a path and its derivatives with respect to the path parameter, base axes.
 struct ToolPathPoint {
     ToolPoint at;
     Eigen::Vector3d dp = Eigen::Vector3d::Zero();
@@ -35,14 +35,14 @@ struct ToolPathPoint {
 class ToolPath {
 public:
     static ToolPath line(const ToolPoint& from, const ToolPoint& to);
-    /// Through `via`; a line if the three points are collinear.
+    /// Arc through `via`, or a line if the three points are collinear.
     static ToolPath arc(const ToolPoint& from, const Eigen::Vector3d& via, const ToolPoint& to,
                         bool orientationFixedToArc);
-    /// Continues with the given velocity: parameter in seconds, up to `duration`.
+    /// Continues with the given velocity. The parameter is the time in seconds, up to `duration`.
     static ToolPath runOut(const ToolPoint& from, const Eigen::Vector3d& v, const Eigen::Vector3d& w,
                            double duration);
-    /// From the beginning of the zone of `first` (a distance `radius` before its end) along a circle to
-    /// `second`. Only if canRound().
+    /// From the beginning of the zone of `first` (at distance `radius` before its end) along a circle to
+    /// `second`. Requires canRound().
     static ToolPath rounded(const ToolPath& first, const ToolPath& second, double radius);
     static bool canRound(const ToolPath& first, const ToolPath& second);
 
@@ -50,9 +50,9 @@ public:
     ToolPathPoint at(double s) const;
     const ToolPoint& start() const { return from_; }
     ToolPoint finish() const { return at(length_).at; }
-    /// Distance per unit of the parameter where the path is straight.
+    /// Distance per unit of the parameter on a straight path.
     double travel() const { return direction_.norm(); }
-    /// Length of the straight part at the end; the whole length without a rounded corner.
+    /// Length of the straight part at the end; the whole length if there is no rounded corner.
     double straightEnd() const { return length_ - arcLength_; }
     bool isRounded() const { return kind_ == Kind::Rounded; }
 

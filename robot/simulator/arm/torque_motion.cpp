@@ -24,7 +24,7 @@ std::optional<StopReason> TorqueMotion::step(double period, const JointLimits& l
                                              int& joint) {
     const Matrix6 mass = dynamics_.massMatrix(state.q, true);
     const Vector6 free = torques_ + external_ - dynamics_.coriolis(state.q, state.qd);
-    // Friction is computed implicitly: it can stop a joint but not reverse it.
+    // Friction is computed implicitly. It can stop a joint but cannot reverse it.
     Matrix6 effective = mass;
     for (int j = 0; j < kJointCount; ++j) {
         effective(j, j) += period * (viscous_[j] + coulomb_[j] / (kStickSpeed + std::abs(state.qd[j])));

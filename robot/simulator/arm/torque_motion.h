@@ -2,7 +2,7 @@
 #pragma once
 
 // direct_torque: the joints move according to the commanded torques and the inertia of the arm. Gravity is
-// always compensated, friction in part.
+// always compensated, and friction is compensated partially.
 
 #include <optional>
 
@@ -16,20 +16,21 @@ class TorqueMotion {
 public:
     explicit TorqueMotion(Dynamics& dynamics) : dynamics_(dynamics) {}
 
-    /// torques [Nm] without gravity; scales 0..1: compensated fraction of the friction.
+    /// torques [Nm] without gravity; scales 0..1: compensated fractions of the friction
     void command(const JointTorques& torques, const Vector6& viscousScale, const Vector6& coulombScale);
     /// Torques on the joints in addition to the command [Nm]: hands, contact, unknown load.
     void setExternal(const Vector6& torques) { external_ = torques; }
-    /// Runs one control period. Returns the reason if it cannot continue: a joint is too fast or has reached
-    /// the end of its range; `joint` is then set to it.
+    /// Runs one control period.
+    /// Returns  the reason if the motion cannot continue, because a joint is too fast or has reached the end
+    /// of its range; `joint` is then set to this joint
     std::optional<StopReason> step(double period, const JointLimits& limits, JointTarget& state, int& joint);
 
 private:
     Dynamics& dynamics_;
     Vector6 torques_ = Vector6::Zero();
     Vector6 external_ = Vector6::Zero();
-    Vector6 viscous_ = Vector6::Zero();  // Nm s/rad, remaining
-    Vector6 coulomb_ = Vector6::Zero();  // Nm, remaining
+    Vector6 viscous_ = Vector6::Zero();  // Nm s/rad, after compensation
+    Vector6 coulomb_ = Vector6::Zero();  // Nm, after compensation
 };
 
 }  // namespace tiller::simulator::arm

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motions with a speed or a moving target instead of a path: speedj, speedl, servoj, servoc. Every step is limited
-// to the joint limits; near the end of a joint range and near a singular position the speed is reduced with the
-// distance, except for motion away from the limit.
+// Motions with a speed or a moving target instead of a path: speedj, speedl, servoj, servoc. Every step stays
+// within the joint limits. Near the end of a joint range and near a singular position, the speed decreases
+// with the distance, except for motion away from the limit.
 
 #include <optional>
 
@@ -21,8 +21,8 @@ public:
     VelocityMotion(const ArmGeometry& geometry, const JointLimits& limits, double period)
         : geometry_(geometry), limits_(limits), period_(period) {}
 
-    // Each command starts from, or continues with, the velocity in `now`; `timeScale` is the ratio of program
-    // time to real time.
+    // Each command starts from the velocity in `now` or continues with it. `timeScale` is the ratio of
+    // program time to real time.
     void speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a);
     void speedL(const JointTarget& now, double timeScale, const Vector6& twist, double a, double aRot);
     void servoJ(const JointTarget& now, double timeScale, const Vector6& q, double t, double lookahead,
@@ -30,26 +30,27 @@ public:
     void servoC(const JointTarget& now, double timeScale, const ToolPoint& target, double a, double v,
                 double r);
 
-    /// Called when no further command has arrived: speed commands decelerate to rest; servo targets are kept,
-    /// without their velocity.
+    /// Called if no further command has arrived. Speed commands decelerate to rest; servo commands keep their
+    /// target position, without its velocity.
     void expire();
-    /// Ends the motion; the next command starts from the current velocity of the arm.
+    /// Ends the motion. The next command starts from the current velocity of the arm.
     void drop() { running_ = false; }
     bool running() const { return running_; }
-    /// The arm was moved to q by another motion.
+    /// Called after another motion has moved the arm to q.
     void relocated(const Vector6& q) { tool_ = ToolPoint(geometry_.tcpPose(q)); }
-    /// The TCP offset changed while the arm moves.
+    /// Called if the TCP offset changes while the arm moves.
     void toolChanged(const JointTarget& now, double timeScale);
-    /// True at rest with nothing left to do.
+    /// True if the arm is at rest and no motion remains.
     bool settled(const JointTarget& state) const;
     Kind kind() const { return kind_; }
 
-    /// Runs one step. Returns the reason if the arm must stop; `joint` is then the affected joint.
+    /// Runs one step.
+    /// Returns  the reason if the arm must stop; `joint` is then the affected joint
     std::optional<StopReason> step(double timeScale, JointTarget& state, int& joint);
 
     bool speedReached() const { return speedReached_; }
-    bool targetReached() const { return targetReached_; }  ///< servoC: within its radius
-    /// Slow-down factor by limits in the last step, 0..1.
+    bool targetReached() const { return targetReached_; }  ///< servoC: within the target radius
+    /// Factor 0..1 by which limits slowed the last step.
     double slowedBy() const { return slowedBy_; }
     const ToolPoint& servoTarget() const { return servoCTarget_; }
 
@@ -70,13 +71,13 @@ private:
     double slowedBy_ = 1;
 
     Vector6 velocity_ = Vector6::Zero();        // in program time: joint rates or twist
-    Vector6 targetVelocity_ = Vector6::Zero();  // target of velocity_
+    Vector6 targetVelocity_ = Vector6::Zero();  // value that velocity_ approaches
     double a_ = 1;
     double aRot_ = 1;
-    ToolPoint tool_;  // commanded TCP pose; integrated, so that a rotation does not drift
+    ToolPoint tool_;  // commanded TCP pose, integrated so that rotations do not drift
 
     Vector6 servoQ_ = Vector6::Zero();
-    Vector6 servoRate_ = Vector6::Zero();      // velocity of the target, from successive commands
+    Vector6 servoRate_ = Vector6::Zero();      // velocity of the target, calculated from successive commands
     Vector6 servoFiltered_ = Vector6::Zero();  // servoRate_, smoothed
     double servoPeriod_ = 0;
     double lookahead_ = 0.1;

@@ -15,12 +15,12 @@ Q_LOGGING_CATEGORY(simulatorLog, "tiller.simulator")
 
 namespace {
 
-/// Stop category 1: power is removed at standstill, but no later than after this time [s].
+/// Stop category 1: power is removed at standstill, or after this time at the latest [s].
 constexpr double kEmergencyStopTime = 0.5;
 constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
-/// Speed of the program in reduced mode [m/s]. Installations can set other values.
+/// Maximum TCP speed of the program in reduced mode [m/s]. Installations can set other values.
 constexpr double kReducedToolSpeed = 0.75;
-/// Speed while a joint is outside its safety limits [m/s]. Source: User Manual, "Recovery mode"
+/// Maximum TCP speed while a joint is outside its safety limits [m/s]. Source: User Manual, "Recovery mode"
 constexpr double kRecoveryToolSpeed = 0.25;
 
 arm::ArmOptions armOptions(const SimulatorOptions& options) {
@@ -31,8 +31,8 @@ arm::ArmOptions armOptions(const SimulatorOptions& options) {
     return arm;
 }
 
-/// Numbers as in the vendor's error code manual; C153, C157, C158 and C159 are also named in the RTDE guide.
-/// The texts are ours.
+/// Error numbers from the vendor's error code manual; C153, C157, C158 and C159 are also named in the RTDE
+/// guide. The texts were written for this simulator.
 struct StopMessage {
     std::int32_t code;
     const char* text;
@@ -40,17 +40,17 @@ struct StopMessage {
 StopMessage stopMessage(arm::StopReason reason) {
     switch (reason) {
         case arm::StopReason::JointPositionLimit:
-            return {150, "a joint came to the end of its range"};
+            return {150, "a joint reached the end of its range"};
         case arm::StopReason::PoseUnreachable:
             return {154, "the path leaves the arm's reach"};
         case arm::StopReason::Singularity:
-            return {154, "the path runs into a singular position"};
+            return {154, "the path passes through a singularity"};
         case arm::StopReason::JointSpeedLimit:
             return {153, "the path is faster than a joint can follow"};
         case arm::StopReason::Overload:
-            return {155, "the arm cannot hold its position, check the payload"};
+            return {155, "the arm cannot hold its position: check the payload"};
         case arm::StopReason::WrongPayload:
-            return {156, "wrong payload, or something pushes the arm as freedrive begins"};
+            return {156, "wrong payload, or the arm was pushed when freedrive started"};
         case arm::StopReason::TcpForceLimit:
             return {158, "the tool touched something hard"};
         case arm::StopReason::PathDeviation:
@@ -59,18 +59,19 @@ StopMessage stopMessage(arm::StopReason reason) {
     return {153, ""};
 }
 
-/// Execution time of the real-time thread of a robot [ms]; the same in each run.
+/// Execution time of the real-time thread of a robot [ms]. The values are the same in each run.
 double executionTime(std::uint64_t tick, bool programActive) {
     const auto scatter = static_cast<double>(tick * 2654435761U >> 8U & 0xFFU) / 255.0;
     return (programActive ? 0.52 : 0.45) + 0.06 * scatter;
 }
 
-/// An arm with manufacturing tolerances: it deviates by up to this many mm and mrad.
+/// Returns an arm with manufacturing tolerances that deviates by up to `size` mm and mrad.
 RobotModel deviating(const RobotModel& model, double size) {
     RobotModel result = model;
     DhParameters& dh = result.dh;
     for (std::size_t i = 0; i < dh.a.size() && size != 0; ++i) {
-        // Any fixed pattern is suitable; it must be the same each time, because clients compute a hash of it.
+        // Any fixed pattern is suitable. The values must be the same each time, because clients compute a
+        // hash of them.
         const double off = size * 1e-3 * std::sin(1.0 + 2.0 * static_cast<double>(i));
         const bool parallel = i == 1 || i == 2;
         dh.theta[i] += off;
@@ -133,7 +134,7 @@ ControllerModel::ControllerModel(const SimulatorOptions& options)
 }
 
 ControllerModel::~ControllerModel() {
-    programs_->endAll();  // ending programs still use the host, which accesses this object
+    programs_->endAll();  // programs that end still use the host, which accesses this object
 }
 
 double ControllerModel::timestamp() const {
@@ -265,7 +266,7 @@ void ControllerModel::reactToSafety() {
 
 void ControllerModel::reactToArm() {
     while (arm_.takeWarning()) {
-        // Warnings are only shown on a pendant; no client waits for them.
+        // Warnings are only shown on the pendant; no client waits for them.
     }
     if (arm_.protectiveStop() && !safety_.isProtectiveStopped()) {
         const arm::ProtectiveStop& stop = *arm_.protectiveStop();
@@ -306,7 +307,7 @@ void ControllerModel::restart(double seconds, bool safetyUnconfirmed) {
 }
 
 void ControllerModel::followBoot() {
-    // During a start the RTDE service restarts and time begins at 0. Source: waiting in urcl.
+    // During a start, the RTDE service restarts and time begins at 0. Source: urcl, which waits for this.
     const bool was = std::exchange(disconnected_, power_.mode() == RobotMode::Disconnected);
     if (was && !disconnected_) {
         startTick_ = tick_;

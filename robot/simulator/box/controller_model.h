@@ -2,9 +2,9 @@
 #pragma once
 
 // The robot without its network services: arm, power, safety, terminals, registers and programs, stepped by
-// one control period at a time. It has no knowledge of clients: messages to them are placed in outbox(), and
-// requests arrive through its methods. The order within a period is that of a controller: safety, power,
-// watchdogs, script frame, arm.
+// one control period at a time. The model is independent of clients: messages to them are placed in outbox(),
+// and requests arrive through its methods. The order within a period is the same as in a controller: safety,
+// power, watchdogs, script frame, arm.
 
 #include <array>
 #include <cstdint>
@@ -29,7 +29,7 @@ namespace tiller::simulator {
 class ProgramRunner;
 class ScriptHost;
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 class ControllerModel {
 public:
     explicit ControllerModel(const SimulatorOptions& options);
@@ -45,12 +45,12 @@ public:
     const BehaviourOptions& assumptions() const { return options_.assumptions; }
     double stepTime() const { return arm_.period(); }
     std::uint64_t tick() const { return tick_; }
-    /// Time as reported to clients: starts again when the controller restarts [s].
+    /// Time as reported to clients [s]; starts again when the controller restarts.
     double timestamp() const;
-    /// Time since this object was created; never decreases [s].
+    /// Time since this object was created [s]; never decreases.
     double elapsed() const { return static_cast<double>(tick_) * stepTime(); }
     std::uint64_t timestampNs() const { return static_cast<std::uint64_t>(timestamp() * 1e9); }
-    /// State after the last step; refers to this object.
+    /// State after the last step. The result refers to data of this object.
     const Telemetry& telemetry() const { return telemetry_; }
 
     arm::Arm& arm() { return arm_; }
@@ -72,50 +72,52 @@ public:
     // Requests that involve several parts.
     void powerOn();
     void releaseBrakes();
-    /// Clears violations and faults; the arm is powered off afterwards.
+    /// Clears violations and faults. The arm is powered off afterwards.
     void restartSafety();
-    /// Stops immediately, with the message for the cause. The fiftieth stop of one joint within eight hours
-    /// is a fault (C163); the joint is the argument of the cause, from 1.
+    /// Stops immediately with the message for the cause. The fiftieth stop of one joint within eight hours is
+    /// a fault (C163). The joint is the argument of the cause, counted from 1.
     void protectiveStop(const primary::ErrorCode& cause);
-    /// Text for the cause of the last protective stop; empty: no stop, or no text.
+    /// Text for the cause of the last protective stop; empty if there is no stop or no text.
     const std::string& stopText() const { return stopText_; }
     /// fraction  clamped to 0..1; NaN is ignored
     void setSpeedSlider(double fraction);
     double speedSlider() const { return speedSlider_; }
     void setFreedriveButton(bool pressed);
-    /// Reading of an external sensor, from RTDE [N, Nm].
+    /// Reading of an external sensor, received through RTDE [N, Nm].
     void setExternalForceTorque(const Wrench& wrench) { externalForce_ = wrench; }
     void setExternalSensorInUse(bool inUse) { externalSensor_ = inUse; }
-    /// The pendant's switch; leaving Remote ends the script connections.
+    /// The Local/Remote switch of the pendant. Leaving Remote ends the script connections.
     void setRemoteControl(bool remote);
     bool isRemoteControl() const { return remoteControl_; }
-    /// Returns whether a connection opened now may send scripts. CB3 has no local control.
+    /// True if a connection opened at this time may send scripts. CB3 has no local control.
     bool takesScripts() const {
         return remoteControl_ || !options_.gateLocalControl || options_.software.isCb3();
     }
-    /// Number of changes of that switch. The rights of a connection are those at the time it was opened.
+    /// Number of changes of the Local/Remote switch. A connection has the rights that applied when it was
+    /// opened.
     std::uint64_t controlEpoch() const { return controlEpoch_; }
-    /// Removes the power of the arm without a message, as when its supply fails.
+    /// Removes the power of the arm without a message, like a failure of its supply.
     void losePower();
-    /// Restarts the controller; timestamp begins at 0.  seconds  until POWER_OFF
+    /// Restarts the controller; its time begins at 0.
+    /// seconds  duration until POWER_OFF
     void restart(double seconds, bool safetyUnconfirmed);
     /// Allows the joints to be moved by hand, with the brakes overridden.
     void setBackdrive(bool active);
     /// Ends the running program with a runtime exception.
     void failProgram(const std::string& why);
-    /// Makes the reported kinematics deviate from those of the arm: 0 no deviation, 1 up to 1 mm and 1 mrad.
-    /// Sends them to primary clients again.
+    /// Makes the reported kinematics deviate from those of the arm. 0: no deviation; 1: up to 1 mm and 1
+    /// mrad. Sends the kinematics to primary clients again.
     void setCalibrationError(double size);
-    /// Shuts the controller down: all services stop responding.
+    /// Shuts the controller down. All services stop responding.
     void shutDown() { shutDown_ = true; }
     bool isShutDown() const { return shutDown_; }
 
-    /// Shows a popup, reports it to primary clients and returns its id.
+    /// Shows a popup, reports it to primary clients, and returns its ID.
     int showPopup(const std::string& text, bool blocking);
-    /// Messages of the pendant log that are relevant to the sender of the program: sent to primary clients as
-    /// text messages and to the error output.
+    /// Reports messages of the pendant log that are relevant to the sender of the program. They are sent to
+    /// primary clients as text messages and written to the error output.
     void appendToLog(const std::string& text);
-    /// A message for primary clients.
+    /// Queues a message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }
     std::vector<primary::Bytes> takeOutbox();
 
@@ -133,7 +135,7 @@ private:
     arm::Arm arm_;
     RobotModel reported_;  ///< the model reported to clients
     Registers registers_;
-    Registers shown_;          ///< as shown to clients, if delayed by one period
+    Registers shown_;          ///< registers as reported to clients, if delayed by one period
     RegisterBank lastOutput_;  ///< output registers at the end of the previous period
     Pins pins_;
     SafetySystem safety_;
@@ -149,18 +151,18 @@ private:
     std::uint64_t startTick_ = 0;  ///< start time of the controller
     double startTime_ = 0;         ///< timestamp at that time [s]
     std::uint64_t controlEpoch_ = 0;
-    std::uint64_t identity_ = 0;  ///< incremented when values that primary clients receive once change
+    std::uint64_t identity_ = 0;  ///< incremented if values that primary clients receive only once change
     bool disconnected_ = false;
     std::string stopText_;
-    std::array<std::deque<double>, kJointCount> jointStops_;  ///< times of the stops of each joint [s]
-    std::uint64_t boots_ = 0;                                 ///< number of starts of the services
+    std::array<std::deque<double>, kJointCount> jointStops_;  ///< protective stops of each joint [s]
+    std::uint64_t boots_ = 0;                                 ///< number of times the services have started
     double speedSlider_ = 1;
     SafetyMode lastSafetyMode_ = SafetyMode::Normal;
-    double emergencyTime_ = 0;  ///< [s] since the start of an emergency stop while the arm still has power
+    double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm has power
     bool freedriveButton_ = false;
     bool externalSensor_ = false;
     bool pausedBySafeguard_ = false;
-    bool heldBySafeguard_ = false;  ///< only the arm, while the program continues
+    bool heldBySafeguard_ = false;  ///< only the arm is stopped, while the program continues
     Wrench externalForce_;
     bool remoteControl_ = true;
     bool shutDown_ = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The two conveyor encoders of a controller: counted from pulses on the first four digital inputs, or set by a
-// program. Source: URScript encoder_*.
+// The two conveyor encoders of a controller. Their counts come from pulses on the first four digital inputs
+// or are set by a program. Source: URScript encoder_*.
 
 #include <array>
 #include <cstdint>
@@ -16,18 +16,19 @@ public:
     /// decoder  0 none, 1 quadrature, 2 both edges of A, 3 rising edges of A, 4 falling edges of A
     /// inputA, inputB  digital inputs 0..3
     void enablePulses(int encoder, int decoder, int inputA, int inputB);
-    /// Sets the count from the program. It wraps according to `range`: 0 int32, 1 uint8, 2 uint16, 3 uint24,
-    /// 4 uint32.
+    /// Lets the program set the count, which wraps around according to `range`: 0 int32, 1 uint8, 2 uint16, 3
+    /// uint24, 4 uint32.
     void enableCount(int encoder, int range);
     void set(int encoder, double ticks);
     double ticks(int encoder) const { return at(encoder).ticks; }
-    /// Count since the start, without wrap-around; setting the count manually while pulses are decoded causes
-    /// no movement.
+    /// Count since the start, without wrap-around. Setting the count manually while pulses are decoded does
+    /// not count as movement.
     double travel(int encoder) const { return at(encoder).travel; }
     /// The count as reported by RTDE.
     std::int32_t raw(int encoder) const;
 
-    /// Runs one control period. conveyorSpeeds  additional counts of the decoders [ticks/s]
+    /// Runs one control period.
+    /// conveyorSpeeds  additional counts of the decoders [ticks/s]
     void step(std::uint64_t digitalInputs, const std::array<double, 2>& conveyorSpeeds, double dt);
 
 private:
@@ -35,7 +36,7 @@ private:
         int decoder = 0;
         int inputA = 0;
         int inputB = 1;
-        unsigned lines = 0;    ///< last levels of A and B
+        unsigned lines = 0;    ///< previous levels of A and B
         bool counted = false;  ///< the program sets the count
         double wrap = 0;       ///< the count wraps around after this number of ticks
         double least = 0;

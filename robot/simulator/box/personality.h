@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Identity of a simulated controller: software release and serial number, the same on every interface.
+// Identity of a simulated controller: software release and serial number, identical on every interface.
 
 #include <QString>
 #include <optional>
@@ -13,13 +13,13 @@
 
 namespace tiller::simulator {
 
-/// Returns a release by its number: "5.22", "3.15.8", "10.12.0.123". Missing parts are taken from the best
-/// matching known release of that series, if any.
+/// Returns a release by its version number, e.g. "5.22", "3.15.8" or "10.12.0.123". Missing parts are taken
+/// from the best matching known release of that series, if there is one.
 /// Errors  InvalidArgument, with the reason
 Result<SoftwareVersion> parseSoftware(const QString& text);
 /// The default release of a model.
 SoftwareVersion defaultSoftware(RobotModelId model);
-/// Checks whether this arm supports that software.
+/// Checks whether this arm supports this software.
 /// Errors  InvalidArgument, with the reason
 Result<void> checkSoftware(RobotModelId model, const SoftwareVersion& software);
 
@@ -29,7 +29,7 @@ std::string versionText(const SoftwareVersion& software);
 std::string releaseDate(const SoftwareVersion& software);
 /// The same date in the format of the primary interface's version message: "22-03-2022, 00:00:00".
 std::string buildDate(const SoftwareVersion& software);
-/// Digits starting with 20, different for each model.
+/// Serial number: digits starting with 20, different for each model.
 QString serialNumber(RobotModelId model, const SoftwareVersion& software);
 
 }  // namespace tiller::simulator

@@ -18,7 +18,7 @@ struct Pins {
     std::uint64_t digitalInputs = 0;
     std::uint64_t digitalOutputs = 0;
 
-    std::array<double, 2> analogInputs{};              ///< [A] or [V], by domain
+    std::array<double, 2> analogInputs{};              ///< [A] or [V], depending on the domain
     std::array<unsigned, 2> analogInputDomains{1, 1};  ///< 0: 4-20 mA, 1: 0-10 V
     std::array<double, 2> analogOutputLevels{};        ///< 0..1 of the range
     std::array<unsigned, 2> analogOutputDomains{0, 0};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The sequence from a switched-off controller to an arm that can move: DISCONNECTED, CONFIRM_SAFETY, BOOTING,
-// POWER_OFF, POWER_ON, BOOTING, IDLE, RUNNING. Requests are accepted immediately and take effect after some
-// time, as on a real controller. Source: dashboard guide.
+// The sequence from a controller that is switched off to an arm that can move: DISCONNECTED, CONFIRM_SAFETY,
+// BOOTING, POWER_OFF, POWER_ON, BOOTING, IDLE, RUNNING. Requests are accepted immediately and take effect
+// after some time, as on a real controller. Source: dashboard guide.
 
 #include "robot/core/modes.h"
 
@@ -23,26 +23,26 @@ public:
     explicit PowerSystem(bool poweredOn);
     void setTimes(const PowerTimes& times) { times_ = times; }
 
-    /// Starts the controller: DISCONNECTED, then BOOTING, each for half the time [s], then POWER_OFF. With an
-    /// unconfirmed safety configuration it waits in CONFIRM_SAFETY in between.
+    /// Starts the controller: DISCONNECTED, then BOOTING, each for half of the time [s], then POWER_OFF. With
+    /// an unconfirmed safety configuration, the controller waits in CONFIRM_SAFETY in between.
     void boot(double seconds, bool safetyUnconfirmed);
     /// Actions of the operator on the pendant.
     void confirmSafety();
 
-    /// No effect in IDLE and RUNNING. While the power is being switched off, it is switched on again
-    /// afterwards.
+    /// No effect in IDLE and RUNNING. If the power is being switched off, it is switched on again afterwards.
     void powerOn();
     /// Powers on first if necessary.
     void releaseBrakes();
     void powerOff();
     /// Removes power without delay: stop category 0, or the end of category 1.
     void cut();
-    /// Joints are moved by hand with the brakes overridden: only from IDLE, and back to it.
+    /// Lets the joints be moved by hand with the brakes overridden. Possible only from IDLE, and returns to
+    /// IDLE.
     void setBackdrive(bool active);
 
     void step(double dt);
     RobotMode mode() const { return mode_; }
-    /// True if the joints have voltage.
+    /// True if the joints are powered.
     bool isPowered() const {
         return mode_ >= RobotMode::PowerOn || (mode_ == RobotMode::Booting && !starting_);
     }
@@ -54,10 +54,10 @@ private:
     PowerTimes times_;
     RobotMode mode_;
     double remaining_ = 0;
-    double bootTime_ = 0;    ///< of the second half of a start
-    bool starting_ = false;  ///< the controller itself boots
+    double bootTime_ = 0;    ///< duration of the second half of a start
+    bool starting_ = false;  ///< the controller itself is booting
     bool unconfirmed_ = false;
-    bool onWanted_ = false;  ///< after the power has been switched off
+    bool onWanted_ = false;  ///< power on again after the power has been switched off
     bool releaseWanted_ = false;
     bool releasing_ = false;
     bool offWanted_ = false;

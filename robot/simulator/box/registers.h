@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// General purpose registers and script flags. They keep their values between programs and clients.
-// Source: RTDE guide; URScript read_/write_..._register.
+// General purpose registers and script flags. Their values are kept when a program ends or a client
+// disconnects. Source: RTDE guide; URScript read_/write_..._register.
 
 #include <array>
 #include <bitset>
@@ -17,7 +17,7 @@ struct RegisterBank {
     std::array<std::int32_t, 48> ints{};
     std::array<double, 48> doubles{};
 
-    /// 32 bits starting at `first`, the lowest one in bit 0.
+    /// Returns 32 bits starting at `first`, with `first` in bit 0.
     std::uint32_t word(std::size_t first) const {
         std::uint32_t packed = 0;
         for (std::size_t i = 0; i < 32; ++i) {
@@ -33,8 +33,8 @@ struct RegisterBank {
 };
 
 /// Values that a program writes and overwrites within one period. RTDE runs in parallel with programs and
-/// occasionally reads such a value: ur_rtde answers getActualToolFlangePose() with one, repeated every period
-/// until it is read.
+/// occasionally reads such a value. Example: a program of ur_rtde returns the result of
+/// getActualToolFlangePose() this way and repeats it every period until it is read.
 class OverwrittenIntegers {
 public:
     void beginPeriod() {
@@ -55,15 +55,16 @@ public:
     }
 
 private:
-    static constexpr int kCaught = 125;  ///< consecutive occurrences per reported value
+    static constexpr int kCaught = 125;  ///< number of consecutive occurrences per reported value
     std::bitset<48> written_;
     std::array<std::optional<std::int32_t>, 48> overwritten_{};
     std::array<int, 48> periods_{};
 };
 
-/// Every value that programs write to one output integer register, also those overwritten within a period.
+/// All values that programs write to one output integer register, including those overwritten within a
+/// period.
 struct WrittenIntegers {
-    std::optional<std::size_t> number;  ///< the register; empty: none
+    std::optional<std::size_t> number;  ///< the register number; empty if none is followed
     std::vector<std::int32_t> values;
 };
 

@@ -4,7 +4,7 @@
 namespace tiller::simulator {
 
 namespace {
-// Sums of periods deviate from whole seconds by rounding.
+// Tolerance for rounding errors, because sums of periods deviate slightly from whole seconds.
 constexpr double kTimeTolerance = 1e-6;
 }  // namespace
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The safety states of a controller and their transitions. It handles causes and times, but not the reaction
-// of the arm or the program: the plant reads mode() after each step and reacts to changes. Source: UR manual
-// (stop categories), RTDE guide (names), dashboard guide (unlock, restart).
+// The safety states of a controller and their transitions. This class handles causes and times, but not the
+// reaction of the arm or the program. ControllerModel reads mode() after each step and reacts to changes.
+// Source: UR manual (stop categories), RTDE guide (names), dashboard guide (unlock, restart).
 
 #include <cstdint>
 
@@ -11,23 +11,23 @@
 
 namespace tiller::simulator {
 
-/// Set on the pendant or over the Dashboard Server; None: no mode is set.
+/// Operational mode set on the pendant or through the Dashboard Server. None: no mode is set.
 enum class OperationalMode { None, Manual, Automatic };
 
 class SafetySystem {
 public:
-    /// Minimum time before a protective stop can be unlocked from the dashboard [s].
+    /// Minimum time before a protective stop can be unlocked through the dashboard [s].
     static constexpr double kUnlockDelay = 5.0;
     /// Time from an accepted unlock to normal operation [s].
     static constexpr double kUnlockTime = 0.05;
 
-    /// Conditions that remain active as long as their cause.
+    /// Conditions that remain active as long as their cause exists.
     enum class Input {
         RobotEmergencyStop,
         SystemEmergencyStop,
         Safeguard,
         AutomaticModeSafeguard,  ///< active in AUTOMATIC only
-        ThreePositionEnabling,   ///< the device is not in its middle position; active in MANUAL only
+        ThreePositionEnabling,   ///< the device is not in its middle position; MANUAL only
         Reduced,
         Recovery,  ///< a joint is outside its safety limits
         Count
@@ -41,26 +41,26 @@ public:
     void fault() { fault_ = true; }
     void protectiveStop();
 
-    /// False if it is too early, which is only checked if `enforceDelay`. True, without effect, if there is
-    /// no protective stop.
+    /// Unlocks a protective stop. Returns false if it is too early, which is only checked if `enforceDelay`
+    /// is set. Returns true without effect if there is no protective stop.
     bool unlockProtectiveStop(bool enforceDelay);
     /// Clears violation, fault and protective stop.
     void restart();
 
     void step(double dt);
 
-    /// safety_mode. The two safeguard stops introduced later are reported as SAFEGUARD_STOP here.
+    /// Value of safety_mode. The two safeguard stops introduced later are reported as SAFEGUARD_STOP.
     SafetyMode mode() const;
-    /// safety_status, which distinguishes the causes.
+    /// Value of safety_status, which distinguishes the causes.
     SafetyMode status() const;
     bool isProtectiveStopped() const { return protective_; }
     bool isEmergencyStopped() const {
         return isSet(Input::RobotEmergencyStop) || isSet(Input::SystemEmergencyStop);
     }
     bool isReduced() const { return isSet(Input::Reduced); }
-    /// True if power must not be applied.
+    /// True if the power must stay off.
     bool blocksPower() const { return isEmergencyStopped() || violation_ || fault_; }
-    /// safety_status_bits. Source: RTDE guide.
+    /// Value of safety_status_bits. Source: RTDE guide.
     std::uint32_t statusBits() const;
 
 private:

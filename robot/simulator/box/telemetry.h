@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All values of the robot that clients can receive, at the end of one control period: the source of the RTDE,
-// primary and realtime encoders. Refers to data of the plant; valid until its next step.
+// All values of the robot that clients can receive, at the end of one control period. This is the source of
+// the RTDE, primary and realtime encoders. It refers to data of ControllerModel and is valid until the next
+// step.
 
 #include <array>
 #include <cstdint>
@@ -24,13 +25,13 @@ struct Telemetry {
     const Pins* pins = nullptr;
     const RobotModel* model = nullptr;  ///< as the controller reports it
     std::uint64_t identity = 0;         ///< changes whenever `model` changes
-    std::uint64_t boots = 0;            ///< changes whenever the services have restarted
+    std::uint64_t boots = 0;            ///< changes each time the services restart
     SoftwareVersion software;
-    bool bitsAsIntegers = false;  ///< digital inputs and outputs on port 30003
+    bool bitsAsIntegers = false;  ///< for digital inputs and outputs on port 30003
 
     std::uint64_t tick = 0;
     double timestamp = 0;      ///< [s] since the controller started
-    double executionTime = 0;  ///< [ms] of the real-time thread, as on a robot: not measured
+    double executionTime = 0;  ///< [ms] of the real-time thread; simulated, not measured
 
     RobotMode robotMode = RobotMode::PowerOff;
     SafetyMode safetyMode = SafetyMode::Normal;
@@ -57,10 +58,10 @@ struct Telemetry {
     Pose tcpOffset;
     arm::Payload payload;
     Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
-    Wrench tcpForce;  ///< [N, Nm] with an external sensor taken into account
+    Wrench tcpForce;  ///< [N, Nm] including an external sensor
 
     bool programRunning() const { return runtimeState != RuntimeState::Stopped; }
-    /// robot_status_bits. Source: RTDE guide.
+    /// Value of robot_status_bits. Source: RTDE guide.
     std::uint32_t robotStatusBits() const {
         return (powered ? 1U : 0U) | (programRunning() && !programPaused ? 2U : 0U) |
                (freedriveButton ? 4U : 0U);

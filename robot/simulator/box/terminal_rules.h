@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Automatic functions of the terminals: outputs that follow the program state, inputs that act as a freedrive
-// button. Set by programs, kept until set again. Source: URScript set_runstate_* and set_*_input_action.
+// Automatic functions of the terminals: outputs that follow the program state, and inputs that act as a
+// freedrive button. Programs set these functions, which remain set until changed. Source: URScript
+// set_runstate_* and set_*_input_action.
 
 #include <array>
 #include <bitset>
@@ -13,7 +14,7 @@
 
 namespace tiller::simulator {
 
-/// Automatic function of an output, by its number in the script function.
+/// Automatic function of an output, with the numbers of the script function.
 enum class RunState { Keep, LowWhenStopped, HighWhenStopped, HighWhileRunning };
 
 class TerminalRules {
@@ -24,7 +25,7 @@ public:
     std::bitset<kDigitalPins> freedriveInputs;
     std::bitset<128> freedriveRegisters;
 
-    /// A program has started or ended.
+    /// Called when a program has started or ended.
     void programChanged(bool running, Pins& pins, Registers& registers) const {
         for (std::size_t i = 0; i < digitalOutputs.size(); ++i) {
             apply(digitalOutputs[i], running,

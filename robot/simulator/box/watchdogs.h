@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// rtde_set_watchdog(): stops a program when an input is no longer refreshed. Source: URScript manual.
+// rtde_set_watchdog(): stops a program if an input is no longer refreshed. Source: URScript manual.
 
 #include <cstdint>
 #include <optional>
@@ -15,14 +15,15 @@ namespace tiller::simulator {
 
 class Watchdogs {
 public:
-    /// Errors  FieldUnknown; InvalidArgument when the frequency is not above zero
+    /// Errors  FieldUnknown; InvalidArgument if the frequency is not above zero
     Result<void> set(std::string_view field, double minFrequency, urscript::WatchdogAction action);
     void clear() { dogs_.clear(); }
 
-    /// Call when a data package with this input (index into rtde::inputFields()) has been received.
+    /// Call this function when a data package with this input (index into rtde::inputFields()) has been
+    /// received.
     void touched(std::size_t input);
 
-    /// Returns the due action, if any. A watchdog that has fired is removed.
+    /// Returns the due action, if any. A watchdog that has triggered is removed.
     std::optional<urscript::WatchdogAction> step(double dt);
 
 private:

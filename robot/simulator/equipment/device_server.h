@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A device on the network of the robot that answers programs as its table says: XML-RPC over HTTP, or lines of text. It
-// listens on a port of its own; programs reach it under the address in the table.
+// A device on the network of the robot that replies to programs according to its table, with XML-RPC over
+// HTTP or with lines of text. It listens on a separate port; programs use the address given in the table.
 
 #include <deque>
 #include <string>
@@ -19,8 +19,8 @@ class DeviceServer final : public Server {
 public:
     enum class Presence {
         Answers,
-        Refuses,  ///< nothing listens there
-        Silent,   ///< connections are accepted, and no request is answered
+        Refuses,  ///< the port is closed
+        Silent,   ///< connections are accepted, but requests are not answered
     };
 
     DeviceServer(ControllerModel& plant, QString name, DeviceTable table)
@@ -38,11 +38,11 @@ private:
     struct Client {
         explicit Client(native_socket::Descriptor descriptor) : peer(descriptor, 1 << 20) {}
         Peer peer;
-        HttpParser parser;        ///< xml-rpc
-        std::string line;         ///< lines: what came of the next one
-        bool isAnswered = false;  ///< lines: that text was answered without its end
+        HttpParser parser;        ///< protocol xml-rpc
+        std::string line;         ///< protocol lines: the part of the next line received so far
+        bool isAnswered = false;  ///< protocol lines: the line was answered before its line ending arrived
         struct Pending {
-            double due;  ///< [s] controller time
+            double due;  ///< controller time [s]
             std::string bytes;
             bool closes;
         };

@@ -21,7 +21,7 @@ Error corrupt(const QString& why) {
     return {ErrorCode::FileCorrupt, why, {}};
 }
 
-/// Parts between separators that are neither in quotes nor in brackets nor behind a backslash.
+/// Splits the text at separators that are not in quotes, in brackets or after a backslash.
 QStringList splitOutside(const QString& text, QChar separator) {
     QStringList parts{QString()};
     bool isQuoted = false;
@@ -45,7 +45,7 @@ QStringList splitOutside(const QString& text, QChar separator) {
     return parts;
 }
 
-/// Text with \n, \r, \t, \| and \\; it ends with a newline unless \c is its end.
+/// Replaces \n, \r, \t, \| and \\ in the text. Appends a newline, unless the text ends with \c.
 std::string lineOf(QString text) {
     const bool isWhole = !text.endsWith(QLatin1String("\\c"));
     if (!isWhole) {
@@ -70,7 +70,7 @@ bool isSeparator(char c) {
     return c == ' ' || c == ',' || c == ';' || c == '=' || c == ':' || c == '\t';
 }
 
-/// 1 and 1.0 are the same argument.
+/// Numbers are compared by value: 1 and 1.0 are the same argument.
 bool isSame(const urscript::Value& wanted, const urscript::Value& given) {
     return wanted.isNumber() && given.isNumber() ? wanted.number() == given.number() : wanted.equals(given);
 }
@@ -189,7 +189,7 @@ template <class Matches>
 std::optional<DeviceAnswer> DeviceTable::next(Matches matches) {
     Row* found = nullptr;
     for (Row& row : rows_) {
-        // The first row that matches, and those that continue it.
+        // The first row that matches, and the rows that continue it.
         const bool continues =
             found != nullptr && row.name == found->name && row.argumentText == found->argumentText;
         if (found != nullptr ? continues : matches(row)) {

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What a device on the network, such as a camera or a gripper, answers to a program: a table in a text file.
+// Table of the answers that a device on the network, such as a camera or a gripper, gives to a program. The
+// table is stored in a text file.
 //
 //     protocol xml-rpc                    or: protocol lines
-//     address 192.168.1.20:4242           where programs look for it
+//     address 192.168.1.20:4242           address used by programs
 //     # name  | arguments | answer                | delay [s]
 //     getPose | 1, *      | p[0.3,0.2,0.1,0,0,0]  | 0.2
 //     isReady |           | False
 //     isReady |           | True
 //
-// `*` is any argument, and alone any number of them. Rows with the same name and arguments are used in turn, then the last
-// one repeats. `fault TEXT` as an answer is an error of the device. See README.md.
+// `*` matches any argument; a single `*` matches any number of arguments. Rows with the same name and
+// arguments are used one after the other, and then the last row repeats. The answer `fault TEXT` is an error
+// of the device. See README.md.
 
 #include <QString>
 #include <optional>
@@ -26,9 +28,9 @@
 namespace tiller::simulator {
 
 struct DeviceAnswer {
-    urscript::Value value = urscript::Value::none();  ///< xml-rpc; None: a reply without a value
-    std::string text;                                 ///< lines: with its end; empty: nothing is sent
-    std::optional<std::string> fault;                 ///< xml-rpc: a fault; lines: the connection ends
+    urscript::Value value = urscript::Value::none();  ///< xml-rpc; None: an empty reply
+    std::string text;                                 ///< lines: text with line ending; empty: no reply
+    std::optional<std::string> fault;                 ///< xml-rpc: a fault; lines: the connection is closed
     double delay = 0;                                 ///< [s]
 };
 
@@ -39,16 +41,16 @@ public:
 
     /// Errors  FileNotReadable; FileCorrupt with file, line and reason
     static Result<DeviceTable> read(const QString& file);
-    /// shown  of the file, for messages
+    /// shown  name of the file, for messages
     static Result<DeviceTable> parse(const QString& shown, const QString& text);
 
     Protocol protocol() const { return protocol_; }
     const QString& host() const { return host_; }
     int port() const { return port_; }
 
-    /// The next answer to a call; none: no row matches.
+    /// Returns the next answer to a call; empty if no row matches.
     std::optional<DeviceAnswer> answer(std::string_view method, std::span<const urscript::Value> arguments);
-    /// The next answer to a request; none: no row matches.
+    /// Returns the next answer to a request; empty if no row matches.
     std::optional<DeviceAnswer> answer(std::string_view line);
 
 private:
@@ -56,7 +58,7 @@ private:
         std::string name;
         std::string argumentText;
         bool anyArguments = false;
-        std::vector<std::optional<urscript::Value>> arguments;  ///< none: any
+        std::vector<std::optional<urscript::Value>> arguments;  ///< empty element: any value
         DeviceAnswer answer;
         bool isUsed = false;
     };

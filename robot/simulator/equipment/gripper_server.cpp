@@ -8,7 +8,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Takes the next word from a line.
+/// Removes the next word from the line and returns it.
 std::string_view takeWord(std::string_view& line) {
     constexpr std::string_view kBlank = " \t\r";
     const std::size_t begin = std::min(line.find_first_not_of(kBlank), line.size());
@@ -26,7 +26,7 @@ std::optional<int> numberIn(std::string_view word) {
                                                                                : std::nullopt;
 }
 
-/// Number of digits that the manufacturer's script reads; 0: it uses complete lines only.
+/// Number of digits that the manufacturer's script reads; 0 if the script uses complete lines only.
 std::size_t digitsOf(std::string_view name) {
     constexpr std::string_view kOne[] = {"ACT", "GTO", "ATR", "ARD", "STA", "OBJ", "MOD"};
     constexpr std::string_view kThree[] = {"POS", "PRE", "SPE", "FOR", "COU", "MSC"};
@@ -43,7 +43,7 @@ void GripperServer::step(double dt, bool powered) {
     if (powered) {
         gripper_.step(dt);
     } else {
-        gripper_.set("ACT", 0);  // activation is lost
+        gripper_.set("ACT", 0);  // the gripper loses its activation
     }
 }
 

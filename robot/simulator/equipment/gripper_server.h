@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The gripper's service, port 63352, with lines of ASCII:
+// The gripper's service on port 63352, which exchanges lines of ASCII text:
 //
 //     SET ACT 1                       ack
 //     SET POS 200 SPE 255 GTO 1       ack          (several at once; no newline after "ack")
 //     GET POS                         POS 187
 //
-// The value of an unknown variable is "?". The manufacturer's own URScript sends requests without a newline,
-// and reads a fixed number of digits:
+// The value of an unknown variable is "?". The URScript code of the manufacturer sends requests without a
+// newline and reads a fixed number of digits:
 //
-//     GET STA    3        GET FLT    00        GET PRE    007        GET SID    [9] and blanks, 17 in all
+//     GET STA    3        GET FLT    00        GET PRE    007        GET SID    [9] and spaces, 17 in total
 //
-// Source: requests and expected replies of ur_rtde's gripper class and of the manufacturer's URScript.
+// Source: requests and expected replies of the gripper class of ur_rtde and of the manufacturer's URScript
+// code.
 
 #include "robot/simulator/equipment/gripper.h"
 #include "robot/simulator/servers/net/line_server.h"
@@ -21,7 +22,7 @@ namespace tiller::simulator {
 
 class GripperServer final : public LineServer {
 public:
-    /// Motion requires tool power, which is lost with the power of the arm.
+    /// Motion requires tool power, which is off when the arm has no power.
     void step(double dt, bool powered);
     void setObject(std::optional<int> position) { gripper_.setObject(position); }
 

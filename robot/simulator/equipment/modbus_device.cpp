@@ -76,7 +76,7 @@ Result<std::int32_t> ModbusDevice::error(std::string_view name, urscript::Modbus
         case urscript::ModbusErrorSource::Combined:
             break;
     }
-    // Upper half: connection error.
+    // The upper half of the value is the connection error.
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(connection) << 16 |
                                      static_cast<std::uint32_t>(signal->deviceError));
 }
@@ -153,7 +153,7 @@ void ModbusDevice::command(int function, std::span<const std::uint8_t> data) {
     if (function == kWriteCoil || function == kWriteRegister) {
         write(function == kWriteCoil ? Kind::Coil : Kind::Register, word(0), {&value, 1});
     }
-    // Other function codes are specific to a manufacturer's device: accepted without effect.
+    // Other function codes are specific to the devices of manufacturers. They are accepted without effect.
 }
 
 // ---- the device -----------------------------------------------------------------------------------------

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Modbus device and the signals of the controller for it. The same small device responds at every address:
-// discrete inputs, coils, input registers and registers, all initially 0; inputs are changed by fault
-// injection. Signals are updated at their frequency; a signal without an answer for longer than its watchdog
-// is an error for the program that reads it. Source: URScript manual, modbus functions.
+// A Modbus device and the controller's signals for it. The same small device responds at every address. It
+// has discrete inputs, coils, input registers and registers, all initially 0. Fault injection changes the
+// inputs. Signals are updated at their frequency. If a signal receives no response for longer than its
+// watchdog time, programs that read it get an error. Source: URScript manual, modbus functions.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace tiller::simulator {
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 class ModbusDevice {
 public:
     using Kind = urscript::ModbusSignal::Kind;
@@ -39,17 +39,17 @@ public:
     bool isConnected() const { return connected_; }
 
     // Fault injection.
-    /// Writes values from that address on; values beyond 65535 are ignored.
+    /// Writes values from this address on; values beyond 65535 are ignored.
     void write(Kind kind, int address, std::span<const std::int32_t> values);
     /// Sets the value of a signal by its name.
     Result<void> writeSignal(std::string_view name, std::span<const std::int32_t> values);
-    /// Response of the device to that signal from now on: 0 no error, 1 illegal function, 2 illegal address,
-    /// 3 illegal value, 4 failure, 6 busy...
+    /// Sets the response of the device to a signal: 0 no error, 1 illegal function, 2 illegal address, 3
+    /// illegal value, 4 failure, 6 busy ...
     Result<void> setDeviceError(std::string_view name, int code);
     void setConnected(bool connected) { connected_ = connected; }
 
     void step(double dt);
-    /// A program has started or ended.
+    /// Called when a program has started or ended.
     void programChanged(bool running);
     /// True if any input that acts as a freedrive button is high.
     bool freedriveWanted() const;
@@ -58,10 +58,10 @@ private:
     struct Signal {
         urscript::ModbusSignal what;
         std::vector<std::int32_t> values;  ///< last values read
-        std::vector<std::int32_t> wanted;  ///< values to be written; empty: none
+        std::vector<std::int32_t> wanted;  ///< values to write; empty: none
         double period = 0.1;               ///< [s]; 0: read on request
         double untilUpdate = 0;            ///< [s]
-        double invalidFor = 0;             ///< [s] since the last answer
+        double invalidFor = 0;             ///< [s] since the last response
         double watchdog = 2;               ///< [s]
         int deviceError = 0;
         bool freedrive = false;

@@ -184,7 +184,7 @@ Result<void> ScriptArm::setGravity(const Eigen::Vector3d& gravity) {
     return {};
 }
 
-// Stored and returned: the simulated base does not move.
+// The value is only stored and returned, because the simulated base does not move.
 Result<void> ScriptArm::setBaseAcceleration(const Eigen::Vector3d& acceleration) {
     baseAcceleration_ = acceleration;
     return {};
@@ -196,7 +196,7 @@ void ScriptArm::zeroForceSensor() {
 
 Result<void> ScriptArm::setExternalForceSensor(const urscript::ExternalForceSensor& sensor) {
     plant_.setExternalSensorInUse(sensor.enabled && sensor.viaRtde);
-    // Loss of the sensor data pauses the program, unless the program requests another action.
+    // A loss of the sensor data pauses the program, unless the program has requested another action.
     constexpr double kMinFrequency = 10.0;
     const auto action =
         sensor.enabled && sensor.viaRtde ? urscript::WatchdogAction::Pause : urscript::WatchdogAction::Ignore;

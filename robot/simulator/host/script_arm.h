@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Functions of programs that read, calculate and configure properties of the arm.
+// Functions for programs that read, calculate and configure properties of the arm.
 
 #include <optional>
 
@@ -12,7 +12,7 @@ namespace tiller::simulator {
 
 class ControllerModel;
 
-/// Threads  the simulator's
+/// Threads  the simulator thread
 class ScriptArm : public virtual urscript::StateHost,
                   public virtual urscript::KinematicsHost,
                   public virtual urscript::SetupHost {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access of scripts to the simulated robot: the Host of the interpreter for the plant, composed of several
-// classes.
+// Access of scripts to the simulated robot: the Host of the interpreter for ControllerModel, composed of
+// several classes.
 
 #include "robot/simulator/host/script_arm.h"
 #include "robot/simulator/host/script_messages.h"
@@ -17,7 +17,7 @@ namespace tiller::simulator {
 
 class ControllerModel;
 
-/// Threads  the simulator's
+/// Threads  the simulator thread
 class ScriptHost final : public urscript::Host,
                          public ScriptMotion,
                          public ScriptSuperposition,
@@ -29,7 +29,7 @@ class ScriptHost final : public urscript::Host,
 public:
     explicit ScriptHost(ControllerModel& plant);
 
-    /// To be called once per control period, before the scripts run.
+    /// Must be called once per control period, before the scripts run.
     void beginPeriod();
 
     // ProgramHost

@@ -56,7 +56,8 @@ std::optional<urscript::RequestedType> ScriptMessages::asked() const {
 }
 
 bool ScriptMessages::answerRequest(const urscript::RequestAnswer& answer) {
-    // The oldest open request, and only with a value of its type; the index of the variant equals the kind.
+    // Only the oldest open request is answered, and only with a value of its type. The index of the variant
+    // equals the kind.
     for (auto& [id, request] : requests_) {
         if (!request.answer) {
             if (answer.index() != static_cast<std::size_t>(request.kind)) {

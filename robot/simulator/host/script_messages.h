@@ -12,15 +12,15 @@ namespace tiller::simulator {
 
 class ControllerModel;
 
-/// Threads  the simulator's
+/// Threads  the simulator thread
 class ScriptMessages : public virtual urscript::MessageHost {
 public:
     explicit ScriptMessages(ControllerModel& plant) : plant_(plant) {}
 
-    /// Answers the oldest request of a program for input. Returns false if there is no request or it has another
-    /// type.
+    /// Answers the oldest input request of a program. Returns false if there is no request or if it has
+    /// another type.
     bool answerRequest(const urscript::RequestAnswer& answer);
-    /// Type of value expected by the oldest request; nothing if there is none.
+    /// Type of value that the oldest request expects; empty if there is no request.
     std::optional<urscript::RequestedType> asked() const;
     void forgetRequests() { requests_.clear(); }
 
@@ -37,7 +37,7 @@ private:
         std::optional<urscript::RequestAnswer> answer;
     };
 
-    std::map<int, Question> requests_;  ///< by id
+    std::map<int, Question> requests_;  ///< requests by ID
     int lastRequest_ = 0;
     ControllerModel& plant_;
 };

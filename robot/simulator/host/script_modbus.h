@@ -8,7 +8,7 @@
 
 namespace tiller::simulator {
 
-/// Threads  the simulator's
+/// Threads  the simulator thread
 class ScriptModbus : public virtual urscript::ModbusHost {
 public:
     ModbusDevice& modbus() { return modbus_; }

@@ -14,17 +14,17 @@ namespace {
 
 using urscript::Move;
 
-/// optimovej and optimovel use fractions of these limits of the arm.
+/// optimovej and optimovel use fractions of these limits.
 constexpr double kOptimoveJointAcceleration = 10.0;  ///< [rad/s2] at fraction 1
 constexpr double kOptimoveToolSpeed = 1.0;           ///< [m/s] at fraction 1
 constexpr double kOptimoveToolAcceleration = 2.5;    ///< [m/s2] at fraction 1
 
-/// Freedrive does not start while the unexplained force on the tool exceeds this [N]. The threshold of the
-/// controller is not published.
+/// Freedrive does not start while the unexplained force on the tool exceeds this value [N]. The threshold of
+/// a real controller is not published.
 constexpr double kUnexplainedInFreedrive = 50.0;
 
-/// Time for which a stop waits at standstill [s]. Not published; a known client treats moves that end in a
-/// stop sooner than this as failed.
+/// Time for which a stop waits at standstill [s]. This time is not published. A known client treats a move as
+/// failed if it ends in a stop sooner than this.
 constexpr double kSettling = 0.04;
 
 Error refusal(arm::MotionError error, int joint) {
@@ -51,7 +51,7 @@ Error refusal(arm::MotionError error, int joint) {
     return urscript::scriptError(std::move(text));
 }
 
-/// Starts each kind of command on the arm's motion generator.
+/// Starts each type of command on the motion generator of the arm.
 struct Starter {
     arm::Arm& arm;
 
@@ -108,7 +108,7 @@ struct Starter {
         return arm.motion().directTorque(torque.torque, torque.viscous.value_or(all),
                                          torque.coulomb.value_or(all));
     }
-    // The command does not specify which of the two it ends; a conveyor has priority.
+    // The command does not specify whether it ends the conveyor or the offset. A conveyor has priority.
     arm::MotionStart operator()(const urscript::StopSuperposition& stop) const {
         return arm.superposition().tracksConveyor() ? arm.endConveyorTracking(stop.deceleration)
                                                     : arm.endPathOffset(stop.deceleration);
@@ -128,7 +128,7 @@ Result<void> ScriptMotion::startMotion(urscript::ThreadId thread, const urscript
     return {};
 }
 
-// The target is at rest but the arm is not yet: a stop waits briefly for standstill.
+// If the target is at rest but the arm is still moving, a stop waits briefly for standstill.
 bool ScriptMotion::comesToRest(Motion& motion) const {
     const bool waits = plant_.assumptions().stopReturns == BehaviourOptions::StopReturns::Standing;
     if (waits && motion.settles && plant_.arm().state().standstillTime < kSettling &&
@@ -148,7 +148,7 @@ Result<bool> ScriptMotion::motionFinished(urscript::ThreadId thread) {
         case arm::MotionProgress::Running:
             return false;
         case arm::MotionProgress::Failed:
-            // The program is about to be paused; it may continue after the move when it is resumed.
+            // The program is about to be paused. When resumed, it may continue after the move.
             return !plant_.safety().isProtectiveStopped() && !plant_.arm().protectiveStop();
         case arm::MotionProgress::Returned:
             if (!comesToRest(it->second)) {
@@ -248,7 +248,7 @@ Result<void> ScriptMotion::setJointPositions(const JointPositions& q) {
     return {};
 }
 
-// Only wrist 3 of the smallest arms can rotate without limit, and only full revolutions are removed.
+// Only wrist 3 of the smallest arms can rotate without limit. Only full revolutions are removed.
 Result<void> ScriptMotion::resetRevolutionCounter(const JointPositions& qNear) {
     constexpr double kTurn = 2 * std::numbers::pi;
     arm::Arm& arm = plant_.arm();

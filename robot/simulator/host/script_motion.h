@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts URScript's motion commands to those of the arm.
+// Converts the motion commands of URScript to those of the arm.
 
 #include <map>
 
@@ -12,7 +12,7 @@ namespace tiller::simulator {
 
 class ControllerModel;
 
-/// Threads  the simulator's
+/// Threads  the simulator thread
 class ScriptMotion : public virtual urscript::MotionHost {
 public:
     explicit ScriptMotion(ControllerModel& plant) : plant_(plant) {}
@@ -34,19 +34,19 @@ public:
     Result<void> screwDriving(double force, double speedLimit) override;
     Result<void> endScrewDriving() override;
 
-    /// Forgets the motions of a program that has ended.
+    /// Discards the motions of a program that has ended.
     void forgetMotions() { motions_.clear(); }
 
 private:
     struct Motion {
         arm::MotionId id = 0;
-        bool settles = false;  ///< a stop, which waits until the arm is at rest
-        double settled = 0;    ///< time at standstill [s]
+        bool settles = false;  ///< true for a stop, which waits until the arm is at rest
+        double settled = 0;    ///< time already waited for standstill [s]
     };
     bool comesToRest(Motion& motion) const;
     Result<void> begunForces(const arm::ForceModeParameters& parameters);
 
-    std::map<urscript::ThreadId, Motion> motions_;  ///< unfinished, by thread
+    std::map<urscript::ThreadId, Motion> motions_;  ///< unfinished motions by thread
     ControllerModel& plant_;
 };
 

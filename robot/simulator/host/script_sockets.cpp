@@ -6,9 +6,9 @@
 namespace tiller::simulator {
 
 namespace {
-/// Number of bytes buffered in each of three places: the system, the socket and this class.
+/// Number of bytes buffered in each of three places: the operating system, the socket, and this class.
 constexpr qsizetype kShare = 16 << 10;
-/// Limit of this class while the program waits for the end of a longer message [bytes].
+/// Buffer limit of this class while the program waits for the end of a longer message [bytes].
 constexpr qsizetype kMaxUnread = 4 << 20;
 }  // namespace
 
@@ -49,8 +49,8 @@ bool ScriptSockets::openSocket(std::string_view name, std::string_view address, 
     QTcpSocket* socket = connection.socket.get();
     QObject::connect(socket, &QTcpSocket::connected, socket,
                      [socket] { socket->setSocketOption(QAbstractSocket::LowDelayOption, 1); });
-    // The size of the system buffer is fixed when the connection is made. A host name may resolve to
-    // addresses of either family and keeps the default size.
+    // The size of the system buffer is fixed when the connection is established. A host name can resolve to
+    // addresses of either family, so its socket keeps the default size.
     const QHostAddress literal(host);
     const bool is6 = literal.protocol() == QAbstractSocket::IPv6Protocol;
     if (!literal.isNull() && socket->bind(is6 ? QHostAddress::AnyIPv6 : QHostAddress::AnyIPv4)) {
@@ -73,7 +73,7 @@ ScriptSockets::State ScriptSockets::socketState(std::string_view name) const {
         case QAbstractSocket::ConnectingState:
             return State::Connecting;
         default:
-            // Data received before the end can still be read.
+            // Data received before the connection ended can still be read.
             return connection->socket->bytesAvailable() > 0 ? State::Open : State::Closed;
     }
 }

@@ -3,9 +3,9 @@
 
 // TCP client sockets of a running program, by name.
 //
-// Only a small amount of unread data is buffered, about as much as the program reads in one or two periods. A
-// client that writes faster than the program reads is then blocked by TCP, and its newest command is not far
-// behind. More is buffered only when the program waits for the rest of a long message.
+// Only a small amount of unread data is buffered, about as much as the program reads in one or two periods.
+// TCP then blocks a sender that writes faster than the program reads, so that the delay of its newest command
+// remains short. More data are buffered only when the program waits for the end of a long message.
 
 #include <QByteArray>
 #include <QString>
@@ -20,15 +20,16 @@
 
 namespace tiller::simulator {
 
-/// Threads  the simulator's, which processes events between control periods. Blocks: never.
+/// Threads  the simulator thread, which processes events between control periods. No function blocks.
 class ScriptSockets : public virtual urscript::SocketHost {
 public:
-    /// Services of this controller that a program reaches at 127.0.0.1, by their standard ports.
+    /// Services of this controller that a program reaches at 127.0.0.1. `ports`: actual port by standard
+    /// port.
     void setOwnServices(const QString& address, std::map<int, int> ports);
 
-    /// A device on the network of the robot.
-    /// host, port  where programs look for it
-    /// ownPort     where it is, on the address of setOwnServices()
+    /// Adds a device on the network of the robot.
+    /// host, port  address used by programs
+    /// ownPort     actual port of the device, at the address of setOwnServices()
     void setDevice(const QString& host, int port, int ownPort) { devices_[{host.toLower(), port}] = ownPort; }
 
     bool openSocket(std::string_view name, std::string_view address, int port) override;
@@ -40,7 +41,7 @@ public:
     void closeAllSockets() { sockets_.clear(); }
     bool hasSockets() const { return !sockets_.empty(); }  ///< Sockets require event processing.
 
-    /// Reads received data.
+    /// Reads the received data.
     void serviceSockets();
 
 private:

@@ -10,12 +10,13 @@ namespace tiller::simulator {
 
 class ControllerModel;
 
-/// Threads  the simulator's
+/// Threads  the simulator thread
 class ScriptSuperposition : public virtual urscript::SuperpositionHost {
 public:
     explicit ScriptSuperposition(ControllerModel& plant) : plant_(plant) {}
 
-    /// To be called once per control period after the scripts: counts the encoders and moves conveyors.
+    /// Must be called once per control period, after the scripts. Updates the encoder counts and moves the
+    /// conveyors.
     void stepConveyors();
     const Encoders& encoders() const { return encoders_; }
 

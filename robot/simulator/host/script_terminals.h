@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Registers, flags and terminals of a program, and the automatic functions that it configures for the
+// Registers, flags and terminals of a program, and the automatic functions that a program configures for the
 // terminals.
 
 #include <array>
@@ -14,14 +14,14 @@ namespace tiller::simulator {
 
 class ControllerModel;
 
-/// Threads  the simulator's
+/// Threads  the simulator thread
 class ScriptTerminals : public virtual urscript::RegisterHost, public virtual urscript::IoHost {
 public:
     explicit ScriptTerminals(ControllerModel& plant) : plant_(plant) {}
 
-    /// A program has started or ended, which changes some outputs.
+    /// Called when a program has started or ended, which changes some outputs.
     void programChanged(bool running);
-    /// Returns whether an input that acts as a freedrive button is high.
+    /// True if any input that acts as a freedrive button is high.
     bool freedriveWanted() const;
 
     bool boolRegister(urscript::RegisterSide side, int address) const override;

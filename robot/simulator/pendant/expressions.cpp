@@ -8,7 +8,7 @@ namespace tiller::simulator::pendant {
 
 namespace {
 
-/// The pendant stores some operators as single characters. Inside strings they are kept.
+/// The pendant stores some operators as single characters, which must remain unchanged inside strings.
 QString withOperators(const QString& text) {
     static const std::pair<char16_t, const char*> kSigns[] = {
         {0x225F, "=="}, {0x2260, "!="}, {0x2264, "<="}, {0x2265, ">="}, {0x2254, "="},
@@ -28,7 +28,7 @@ QString withOperators(const QString& text) {
     return script;
 }
 
-/// The pendant stores some keywords without surrounding blanks.
+/// The pendant stores some keywords without surrounding spaces.
 QString separated(const QString& token) {
     const bool begins = !token.isEmpty() && token.front().isLetterOrNumber();
     const bool ends = !token.isEmpty() && token.back().isLetterOrNumber();
@@ -74,7 +74,7 @@ void Expressions::appendPart(const XmlElement& part, Expression& to) {
         const XmlElement* const waypoint = part.target("Waypoint");
         const QString name = waypoint == nullptr ? QString() : waypointName(*waypoint);
         if (name.isEmpty()) {
-            t_.refuse(part, QStringLiteral("it refers to no waypoint with a fixed position"));
+            t_.refuse(part, QStringLiteral("it does not refer to a waypoint with a fixed position"));
         }
         to.script += name + QStringLiteral("_p");
         to.shown += name;
@@ -108,7 +108,7 @@ QString Expressions::variable(const XmlElement& node, const char* child) {
 QString Expressions::nameOfVariable(const XmlElement& reference) {
     const XmlElement* const variable = reference.resolved();
     if (variable == nullptr) {
-        t_.refuse(reference, QStringLiteral("it refers to no variable"));
+        t_.refuse(reference, QStringLiteral("it does not refer to a variable"));
         return {};
     }
     if (const QString feature = variable->attribute("featureName"); !feature.isEmpty()) {
@@ -121,7 +121,7 @@ QString Expressions::nameOfVariable(const XmlElement& reference) {
     }
     const QString name = variable->attribute("name");
     if (name.isEmpty()) {
-        t_.refuse(reference, QStringLiteral("it refers to no variable"));
+        t_.refuse(reference, QStringLiteral("it does not refer to a variable"));
     }
     if (variable->is("InstallationVariable") &&
         std::ranges::find(t_.installation.variables, name, &std::pair<QString, QString>::first) ==
@@ -142,7 +142,7 @@ Expressions::Frame Expressions::frame(const XmlElement& node, const XmlElement* 
     }
     const XmlElement* const feature = given->resolved();
     if (feature == nullptr) {
-        t_.refuse(*given, QStringLiteral("it refers to no feature"));
+        t_.refuse(*given, QStringLiteral("it does not refer to a feature"));
         return {};
     }
     const QString name = feature->attribute("referencedName");
@@ -190,7 +190,7 @@ QString Expressions::Signal::write(const QString& value) const {
 Expressions::Signal Expressions::signal(const XmlElement& node) {
     const XmlElement* const given = node.child("pin");
     if (given == nullptr) {
-        t_.unfinished(node, QStringLiteral("it names no pin"));
+        t_.unfinished(node, QStringLiteral("it does not name a pin"));
         return {{}, QStringLiteral("False")};
     }
     const XmlElement* const pin = given->resolved();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts expressions, variables, terminals and features that nodes refer to into URScript.
+// Converts the expressions, variables, terminals and features that nodes refer to into URScript.
 
 #include <QString>
 #include <map>
@@ -19,34 +19,35 @@ class Expressions {
 public:
     explicit Expressions(Translation& translation) : t_(translation) {}
 
-    /// Converts an element with the parts of an expression. An empty expression marks an unfinished node.
+    /// Converts an element that contains the parts of an expression. An empty expression marks an unfinished
+    /// node.
     Expression of(const XmlElement& expression);
-    /// Converts the child of that name; if it is missing or empty, `what` is reported as missing.
+    /// Converts the child with this name. If it is missing or empty, reports `what` as missing.
     Expression in(const XmlElement& node, const char* child, const QString& what);
 
-    /// The name of the variable referenced by `child` of a node; empty when the node is unfinished.
+    /// The name of the variable referenced by `child` of a node; empty if the node is unfinished.
     QString variable(const XmlElement& node, const char* child = "variable");
-    /// A pose in the base frame: the `feature` of a node or, without one, of `otherwise`.
+    /// A pose in the base frame, from the `feature` of a node or, if it has none, of `otherwise`.
     struct Frame {
         enum class Kind { Base, Tool, Other };
         Kind kind = Kind::Base;
         QString name;
-        QString script;  ///< a pose; empty: missing in the installation
+        QString script;  ///< pose expression; empty: missing in the installation
     };
     Frame frame(const XmlElement& node, const XmlElement* otherwise = nullptr);
 
     struct Signal {
         QString shown;
-        QString read;                        ///< an expression
+        QString read;                        ///< expression that reads the signal
         const TerminalKind* kind = nullptr;  ///< null for a Modbus signal
         int number = 0;
         const ModbusSignal* modbus = nullptr;
 
         bool isBoolean() const;
-        /// A statement that sets the signal to the value of an expression; empty for an input.
+        /// Returns a statement that sets the signal to the value of an expression; empty for an input.
         QString write(const QString& value) const;
     };
-    /// The signal referenced by the `pin` of a node. Refuses a node with an unknown pin.
+    /// Returns the signal referenced by the `pin` of a node. Refuses a node with an unknown pin.
     Signal signal(const XmlElement& node);
 
     /// Sets the name of a fixed waypoint, which is stored in the variables `<name>_p` and `<name>_q`.

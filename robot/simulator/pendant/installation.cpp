@@ -49,7 +49,7 @@ void readModbus(const XmlElement& units, Installation& to) {
     }
 }
 
-/// Points, lines and planes have the same wrapper; only those with their own pose are supported.
+/// Points, lines and planes have the same wrapper. Only features with their own pose are supported.
 void readFeatures(const XmlElement& element, Installation& to) {
     const XmlElement* const position = element.child("toolPosition");
     const XmlElement* const rotation = element.child("toolAxisAngle");
@@ -79,7 +79,7 @@ void readPayloads(const XmlElement& root, Installation& to) {
             }
         }
     }
-    // Before software 5.10 the payload was one of the TCP settings.
+    // Before software 5.10, the payload was one of the TCP settings.
     const XmlElement* const tcps = root.child("TCPSettings");
     if (!to.defaultPayload && tcps != nullptr) {
         const QString mass = numberList(tcps->attribute("toolPayload"), 1);
@@ -90,8 +90,8 @@ void readPayloads(const XmlElement& root, Installation& to) {
     }
 }
 
-/// XML in newer software, previously a properties file: `name=value`, with backslashes before special
-/// characters.
+/// The file is XML in newer software. In older software, it is a properties file with lines `name=value` and
+/// backslashes before special characters.
 void readVariables(const QByteArray& content, Installation& to) {
     if (isGzip(content) || content.trimmed().startsWith('<')) {
         if (const Result<std::unique_ptr<XmlElement>> tree = readPendantFile(content)) {
@@ -151,7 +151,7 @@ std::optional<std::array<double, 6>> sixNumbers(const QString& text) {
 }
 
 QString Installation::shownName() const {
-    return file.isEmpty() ? QStringLiteral("no installation file is there")
+    return file.isEmpty() ? QStringLiteral("no installation file was found")
                           : QStringLiteral("the installation is '%1'").arg(file);
 }
 

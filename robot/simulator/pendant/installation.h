@@ -18,9 +18,10 @@
 
 namespace tiller::simulator::pendant {
 
-/// A list of numbers as stored in the file, "0.1, 2"; empty when it does not have `count` finite numbers.
+/// A list of numbers as stored in the file, e.g. "0.1, 2"; empty if it does not contain `count` finite
+/// numbers.
 QString numberList(const QString& text, int count);
-/// The numbers of a list as returned by numberList().
+/// The numbers in a list returned by numberList().
 std::optional<std::array<double, 6>> sixNumbers(const QString& text);
 
 struct Payload {
@@ -32,7 +33,7 @@ struct Payload {
 
 struct Feature {
     QString pose;             ///< six numbers, base frame
-    bool isVariable = false;  ///< programs have a variable of that name
+    bool isVariable = false;  ///< programs have a variable with the name of the feature
 };
 
 struct ModbusSignal {
@@ -41,7 +42,7 @@ struct ModbusSignal {
         DigitalOutput,
         RegisterInput,
         RegisterOutput
-    };  ///< numbers as in scripts
+    };  ///< numbers as used in scripts
     QString host;
     int slave = 255;
     int address = 0;
@@ -51,12 +52,12 @@ struct ModbusSignal {
 
 struct Installation {
     QString file;                     ///< empty: none
-    std::map<QString, QString> tcps;  ///< six numbers, flange frame, by name
+    std::map<QString, QString> tcps;  ///< six numbers in the flange frame, by name
     QString activeTcp;
     std::vector<Payload> payloads;
     std::optional<Payload> defaultPayload;
     std::map<QString, Feature> features;
-    std::map<QString, Terminal> terminals;  ///< by their assigned names
+    std::map<QString, Terminal> terminals;  ///< terminals by their assigned names
     std::map<QString, ModbusSignal> signals_;
     std::array<bool, 2> analogOutputIsVoltage{false, false};
     QString home;                                        ///< six joint angles [rad]; empty: not set
@@ -67,7 +68,7 @@ struct Installation {
     const Payload* payload(const QString& name) const;
 };
 
-/// content    XML, gzipped or not
+/// content    XML, gzipped or uncompressed
 /// variables  the file of installation variables next to it; empty: none
 /// Errors     FileCorrupt with the reason
 Result<Installation> readInstallation(const QString& file, const QByteArray& content,

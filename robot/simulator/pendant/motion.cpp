@@ -15,7 +15,7 @@ constexpr const char* kHome = "0, -1.5707963268, 0, -1.5707963268, 0, 0";
 constexpr const char* kHomeSpeed = "1.05";         ///< [rad/s]
 constexpr const char* kHomeAcceleration = "1.40";  ///< [rad/s2]
 constexpr const char* kFarAway =
-    "1000.0";  ///< distance of a direction without a limit: up to the end of reach [m]
+    "1000.0";  ///< [m] distance of a direction without a limit: to the end of the workspace
 constexpr const char* kRetractSpeed = "0.1";          ///< [m/s]
 constexpr const char* kForceEndDeceleration = "5.0";  ///< [m/s2]
 
@@ -30,7 +30,7 @@ QString anglesOf(const XmlElement& position) {
     return numberList(joints == nullptr ? position.attribute("joints") : joints->attribute("angles"), 6);
 }
 
-/// The TCP with which a position was taught; empty if the file does not contain it.
+/// The TCP used to teach a position; empty if the file does not contain it.
 QString tcpOf(const XmlElement& position) {
     const XmlElement* const tcp = position.child("TCPOffset");
     return tcp == nullptr ? QString() : numberList(tcp->attribute("pose"), 6);
@@ -48,7 +48,7 @@ bool isSamePose(const QString& a, const QString& b) {
                       [](double x, double y) { return std::abs(x - y) < kTolerance; });
 }
 
-/// The pose of a taught position as an expression; empty if the file contains none.
+/// The pose of a taught position as an expression; empty if the file does not contain one.
 QString taughtPose(const XmlElement& position, const QString& joints, bool ofFlange) {
     if (!joints.isEmpty() && (ofFlange || !tcpOf(position).isEmpty())) {
         return QStringLiteral("get_forward_kin(%1, %2)")
@@ -73,10 +73,10 @@ bool isMotion(const XmlElement& node) {
 }  // namespace
 
 struct Motion::Definer {
-    const XmlElement* node = nullptr;  ///< null: none
+    const XmlElement* node = nullptr;  ///< null if there is none
     QString function;
     bool ignoresTcp = false;  ///< positions refer to the flange
-    bool usesJoints = false;  ///< joint angles define the target, whatever the TCP
+    bool usesJoints = false;  ///< joint angles define the target, regardless of the TCP
     bool isOptimove = false;
 };
 
@@ -84,9 +84,9 @@ struct Motion::Until {
     enum class Kind { Distance, Contact, Condition, Arrival };
     const XmlElement* node;
     Kind kind;
-    QString distance;   ///< Distance [m]
-    QString blend;      ///< Distance: blend radius [m]; empty: stops
-    QString condition;  ///< Condition
+    QString distance;   ///< for Distance [m]
+    QString blend;      ///< for Distance: blend radius [m]; empty: stops
+    QString condition;  ///< for Condition
 };
 
 // ---- waypoints ------------------------------------------------------------------------------------------
@@ -165,8 +165,8 @@ QString Motion::number(const XmlElement& node, const char* attribute) {
     return value;
 }
 
-/// The target of a waypoint as an expression; empty when the node is unfinished or refused.
-/// joints  the motion accepts joint angles
+/// The target of a waypoint as an expression; empty if the node is unfinished or refused.
+/// joints  whether the motion accepts joint angles
 QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool joints) {
     const QString type = waypoint.attribute("type");
     const XmlElement& position = positionOf(waypoint);
@@ -199,8 +199,8 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
         return {};
     }
     const bool hasJoints = !anglesOf(position).isEmpty();
-    // The feature may have been moved since the waypoint was taught; the file contains its pose at that time.
-    // Without an installation it is assumed unchanged.
+    // The feature may have been moved since the waypoint was taught. The file contains the pose of the
+    // feature at that time. Without an installation, the pose is assumed to be unchanged.
     const XmlElement* const taughtFrame = waypoint.child("BaseToFeature");
     const QString then = taughtFrame == nullptr ? QString() : numberList(taughtFrame->attribute("pose"), 6);
     const auto feature = t_.installation.features.find(frame.name);
@@ -212,7 +212,8 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
     if (directly) {
         return name + "_q";
     }
-    // Without a TCP in the file, the joint angles define the target: the pose is that of the current TCP.
+    // If the file does not contain a TCP, the joint angles define the target, and its pose is that of the
+    // current TCP.
     const bool isTcpUnknown =
         hasJoints && !move.ignoresTcp && tcpOf(position).isEmpty() && !position.has("pose");
     QString pose = isTcpUnknown ? QStringLiteral("get_forward_kin(%1_q)").arg(name) : name + "_p";
@@ -228,7 +229,8 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
                : pose;
 }
 
-/// ", a=1.2, v=0.25, r=0.01": a waypoint may have its own speed, time and blend.
+/// Parameters such as ", a=1.2, v=0.25, r=0.01". A waypoint can override the speed, time and blend of its
+/// move.
 QString Motion::parametersOf(const XmlElement& waypoint, const Definer& move) {
     const XmlElement* const own = waypoint.child("motionParameters");
     const bool joints = move.function == QLatin1String("movej");
@@ -257,7 +259,7 @@ QString Motion::parametersOf(const XmlElement& waypoint, const Definer& move) {
     return text;
 }
 
-/// True for the last motion node of its move, where a process move ends.
+/// True for the last motion node of its move, at which a process move ends.
 bool Motion::isLast(const XmlElement& node) const {
     const XmlElement* const siblings = node.parent;
     const XmlElement* last = nullptr;
@@ -294,7 +296,7 @@ void Motion::writeMove(const XmlElement& node) {
 void Motion::writeWaypoint(const XmlElement& node) {
     const Definer move = definerOf(node);
     if (move.function.isEmpty()) {
-        t_.refuse(node, QStringLiteral("it is in no move that is simulated"));
+        t_.refuse(node, QStringLiteral("it is not in a move that is simulated"));
         return;
     }
     const bool isVariable = node.attribute("type") == QLatin1String("Variable");
@@ -349,7 +351,7 @@ void Motion::writeCircle(const XmlElement& node) {
                      .arg(mode->second));
 }
 
-/// Its own position, otherwise that of the installation, otherwise that of a new installation.
+/// Uses the position of the node, or else that of the installation, or else that of a new installation.
 void Motion::writeHome(const XmlElement& node) {
     t_.label(node, QStringLiteral("Home"));
     QString angles = anglesOf(positionOf(node));
@@ -459,7 +461,7 @@ void Motion::writeDirection(const XmlElement& node) {
         {"YMinus", {"[0,-1,0]", "Y-"}}, {"ZPlus", {"[0,0,1]", "Z+"}},   {"ZMinus", {"[0,0,-1]", "Z-"}}};
     const Definer move = definerOf(node);
     if (move.node == nullptr) {
-        t_.refuse(node, QStringLiteral("it is in no move"));
+        t_.refuse(node, QStringLiteral("it is not in a move"));
         return;
     }
     const Expressions::Frame frame = x_.frame(node, move.node);
@@ -478,7 +480,7 @@ void Motion::writeDirection(const XmlElement& node) {
         direction = x_.in(node, "expression", QStringLiteral("the direction")).script;
     }
     t_.label(node, QStringLiteral("Direction: %1%2").arg(frame.name, shown));
-    // Speed and acceleration of the tool, if the node has its own.
+    // The node can override the tool speed and acceleration of its move.
     const QStringList own = node.attribute("toolParams").split(',');
     const bool hasOwn = own.size() == 2;
     const QString speed = hasOwn ? numberList(own[0], 1) : number(*move.node, "speed");
@@ -516,7 +518,7 @@ void Motion::writeDirection(const XmlElement& node) {
     writeWatchedMove(node, statement, untils);
 }
 
-/// A thread moves the arm; the first condition that becomes true ends it.
+/// A thread moves the arm. The first condition that becomes true ends the thread.
 void Motion::writeWatchedMove(const XmlElement& node, const QString& statement,
                               const std::vector<Until>& untils) {
     const QString name = t_.uniqueName(QStringLiteral("until_%1").arg(t_.nextNumber()));
@@ -628,7 +630,7 @@ void Motion::writeForce(const XmlElement& node) {
             QStringLiteral("there is no feature '%1': %2").arg(frame.name, t_.installation.shownName()));
         return;
     }
-    QStringList limits;  // a speed for each compliant axis, a deviation for the others
+    QStringList limits;  // a speed for each compliant axis, and a deviation for the others
     for (qsizetype i = 0; i < 6; ++i) {
         limits << (selection[i].toDouble() != 0 ? speeds[i] : deviations[i]).trimmed();
     }

@@ -14,12 +14,13 @@ namespace tiller::simulator::pendant {
 
 class Motion {
 public:
-    /// writeChildren  writes the child nodes of a node, wherever they are stored
+    /// writeChildren  writes the child nodes of a node, regardless of where they are stored
     Motion(Translation& translation, Expressions& expressions,
            std::function<void(const XmlElement&)> writeChildren)
         : t_(translation), x_(expressions), writeChildren_(std::move(writeChildren)) {}
 
-    /// Names every fixed waypoint below an element, and writes the variables with their positions.
+    /// Assigns a name to every fixed waypoint below an element and writes the variables with the waypoint
+    /// positions.
     void defineWaypoints(const XmlElement& element);
 
     void writeMove(const XmlElement& node);
@@ -29,7 +30,7 @@ public:
     void writeHome(const XmlElement& node);
     void writeForce(const XmlElement& node);
 
-    /// True if the functions for directions must be defined.
+    /// True if the script must define the functions for directions.
     bool usesDirections() const { return usesDirections_; }
     static void defineDirections(ScriptText& out);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kEnding = ".installation";
 
-/// The installation named by the program, or the current one; empty when neither exists.
+/// The installation named by the program, or the current installation; empty if neither exists.
 Result<Installation> installationOf(const XmlElement& root, const PendantSource& source) {
     for (const QString& name : {root.attribute("installationRelativePath") + kEnding,
                                 root.attribute("installation") + kEnding, source.installation}) {
@@ -31,7 +31,7 @@ Result<Installation> installationOf(const XmlElement& root, const PendantSource&
     return Installation();
 }
 
-/// Types of the nodes of a .urpx program, in their order, each once.
+/// Adds the types of the nodes of a .urpx program in the order of the nodes, without duplicates.
 void addNodeTypes(const QJsonObject& node, QStringList& types) {
     constexpr qsizetype kMaxTypes = 20;
     const QString type =
@@ -79,7 +79,8 @@ Result<PendantProgram> readUrpx(const QByteArray& content) {
             .toObject()
             .value(QLatin1String("script"));
     };
-    // The parts of the application (frames, functions, threads) and of the program form one program.
+    // The parts of the application (frames, functions, threads) and of the program are combined in one
+    // program.
     if (const QJsonValue program = part("program"); program.isString()) {
         return PendantProgram{"def program():\n" + part("application").toString().toStdString() + '\n' +
                               program.toString().toStdString() + "\nend\n"};
@@ -91,7 +92,7 @@ Result<PendantProgram> readUrpx(const QByteArray& content) {
     addNodeTypes(
         root.value(QLatin1String("program")).toObject().value(QLatin1String("programContent")).toObject(),
         types);
-    QString reason = QStringLiteral("there is no URScript within, and no .script file beside it");
+    QString reason = QStringLiteral("it contains no URScript, and there is no .script file next to it");
     if (!types.isEmpty()) {
         reason += QStringLiteral("; its nodes are not translated: %1").arg(types.join(QStringLiteral(", ")));
     }

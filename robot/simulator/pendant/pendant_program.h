@@ -2,9 +2,9 @@
 #pragma once
 
 // Reads programs saved by the pendant: `.urp` of PolyScope 3 and 5 (XML, gzipped) and `.urpx` of PolyScope X
-// (JSON). When it plays a program, the pendant converts its nodes to URScript; so does this module, which is
-// independent of the simulated controller. If a node cannot be translated faithfully, the whole program is
-// refused, with line, node and reason. README.md of the simulator lists the nodes.
+// (JSON). When the pendant plays a program, it converts the nodes to URScript. This module performs the same
+// conversion; it is independent of the simulated controller. If a node cannot be translated faithfully, the
+// whole program is refused, with line, node and reason. README.md of the simulator lists the nodes.
 
 #include <QByteArray>
 #include <QString>
@@ -18,32 +18,33 @@
 
 namespace tiller::simulator::pendant {
 
-/// Reads another file of the programs folder, by the name used in a program; nothing when it does not exist.
+/// Reads another file of the programs folder, by the name used in a program. Empty if the file does not
+/// exist.
 using FileReader = std::function<std::optional<QByteArray>(const QString& name)>;
 
 /// Everything needed to read a program.
 struct PendantSource {
     FileReader files;
-    /// Installation for programs that name none, or name a missing one.
+    /// Installation for programs that do not name one or whose installation is missing.
     QString installation = QStringLiteral("default.installation");
     SoftwareVersion software{5, 22, 0, 0};
     UrcapStandIns urcaps = UrcapStandIns::builtIn();
     UnknownUrcap unknownUrcap = UnknownUrcap::Refuse;
-    /// Reserved names of the language, which a function of the program must not have.
+    /// Reserved names of the language, which must not be used for functions of the program.
     std::function<bool(const QString& name)> isReserved = {};
     bool eventNeedsEdge =
-        false;  ///< an event runs once each time its condition becomes true, not while it is true
+        false;  ///< an event runs once each time its condition becomes true, instead of while it is true
 };
 
 struct PendantProgram {
     std::string script;  ///< a `def`
-    /// The first unfinished node: the program can be loaded, but not played.
+    /// The first unfinished node. A program with such a node can be loaded but cannot be played.
     std::optional<Error> unfinished = {};
 };
 
-/// True for gzipped data, or XML with a program as its root.
+/// True for gzipped data, or for XML with a program as its root.
 bool isUrpFile(const QByteArray& content);
-/// name    of the `def`
+/// name    name of the `def`
 /// Errors  FileCorrupt with line, node and reason
 Result<PendantProgram> readUrp(const QByteArray& content, const QString& name, const PendantSource& source);
 /// Programs of PolyScope X contain the URScript of their nodes.

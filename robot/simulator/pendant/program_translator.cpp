@@ -29,7 +29,8 @@ bool continuesIf(const XmlElement& node) {
     return node.is("If") && (isElse(node) || node.attribute("type") == QLatin1String("ElseIf"));
 }
 
-/// The branches of an If that are stored as its children, not next to it, without those of nested Ifs.
+/// The branches of an If that are stored as its children instead of next to it, without the branches of
+/// nested Ifs.
 std::vector<const XmlElement*> branchesBelow(const XmlElement& node) {
     std::vector<const XmlElement*> branches;
     const XmlElement* const children = node.child("children");
@@ -140,7 +141,7 @@ void ProgramTranslator::writePayload(const Payload& payload) {
             : QStringLiteral("set_payload(%1%2)").arg(payload.mass, center));
 }
 
-/// Variables store their initial value where the program first uses them.
+/// The initial value of a variable is stored where the program first uses the variable.
 void ProgramTranslator::writeInitialValues(const XmlElement& element, bool suppressed) {
     for (const auto& child : element.children) {
         const bool off = suppressed || isSuppressed(*child);
@@ -160,7 +161,7 @@ void ProgramTranslator::writeInitialValues(const XmlElement& element, bool suppr
     }
 }
 
-/// The values of "Variables Setup", unless the program does not use them.
+/// Writes the values of "Variables Setup", unless the program does not use them.
 void ProgramTranslator::writeInitNode(const XmlElement& parts, const XmlElement& main) {
     const XmlElement* const init = parts.child("InitVariablesNode");
     const XmlElement* const variables = init == nullptr ? nullptr : init->child("variables");
@@ -228,7 +229,8 @@ void ProgramTranslator::writeThreads(const XmlElement& parts) {
     }
 }
 
-/// The nodes of an event run in a thread when the condition is true; meanwhile the condition is not checked.
+/// The nodes of an event run in a thread when the condition is true. While they run, the condition is not
+/// checked.
 void ProgramTranslator::writeEvent(const XmlElement& event) {
     const Expression condition = x_.in(event, "expression", QStringLiteral("the condition"));
     const QString name = t_.uniqueName(QStringLiteral("Event_%1").arg(t_.nextNumber()));
@@ -274,7 +276,7 @@ void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
     t_.out = &functions_;
     std::size_t written = 0;
     const auto writeCalled = [&] {
-        // Writing a sub program may add the ones that it calls to the list.
+        // Writing a subprogram may add the subprograms that it calls to the list.
         for (; written < subPrograms_.size() && !t_.refusal(); ++written) {
             const SubProgram sub = subPrograms_[written];
             statement(QStringLiteral("def %1():").arg(sub.name));
@@ -286,8 +288,8 @@ void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
         }
     };
     writeCalled();
-    // Scripts may call the other sub programs. Those that cannot be translated or are not finished are
-    // omitted, and calling them is an error.
+    // Scripts may call the remaining subprograms. Those that cannot be translated or are unfinished are
+    // omitted; calling them is an error.
     for (const auto& part : parts.children) {
         const XmlElement* const sub = part->is("SubProgram") ? part->resolved() : nullptr;
         if (sub == nullptr || subProgramOf_.contains(sub) || t_.refusal()) {
@@ -305,7 +307,7 @@ void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
     }
 }
 
-/// Its index in the list; nothing when it is refused.
+/// Returns the index of the subprogram in the list; empty if the subprogram is refused.
 std::optional<std::size_t> ProgramTranslator::addSubProgram(const XmlElement& sub) {
     auto place = subProgramOf_.find(&sub);
     if (place == subProgramOf_.end()) {
@@ -319,7 +321,7 @@ std::optional<std::size_t> ProgramTranslator::addSubProgram(const XmlElement& su
     return place->second;
 }
 
-/// A sub program is either contained in the file, or a separate program file.
+/// A subprogram is either contained in the file or stored in a separate program file.
 const XmlElement* ProgramTranslator::bodyOf(const XmlElement& subProgram) {
     if (subProgram.child("children") != nullptr) {
         return &subProgram;
@@ -347,7 +349,8 @@ const XmlElement* ProgramTranslator::mainOfFile(const QString& name, const XmlEl
             return nullptr;
         }
         known = files_.emplace(name, std::move(*tree)).first;
-        // Their definitions belong to the beginning of the program, not to the position of the call.
+        // The definitions of the file belong to the beginning of the program instead of the position of the
+        // call.
         ScriptText* const here = std::exchange(t_.out, &head_);
         writeInitialValues(*known->second, false);
         motion_.defineWaypoints(*known->second);
@@ -379,7 +382,7 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
     if (children == nullptr) {
         return;
     }
-    std::vector<const XmlElement*> branches;  // of an If that may continue
+    std::vector<const XmlElement*> branches;  // branches of an If that may be continued by the next child
     const auto finish = [&] {
         if (!branches.empty()) {
             writeBranches(std::exchange(branches, {}), 0);
@@ -390,7 +393,7 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
             continue;
         }
         if (continuesIf(*child)) {
-            // The If itself writes branches stored as its children, as in older files.
+            // In older files, branches are stored as children of the If, which writes them itself.
             if (!branches.empty()) {
                 branches.push_back(child.get());
             } else if (!node.is("If")) {
@@ -409,7 +412,7 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
     finish();
 }
 
-/// A continuously checked condition ends the nodes below it when it becomes false; then the next branch is
+/// A continuously checked condition ends the nodes below it when it becomes false. The next branch is then
 /// evaluated.
 void ProgramTranslator::writeBranches(const std::vector<const XmlElement*>& branches, std::size_t first) {
     const XmlElement& node = *branches[first];
@@ -507,7 +510,7 @@ void ProgramTranslator::writeNode(const XmlElement& node) {
         t_.label(node, '\'' + node.attribute("comment") + '\'');
     } else if (node.is("Placeholder")) {
         t_.unfinished(node, QStringLiteral("it is empty"));
-    } else if (!node.is("Until")) {  // its direction or waypoint writes it
+    } else if (!node.is("Until")) {  // written by its direction or waypoint
         t_.refuse(node, QStringLiteral("this node is not simulated"));
     }
 }
@@ -648,7 +651,7 @@ void ProgramTranslator::writeSet(const XmlElement& node) {
         value = high ? QStringLiteral("True") : QStringLiteral("False");
         shown = high ? QStringLiteral("On") : QStringLiteral("Off");
     } else if (type == QLatin1String("AnalogOutput")) {
-        // The node stores amperes or volts, the script function expects a fraction of the range.
+        // The node stores amperes or volts, but the script function expects a fraction of the range.
         bool ok = false;
         double amount = textOf(node, "analogValue").toDouble(&ok);
         shown = textOf(node, "analogValue");
@@ -680,7 +683,8 @@ void ProgramTranslator::writeSet(const XmlElement& node) {
     statement(line);
 }
 
-/// The tool settings of a Set node, which apply to every action and also without one.
+/// Writes the tool settings of a Set node, which apply regardless of its action, and also if it has no
+/// action.
 void ProgramTranslator::writeToolSettings(const XmlElement& node) {
     if (const XmlElement* const given = node.child("tcp")) {
         const XmlElement* const tcp = given->resolved();
@@ -699,7 +703,7 @@ void ProgramTranslator::writeToolSettings(const XmlElement& node) {
         if (mass.isEmpty() || (center.isEmpty() && !node.isTrue("tcpAsCog"))) {
             t_.refuse(node, QStringLiteral("this payload is not simulated"));
         }
-        // Without a centre of gravity, the TCP is used.
+        // If there is no centre of gravity, the TCP is used.
         writePayload({{}, mass, node.isTrue("tcpAsCog") ? QString() : center, {}});
     }
 }
@@ -718,7 +722,7 @@ void ProgramTranslator::writeSetPayload(const XmlElement& node) {
     }
 }
 
-/// The child nodes repeat in a thread, which the condition check ends.
+/// The child nodes repeat in a thread, which ends when the condition is met.
 void ProgramTranslator::writeWhileHolds(const XmlElement& node, const QString& condition) {
     const QString name = t_.uniqueName(QStringLiteral("check_%1").arg(t_.nextNumber()));
     statement(QStringLiteral("thread %1():").arg(name));
@@ -817,7 +821,7 @@ void ProgramTranslator::writeSwitch(const XmlElement& node) {
     }
 }
 
-/// A popup waits for the operator, unless it ends the program.
+/// A popup waits for the operator unless it ends the program.
 void ProgramTranslator::writePopup(const XmlElement& node) {
     const QString type = node.attribute("type");
     const bool isWarning = type == QLatin1String("Warning"), isError = type == QLatin1String("Error");
@@ -844,7 +848,7 @@ void ProgramTranslator::writeCall(const XmlElement& node) {
     }
     const XmlElement* const sub = named->resolved();
     if (sub == nullptr || subPrograms_.size() >= kMaxSubPrograms) {
-        t_.refuse(node, QStringLiteral("it refers to no subprogram"));
+        t_.refuse(node, QStringLiteral("it does not refer to a subprogram"));
         return;
     }
     const std::optional<std::size_t> place = addSubProgram(*sub);

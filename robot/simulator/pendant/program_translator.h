@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Translates the nodes of a pendant's program to URScript, as the pendant does when it plays them.
+// Translates the nodes of a pendant program to URScript, like the pendant when it plays the program.
 
 #include <QByteArray>
 #include <QString>
@@ -20,14 +20,14 @@
 
 namespace tiller::simulator::pendant {
 
-/// For one program; call translate() once.
+/// Translates one program. Call translate() only once.
 class ProgramTranslator {
 public:
     /// The arguments must outlive this object.
     ProgramTranslator(const PendantSource& source, const Installation& installation);
 
     /// root  URProgram; must outlive this object
-    /// Returns  a `def` of that name
+    /// Returns  a `def` with this name
     /// Errors   FileCorrupt with line, node and reason. A program with a node that cannot be translated is
     /// refused as a whole, because a partial program would not do what its author intended
     Result<PendantProgram> translate(const XmlElement& root, const QString& name);
@@ -35,8 +35,8 @@ public:
 private:
     struct SubProgram {
         QString name;
-        const XmlElement* node;  ///< as referenced by the program
-        const XmlElement* body;  ///< its children are the nodes
+        const XmlElement* node;  ///< node referenced by the program
+        const XmlElement* body;  ///< element whose children are the nodes
     };
     struct Branch {
         const XmlElement* node;
@@ -87,12 +87,12 @@ private:
     Motion motion_;
     std::map<QString, std::unique_ptr<XmlElement>> files_;  ///< other program files, by name
     ScriptText head_{1};       ///< values and functions at the beginning of the program
-    ScriptText functions_{1};  ///< sub programs
+    ScriptText functions_{1};  ///< subprograms
     ScriptText body_{1};
     std::vector<QString> timers_;
     std::set<const UrcapStandIn*> urcaps_;  ///< stand-ins whose setup has been written
     std::vector<SubProgram> subPrograms_;
-    std::map<const XmlElement*, std::size_t> subProgramOf_;  ///< index in the list, by element
+    std::map<const XmlElement*, std::size_t> subProgramOf_;  ///< index in subPrograms_, by element
 };
 
 }  // namespace tiller::simulator::pendant

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// URScript text under construction: indented lines, and labels that show clients which node is running.
+// URScript text under construction: indented lines, and labels that clients evaluate to show which node is
+// running.
 
 #include <QString>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inputs, outputs and registers that a pendant program can use, and the script functions that read and
-// set them.
+// The inputs, outputs and registers that a pendant program can use, and the script functions to read and set
+// them.
 
 #include <QString>
 #include <optional>
@@ -13,16 +13,16 @@ namespace tiller::simulator::pendant {
 enum class TerminalValue { Boolean, Integer, Float, Analog };
 
 struct TerminalKind {
-    const char* name;          ///< default name, unless the installation defines another: "digital_in[3]"
-    const char* namesElement;  ///< element of the installation with the list of names
-    const char* read;          ///< script function with the number as argument
-    const char* write;         ///< script function with number and value as arguments; null for an input
+    const char* name;          ///< default name unless the installation defines another, e.g. "digital_in[3]"
+    const char* namesElement;  ///< element of the installation that contains the list of names
+    const char* read;          ///< script function that takes the number
+    const char* write;         ///< script function that takes number and value; null for an input
     int count;
     TerminalValue value;
-    const char* label;  ///< text in the program tree: "DI[3]"
+    const char* label;  ///< text in the program tree, e.g. "DI[3]"
 };
 
-/// All kinds.
+/// All kinds of terminals.
 std::span<const TerminalKind> terminalKinds();
 
 struct Terminal {
@@ -30,7 +30,7 @@ struct Terminal {
     int number = 0;
 };
 
-/// Parses "digital_in[3]", in upper or lower case. Nothing when there is no such terminal.
+/// Parses a name such as "digital_in[3]", in upper or lower case. Empty if there is no such terminal.
 std::optional<Terminal> terminalByDefaultName(const QString& name);
 
 }  // namespace tiller::simulator::pendant

@@ -9,7 +9,7 @@ QString identifier(const QString& text) {
         if (c.unicode() < 128) {
             name += c.isLetterOrNumber() ? c : QChar('_');
         } else {
-            // Only needed to keep names distinct that differ in such a letter.
+            // Only needed to distinguish names that differ only in this letter.
             name += QStringLiteral("_%1_").arg(c.unicode(), 4, 16, QChar('0'));
         }
     }
@@ -49,13 +49,12 @@ QString Translation::uniqueName(const QString& text) {
 
 void Translation::numberNodes(const XmlElement& container) {
     for (const auto& child : container.children) {
-        // A sub program may be stored at its call; its line is determined by its position in the program
-        // tree.
+        // A subprogram may be stored at the position of its call. The program tree determines its line.
         const XmlElement* const node = child->is("SubProgram") ? child->resolved() : child.get();
         if (node == nullptr || !lines_.emplace(node, ++lastLine_).second) {
             continue;
         }
-        // A disabled node has a line in the program tree, and so have its children.
+        // A disabled node and its children have lines in the program tree.
         const XmlElement* const off = node->child("suppressedNode");
         if (const XmlElement* const children = (off == nullptr ? node : off)->child("children")) {
             numberNodes(*children);

@@ -18,10 +18,10 @@
 
 namespace tiller::simulator::pendant {
 
-/// Converts a text to a valid name of the language, as the pendant does: blanks and similar characters become
+/// Converts a text to a valid name of the language, like the pendant: spaces and similar characters become
 /// underscores.
 QString identifier(const QString& text);
-/// Returns a string literal.
+/// Returns the text as a string literal.
 QString quoted(QString text);
 
 class Translation {
@@ -33,15 +33,17 @@ public:
 
     const Installation& installation;
     const SoftwareVersion software;
-    ScriptText* out = nullptr;  ///< current part of the script
+    ScriptText* out = nullptr;  ///< part of the script that is being written
 
-    /// Reports that the program cannot be translated. Only the first reason is kept.
+    /// Reports that the program cannot be translated. Only the first reason is stored.
     void refuse(const XmlElement& at, const QString& why) { keep(refusal_, at, why); }
-    /// Reports an unfinished program, which can be loaded but not played. Only the first reason is kept.
+    /// Reports that the program is unfinished, so that it can be loaded but cannot be played. Only the first
+    /// reason is stored.
     void unfinished(const XmlElement& at, const QString& why) { keep(unfinished_, at, why); }
     const std::optional<Error>& refusal() const { return refusal_; }
     const std::optional<Error>& unfinishedNode() const { return unfinished_; }
-    /// The reasons so far; restore() discards later ones, for disabled parts of the program.
+    /// The reasons so far. restore() discards reasons that were added later, by disabled parts of the
+    /// program.
     struct Reasons {
         std::optional<Error> refusal, unfinished;
     };
@@ -51,11 +53,11 @@ public:
         unfinished_ = before.unfinished;
     }
 
-    /// A unique name for a function, thread or waypoint.
+    /// Returns a unique name for a function, thread or waypoint.
     QString uniqueName(const QString& text);
     int nextNumber() { return ++lastNumber_; }  ///< for generated names
 
-    /// Assigns to every node of a program its line in the program tree.
+    /// Assigns to every node of a program its line number in the program tree.
     void numberNodes(const XmlElement& container);
     void label(const XmlElement& node, const QString& text);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr qint64 kMaxStandIn = 1 << 20;
 
 /// Uses the protocol of the gripper's own service, which the simulated controller provides. Position, force
-/// and speed are percentages: 0 % is open.
+/// and speed are percentages; 0 % is open.
 constexpr const char* kRobotiqGripper = R"(# class: com.robotiq.urcap.gripper.GripperNode
 # default position: 100
 # default force: 50
@@ -42,13 +42,13 @@ def tiller_gripper(position, force, speed, blocking):
   end
 end
 if not socket_open("127.0.0.1", 63352, "tiller_gripper"):
-  popup("The gripper does not answer", title="Gripper", error=True, blocking=True)
+  popup("The gripper does not respond", title="Gripper", error=True, blocking=True)
 end
 # node
 tiller_gripper({position}, {force}, {speed}, {blocking})
 )";
 
-/// This gripper is not simulated: the node waits for the duration of the motion and reports the width.
+/// This gripper is not simulated. The node waits for the duration of the motion and reports the width.
 constexpr const char* kOnRobotGripper = R"(# class: com.onrobot.urcap.unified.OR_RG
 # default rg-target-width: 0.1
 # default rg-target-force: 40

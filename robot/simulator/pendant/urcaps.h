@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stand-ins for the nodes of URCaps: URScript that is run in place of a node, see README.md.
+// Stand-ins for the nodes of URCaps: URScript that runs in place of a node, see README.md.
 
 #include <QString>
 #include <QStringList>
@@ -14,13 +14,13 @@
 
 namespace tiller::simulator::pendant {
 
-/// Common part of the owner and class names of External Control nodes of all publishers.
+/// Common part of the owner and class names of the External Control nodes of all publishers.
 inline constexpr const char* kControlNodeOwner = ".externalcontrol";
 /// Marks the position of an External Control node in a program, where the script of another computer is
-/// inserted; ignored by the interpreter.
+/// inserted. The interpreter ignores the mark.
 inline constexpr std::string_view kControlNode = "$ 0 \"External Control\"\n";
 
-/// Treatment of a URCap node without stand-in.
+/// Treatment of a URCap node without a stand-in.
 enum class UnknownUrcap {
     Refuse,  ///< the program does not load
     Ask,     ///< a popup names the node and waits for the operator
@@ -28,9 +28,9 @@ enum class UnknownUrcap {
 };
 
 struct UrcapStandIn {
-    QString nodeClass;                    ///< the whole strategyClass, or the last part of it
+    QString nodeClass;                    ///< the whole strategyClass or the last part of it
     std::map<QString, QString> defaults;  ///< data of the node, by key
-    QStringList setup;                    ///< lines for the beginning of the program, written once
+    QStringList setup;                    ///< lines for the beginning of the program, written only once
     QStringList body;                     ///< lines in place of the node; `{key}` is replaced by a value
 };
 
@@ -39,17 +39,17 @@ public:
     /// Stand-ins for External Control, Robotiq 2F and OnRobot RG grippers.
     static UrcapStandIns builtIn();
 
-    /// Adds the stand-ins from the files `*.script` of a folder; they take precedence over earlier ones.
+    /// Adds the stand-ins from the `*.script` files of a folder. They have priority over those added earlier.
     /// Errors   FileNotReadable, FileCorrupt with file, line and reason
     Result<void> addFolder(const QString& folder);
-    /// text  of one stand-in: comment lines `# class: NAME`, `# default KEY: VALUE`, `# setup` and `# node`
-    /// around URScript.
-    /// name  of the file, for messages
+    /// text  text of one stand-in: comment lines `# class: NAME`, `# default KEY: VALUE`, `# setup` and `#
+    /// node` around URScript
+    /// name  name of the file, for messages
     Result<void> add(const QString& name, const QString& text);
 
-    /// Null if there is none.
+    /// Null if there is no stand-in for this class.
     const UrcapStandIn* find(const QString& nodeClass) const;
-    /// The lines for a node with the values of its data.
+    /// Returns the lines for a node, with the values of its data.
     /// Errors   FileCorrupt: a value is missing
     static Result<QStringList> bodyOf(const UrcapStandIn& standIn, const XmlElement& node);
 

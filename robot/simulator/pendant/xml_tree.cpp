@@ -15,7 +15,8 @@ constexpr int kMaxElements = 2'000'000;
 constexpr int kMaxReferences = 8;  ///< consecutive references; a longer chain is treated as a cycle
 constexpr qsizetype kMaxXml = 64 << 20;
 
-/// The child for one step of a path: "children", or "Assignment[2]" for the second one of that name.
+/// Returns the child for one step of a path, e.g. "children", or "Assignment[2]" for the second child of that
+/// name.
 const XmlElement* childAt(const XmlElement& from, const QString& step) {
     const qsizetype bracket = step.indexOf('[');
     const QString name = bracket < 0 ? step : step.left(bracket);
@@ -138,7 +139,7 @@ std::optional<QByteArray> gunzip(const QByteArray& compressed, qsizetype maxSize
     if (inflateInit2(&stream, kGzipOnly) != Z_OK) {
         return std::nullopt;
     }
-    // zlib only reads the data; its interface predates const.
+    // zlib only reads the data, but its parameter is not const.
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.constData()));
     stream.avail_in = static_cast<uInt>(compressed.size());
     QByteArray out;

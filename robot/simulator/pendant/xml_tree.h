@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The elements of a pendant file (program, installation), as a tree. The pendant writes an object where it is
-// first used; at all other places the element has an attribute `reference` with the path to it.
+// The elements of a pendant file (program, installation) as a tree. The pendant writes an object where it is
+// first used. In all other places, the element has an attribute `reference` with the path to the object.
 
 #include <QByteArray>
 #include <QString>
@@ -19,8 +19,8 @@ namespace tiller::simulator::pendant {
 struct XmlElement {
     QString name;
     QXmlStreamAttributes attributes;
-    QString text;     ///< of the element itself, without its children
-    qint64 line = 0;  ///< start line in the file, from 1
+    QString text;     ///< text of the element itself, without its children
+    qint64 line = 0;  ///< start line in the file, counted from 1
     XmlElement* parent = nullptr;
     std::vector<std::unique_ptr<XmlElement>> children;
 
@@ -28,24 +28,25 @@ struct XmlElement {
     QString attribute(const char* wanted) const { return attributes.value(QLatin1String(wanted)).toString(); }
     bool has(const char* wanted) const { return !attribute(wanted).isEmpty(); }
     bool isTrue(const char* wanted) const { return attribute(wanted) == QLatin1String("true"); }
-    /// The first child of that name, or null.
+    /// The first child with this name, or null.
     const XmlElement* child(const char* wanted) const;
-    /// The first child of that name after following references; null when the child or the target of a
+    /// The first child with this name, after following references; null if the child or the target of a
     /// reference does not exist.
     const XmlElement* target(const char* wanted) const;
-    /// The first descendant of that name, depth first; null when there is none.
+    /// The first descendant with this name, depth first; null if there is none.
     const XmlElement* descendant(const char* wanted) const;
-    /// The element itself, or the target of its `reference`; null when the reference is invalid.
+    /// The element itself, or the target of its `reference`; null if the reference is invalid.
     const XmlElement* resolved() const;
 };
 
 /// Errors   FileCorrupt with the reason: not XML, or too deep or too large for a pendant file
 Result<std::unique_ptr<XmlElement>> readXmlTree(const QByteArray& xml);
 
-/// Decompresses gzip data. Nothing for other data, or if the result exceeds `maxSize` bytes.
+/// Decompresses gzip data. Empty for other data, or if the result exceeds `maxSize` bytes.
 std::optional<QByteArray> gunzip(const QByteArray& compressed, qsizetype maxSize);
 bool isGzip(const QByteArray& content);
-/// The tree of a file, compressed or not. Errors as readXmlTree()
+/// Reads the tree of a file, compressed or not.
+/// Errors   same as readXmlTree()
 Result<std::unique_ptr<XmlElement>> readPendantFile(const QByteArray& content);
 
 }  // namespace tiller::simulator::pendant

@@ -18,7 +18,7 @@ constexpr qsizetype kLargestInstallation = 64 << 20;
 constexpr qsizetype kLargestScript = 4 << 20;
 constexpr qint64 kWaitTimeoutMs = 2000;
 
-/// Moves the lines between two marks out of the script; the marks are comments and may stay.
+/// Moves the lines between two marks out of the script. The marks are comments and may remain.
 std::string takeHeader(std::string& script) {
     constexpr std::string_view kBegin = "# HEADER_BEGIN";
     constexpr std::string_view kEnd = "# HEADER_END";
@@ -67,14 +67,14 @@ std::string withControlScript(std::string program, std::string script) {
          at = program.find(kControlNode, at + script.size())) {
         program.replace(at, kControlNode.size(), script);
     }
-    const std::size_t body = program.find('\n') + 1;  // after the line of its def
+    const std::size_t body = program.find('\n') + 1;  // after the line of the program's `def`
     return program.insert(body, header);
 }
 
 ControlScriptRequest::ControlScriptRequest(const ScriptProvider& provider, std::chrono::milliseconds silence)
     : silence_(silence) {
     socket_.connectToHost(provider.host, provider.port);
-    socket_.write("request_program\n");  // sent once connected
+    socket_.write("request_program\n");  // sent when connected
     asked_.start();
 }
 

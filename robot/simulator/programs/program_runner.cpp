@@ -42,7 +42,8 @@ bool ProgramRunner::submitText(std::string_view text) {
 }
 
 void ProgramRunner::submitControlled(std::string text, ScriptProvider provider) {
-    // A controller that listens on this machine only can also reach its script provider only on this machine.
+    // A controller that listens only on this machine can reach its script provider only on this machine as
+    // well.
     const QHostAddress here(plant_.options().listenAddress);
     if (here.isLoopback() && !QHostAddress(provider.host).isLoopback()) {
         provider.host = QStringLiteral("127.0.0.1");
@@ -223,9 +224,9 @@ void ProgramRunner::stepMain() {
         reportFailure(*main_);
         failure_ = main_->error();
         if (main_->error() && main_->error()->overrun) {
-            plant_.safety().protectiveStop();  // the controller has lost its program
+            plant_.safety().protectiveStop();  // exceeding the time limit causes a protective stop
         }
-        ended_ = true;  // its last period still counts as playing
+        ended_ = true;  // the last period still counts as playing
     }
 }
 
@@ -274,7 +275,7 @@ void ProgramRunner::stopNow() {
 void ProgramRunner::finishStopping() {
     main_.reset();
     ended_ = false;
-    plant_.arm().resume();  // a paused program leaves the arm held
+    plant_.arm().resume();  // if the program was paused, the arm is still held
     state_ = RuntimeState::Stopped;
     plant_.publish(primary::key(plant_.timestampNs(), primary::kProgramStopped, name_));
 }

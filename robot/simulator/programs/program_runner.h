@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs programs: one main program at a time and secondary programs in parallel, with the program states of a
-// controller. A new main program replaces the running one; a text that does not compile replaces nothing. Source:
-// client interface manual, dashboard guide.
+// Runs programs with the program states of a controller: one main program at a time, and secondary programs
+// in parallel. A new main program replaces the running program, unless it does not compile. Source: client
+// interface manual, dashboard guide.
 
 #include <chrono>
 #include <deque>
@@ -26,10 +26,10 @@ class ScriptHost;
 
 class ProgramRunner {
 public:
-    /// Minimum duration of a stop, so that clients can see it in progress [s].
+    /// Minimum duration of a stop [s], so that clients can observe the state STOPPING.
     static constexpr double kStopTime = 0.02;
 
-    /// Minimum duration of a program, so that clients that poll less often than every period see it [s].
+    /// Minimum duration of a program [s], so that clients that do not poll in every period can observe it.
     static constexpr double kMinPlayingTime = 0.01;
 
     ProgramRunner(ControllerModel& plant, ScriptHost& host);
@@ -37,56 +37,56 @@ public:
     ProgramRunner(const ProgramRunner&) = delete;
     ProgramRunner& operator=(const ProgramRunner&) = delete;
 
-    /// Accepts a unit from a script port: compiles it now and runs it from the next period on. Compile errors
-    /// are reported to primary clients.
+    /// Accepts a unit from a script port. The unit is compiled immediately and runs from the next period on.
+    /// Compile errors are reported to primary clients.
     void submit(const urscript::SourceSplitter::Unit& unit);
-    /// The same for a program file. Returns false when it does not compile.
+    /// Like submit(), for the text of a program file. Returns false if the text does not compile.
     bool submitText(std::string_view text);
-    /// Runs a program with External Control nodes when the script of the provider has arrived. Without it, the
-    /// program shows a message to the operator instead of the node, and waits.
+    /// Runs a program with External Control nodes after the provider's script has arrived. If no script
+    /// arrives, the program shows a message to the operator in place of the node and waits.
     void submitControlled(std::string text, ScriptProvider provider);
 
     void requestStop();
-    /// True while the script of an External Control node is awaited, which requires event processing.
+    /// True while waiting for the script of an External Control node, which requires event processing.
     bool awaitsScript() const { return controlled_ != nullptr; }
     /// True if a stop has been requested but has not begun.
     bool isStopRequested() const;
     /// Ends the main program within this call.
     void stopNow();
-    /// Ends every program without a message, because the controller shuts down.
+    /// Ends all programs without a message. Called when the controller shuts down.
     void endAll();
     void pause();
     void resume();
-    /// Handles a protective stop: a program from a file waits for `play`; one sent over a socket ends and has
-    /// to be sent again. Source: Dashboard Server guide, "unlock protective stop"; the ROS 2 driver, which
-    /// sends it again
+    /// Handles a protective stop. A program from a file waits for `play`. A program sent over a socket ends
+    /// and must be sent again. Source: Dashboard Server guide, "unlock protective stop"; the ROS 2 driver,
+    /// which sends the program again.
     void haltForProtectiveStop();
 
     RuntimeState state() const { return state_; }
     /// True in any state except Stopped.
     bool isActive() const { return state_ != RuntimeState::Stopped; }
     bool isPaused() const { return state_ == RuntimeState::Paused; }
-    /// True if the main program came from a program file, not over a socket.
+    /// True if the main program came from a program file; false if it was sent over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
-    /// The main program; null if none runs.
+    /// The main program; null if no program runs.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
     /// The error of the last main program; empty if it did not fail.
     const std::optional<urscript::RuntimeError>& failure() const { return failure_; }
     /// Number of main programs started.
     std::uint64_t starts() const { return starts_; }
-    /// Interpreter mode of the main program; null if none runs.
+    /// Interpreter mode of the main program; null if no program runs.
     urscript::InterpreterMode* interpreterMode() { return main_ && !ended_ ? &main_->mode() : nullptr; }
 
     void step();
 
-    /// For the host, during a frame: true if the ending program is the main one.
+    /// For the host during a frame: true if the program that is ending is the main program.
     bool isEndingMain() const { return !runningSecondary_; }
 
 private:
     using Unit = urscript::SourceSplitter::Unit;
     struct NextProgram {
-        std::shared_ptr<const urscript::Program> program;  ///< null: stop
+        std::shared_ptr<const urscript::Program> program;  ///< null: request to stop
         bool fromFile = false;
     };
 
@@ -114,17 +114,17 @@ private:
     ControllerModel& plant_;
     ScriptHost& host_;
     std::deque<NextProgram> requests_;
-    std::unique_ptr<Controlled> controlled_;  ///< waiting for its script
+    std::unique_ptr<Controlled> controlled_;  ///< program that waits for its script
     std::unique_ptr<urscript::Interpreter> main_;
     std::vector<std::unique_ptr<urscript::Interpreter>> secondaries_;
-    std::string name_;  ///< of the main program
+    std::string name_;  ///< name of the main program
     RuntimeState state_ = RuntimeState::Stopped;
     std::optional<urscript::RuntimeError> failure_;
-    double stopping_ = 0;  ///< [s] since the beginning of STOPPING
+    double stopping_ = 0;  ///< time since the beginning of STOPPING [s]
     double begun_ = 0;     ///< start time of the main program [s]
     std::uint64_t starts_ = 0;
     bool fromFile_ = false;
-    bool ended_ = false;  ///< the main body has ended; reported in a later period
+    bool ended_ = false;  ///< the main body has ended; the end is reported in a later period
     bool runningSecondary_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Program folders of a robot and of the vendor's simulator; clients use full paths.
+/// Program folders of a robot and of the vendor's simulator. Clients use full paths.
 constexpr const char* kProgramRoots[] = {"/ursim/programs/", "/programs/"};
 
 std::optional<QByteArray> contentOf(const QString& path) {
@@ -29,7 +29,7 @@ Error notThere(const QString& name) {
 
 }  // namespace
 
-/// Returns whether an existing file is in the folder after following all links.
+/// Returns whether the file exists and is in the folder after all links have been followed.
 bool ProgramStore::isWithin(const QString& path) const {
     const QString root = QDir(folder_).canonicalPath();
     const QString real = QFileInfo(path).canonicalFilePath();
@@ -48,20 +48,20 @@ std::optional<QString> ProgramStore::find(const QString& name) const {
             candidates << folder + name.mid(QLatin1String(root).size());
         }
     }
-    // Absolute paths are kept; whether the file is in the folder is checked after resolving links.
+    // Absolute paths are used unchanged. isWithin() checks them after resolving links.
     candidates << (QDir::isAbsolutePath(name) ? name : folder + name);
     const auto found = std::ranges::find_if(
         candidates, [this](const QString& path) { return QFileInfo(path).isFile() && isWithin(path); });
     return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
-/// Reads a file by the name given by a client or a program.
+/// Reads a file whose name was given by a client or a program.
 std::optional<QByteArray> ProgramStore::read(const QString& name) const {
     const std::optional<QString> path = find(name);
     return path ? contentOf(*path) : std::nullopt;
 }
 
-/// Reads an already resolved path, since `/programs/` may also exist on this disk.
+/// Reads an already resolved path. Resolving it again could match a folder `/programs/` on this machine.
 std::optional<QByteArray> ProgramStore::readPath(const QString& path) const {
     return isWithin(path) ? contentOf(path) : std::nullopt;
 }
@@ -179,7 +179,7 @@ QString ProgramStore::pathOf(const QString& bareName) const {
         return {};
     }
     const QFileInfo file(QDir(folder_).filePath(bareName));
-    // A dangling link would be followed when writing.
+    // Writing to a dangling link would follow the link.
     const bool free = !file.exists() && !file.isSymLink();
     return free || isWithin(file.filePath()) ? file.filePath() : QString();
 }

@@ -2,12 +2,13 @@
 #pragma once
 
 // The programs folder of a controller and the loaded program, shared by the dashboard and the Robot API.
-// Nothing outside that folder is read or written, whatever name a client sends, even through `..` or symbolic
-// links. The folder is checked again at each access. Program files are:
+// No file outside that folder is read or written, regardless of the name that a client sends, even if the
+// name contains `..` or leads through symbolic links. The folder is checked again at each access. Program
+// files are:
 //
-// - `.urp` or `.urpx`, as saved by the pendant: the `.script` that the pendant saved next to it is run, or
-// otherwise the result of pendant/pendant_program.h for its nodes;
-// - any other file: URScript text.
+// - `.urp` or `.urpx` files saved by the pendant. The `.script` file that the pendant saved next to the
+//   program runs; if there is none, pendant/pendant_program.h translates the nodes.
+// - Any other file, which contains URScript text.
 
 #include <QString>
 #include <QTemporaryDir>
@@ -26,46 +27,48 @@ namespace tiller::simulator {
 /// Larger program files are rejected.
 inline constexpr qint64 kLargestProgram = 16 << 20;
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 class ProgramStore {
 public:
     /// folder  empty: no programs until one is uploaded
-    /// source  returns what is needed to read pendant programs; its files are those of the folder
+    /// source  returns the data needed to read pendant programs; its files are those of the folder
     ProgramStore(QString folder, std::function<pendant::PendantSource()> source)
         : folder_(std::move(folder)), source_(std::move(source)) {}
 
     /// name  relative to the folder, or a full path; `/programs/` and `/ursim/programs/` refer to the folder
     /// Errors   FileNotReadable: no such file in the folder; FileCorrupt, with the reason: the program cannot
-    /// be translated. The loaded program is unchanged on errors
+    /// be translated. In case of an error, the loaded program is unchanged
     Result<void> load(const QString& name);
     /// Loads the installation for programs that do not name one. Every robot has a default.installation.
-    /// Errors as load()
+    /// Errors   same as load()
     Result<void> loadInstallation(const QString& name);
-    /// The computer that provides the scripts of External Control nodes, according to the installation.
+    /// Address of the computer that provides the scripts of External Control nodes, according to the
+    /// installation.
     ScriptProvider scriptProvider() const;
 
-    /// Restores the state of a new controller, with no loaded program.
+    /// Restores the state of a new controller without a loaded program.
     void unload() {
         path_.clear();
         name_.clear();
     }
     bool isLoaded() const { return !path_.isEmpty(); }
     QString path() const { return path_; }
-    /// File name without path.
+    /// File name without a path.
     std::string name() const { return name_; }
-    /// The loaded program, read again, as URScript.
-    /// Errors   as load(), because the file may have changed since; FileCorrupt: the program is unfinished
+    /// Reads the loaded program again and returns it as URScript.
+    /// Errors   same as load(), because the file may have changed since; FileCorrupt: the program is
+    /// unfinished
     Result<std::string> script() const;
 
-    /// Writes a file into an existing folder within the programs folder ("." is the folder itself).
+    /// Writes a file into an existing folder within the programs folder; "." is the programs folder.
     bool saveBelow(const QString& directory, const QString& bareName, const QByteArray& content) const;
 
     /// Files of the folder with this suffix, sorted by name.
     std::vector<QString> list(const QString& ending) const;
-    /// The path of a file with this name, existing or not; empty for a name, or a link, that leads out of the
+    /// Path of a file with this name, whether it exists or not. Empty if the name or a link leads out of the
     /// folder.
     QString pathOf(const QString& bareName) const;
-    /// Writes a file. Without a folder, creates a temporary one that is removed with this object.
+    /// Writes a file. If there is no folder, creates a temporary one that is removed with this object.
     bool save(const QString& bareName, const QByteArray& content);
 
 private:

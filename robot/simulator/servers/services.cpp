@@ -12,7 +12,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Current data for reading programs of the pendant.
+/// Returns the current settings for reading pendant programs.
 pendant::PendantSource pendantSource(const ControllerModel& plant) {
     const BehaviourOptions& assumptions = plant.assumptions();
     pendant::PendantSource source;
@@ -86,10 +86,10 @@ Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
     };
     const int wanted = options.anyFreePorts ? 0 : standard.*entry.port + options.portOffset;
     if (entry.server == &gripper_ && wanted > 65535) {
-        return {};  // the default port is so high that offsets may exceed the range
+        return {};  // this default port is so high that an offset may exceed the valid range
     }
     const Result<void> opened = at(wanted);
-    // Most systems reserve port 80, or already run a web server there.
+    // Most systems reserve port 80 or already run a web server on it.
     constexpr int kOtherWebPort = 8080;
     return opened || entry.server != &robotApi_ || options.anyFreePorts
                ? opened
@@ -118,7 +118,7 @@ Result<void> Services::open(const SimulatorOptions& options) {
         devices_.push_back(std::make_unique<DeviceServer>(plant_, device.name, std::move(*table)));
         devices_.back()->setLink(&link_);
     }
-    // Listening on all addresses includes the address by which programs reach this controller.
+    // If the services listen on all addresses, programs reach them at 127.0.0.1.
     const bool everywhere = address == QHostAddress(QHostAddress::AnyIPv4);
     std::map<int, int> own;
     for (const Entry& entry : all_) {
@@ -138,7 +138,7 @@ Result<void> Services::open(const SimulatorOptions& options) {
 }
 
 Result<void> Services::openDevice(DeviceServer& device) {
-    // Any free port: programs reach it under the address of its table.
+    // Use any free port. Programs reach the device at the address in its table.
     Result<void> opened =
         device.open(QHostAddress(plant_.options().listenAddress), 0, "device", link_.poller());
     if (opened) {
@@ -194,7 +194,7 @@ void Services::service() {
 void Services::publish() {
     link_.setTime(plant_.elapsed());
     gripper_.step(plant_.stepTime(), plant_.telemetry().powered);
-    // Real-time data are sent first, so that 0.1 ms of message processing does not delay them.
+    // Real-time data are sent first, so that the processing of messages (0.1 ms) does not delay them.
     rtde_.publish();
     realtime_.publish();
     realtimeReadOnly_.publish();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All services of one controller, opened and served together. The set of services depends on the software:
-// PolyScope X has the Robot API instead of the dashboard.
+// All services of one controller, which are opened and served together. The set of services depends on the
+// software: PolyScope X has the Robot API instead of the dashboard.
 
 #include <memory>
 #include <vector>
@@ -22,34 +22,36 @@
 
 namespace tiller::simulator {
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 class Services {
 public:
-    /// faults  handles the lines of the fault port
+    /// faults  processes the lines received on the fault port
     Services(ControllerModel& plant, FaultServer::Handler faults);
 
-    /// Opens all ports or none. Errors as Listener::open().
+    /// Opens all ports, or none in case of an error.
+    /// Errors  same as Listener::open()
     Result<void> open(const SimulatorOptions& options);
     void close();
     Ports ports() const;
 
-    /// Reads all clients and answers; does not advance time. The fault port is served separately.
+    /// Reads the data of all clients and sends replies. Does not advance time. The fault port is served
+    /// separately.
     void service();
     /// Sends the results of the last control period.
     void publish();
-    /// Ends all connections except those of the fault port.
+    /// Closes all connections except those of the fault port.
     void closeClients();
-    /// Closes the script connections, as a robot that restricts them in Local does when entering or leaving
+    /// Closes the script connections, like a robot that restricts them in Local when it enters or leaves
     /// remote control.
     void closeScriptClients();
 
     RtdeServer& rtde() { return rtde_; }
     const RtdeServer& rtde() const { return rtde_; }
     GripperServer& gripper() { return gripper_; }
-    /// Null when there is none of that name.
+    /// Null if there is no device with this name.
     DeviceServer* device(const QString& name) const;
-    /// A device that refuses connections does not listen.
-    /// Errors  as Listener::open()
+    /// Changes the presence of a device. A device that refuses connections does not listen.
+    /// Errors  same as Listener::open()
     Result<void> setPresence(DeviceServer& device, DeviceServer::Presence presence);
     FaultServer& faults() { return faults_; }
     Link& link() { return link_; }
@@ -75,7 +77,7 @@ private:
     GripperServer gripper_;
     FaultServer faults_;
     std::vector<std::unique_ptr<DeviceServer>> devices_;
-    std::vector<Entry> all_;  ///< the fault port last
+    std::vector<Entry> all_;  ///< all services; the fault port is last
 };
 
 }  // namespace tiller::simulator

@@ -2,7 +2,7 @@
 #pragma once
 
 // The syntax tree between parser and code generator. Nodes are stored in the deques of a Tree and point to
-// each other; they are never freed individually, so no input can cause deep recursion at destruction.
+// each other. They are never freed individually, so no input can cause deep recursion on destruction.
 
 #include <cstdint>
 #include <deque>
@@ -50,7 +50,7 @@ enum class ExprKind : std::uint8_t {
     Member,  ///< children: object; text = name
     Call,    ///< text = callee; children = arguments, names parallel to them ("" = positional)
     Method,  ///< children: object, arguments...; text = name
-    Run,     ///< text = thread
+    Run,     ///< text = name of the thread
 };
 
 struct Expr {
@@ -93,12 +93,12 @@ struct Stmt {
     StmtKind kind = StmtKind::Expression;
     Position at;
     AssignScope scope = AssignScope::Unqualified;
-    Expr* target = nullptr;         ///< Assign
-    Expr* value = nullptr;          ///< Assign, Expression, Return (may be absent), Join, Kill
-    std::vector<Expr*> conditions;  ///< If: one per branch; While: one
-    std::vector<Block> blocks;      ///< If: one per condition, plus one for else; While: one
+    Expr* target = nullptr;         ///< for Assign
+    Expr* value = nullptr;          ///< for Assign, Expression, Return (may be absent), Join, Kill
+    std::vector<Expr*> conditions;  ///< for If: one per branch; for While: one
+    std::vector<Block> blocks;      ///< for If: one per condition, plus one for else; for While: one
     Function* definition = nullptr;
-    int number = 0;  ///< Label
+    int number = 0;  ///< for Label
     std::string_view text;
 };
 
@@ -117,7 +117,7 @@ struct Function {
     Block body;
     std::vector<Function*> nested;
     Function* parent = nullptr;
-    int index = 0;  ///< in Tree::functions
+    int index = 0;  ///< index in Tree::functions
 };
 
 struct Tree {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The table of builtin functions: signature with defaults, first version, implementation. Compiler,
+// The table of builtin functions: signature with defaults, first version, and implementation. Compiler,
 // interpreter and documentation use the same entries.
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct CallContext {
     const Limits& limits;
     ProgramKind kind = ProgramKind::Main;
     std::int64_t stepNs = 2'000'000;  ///< duration of a frame
-    std::uint64_t random = 1;         ///< generator state
+    std::uint64_t random = 1;         ///< state of the random number generator
     InterpreterMode* mode = nullptr;
     RemoteCalls* remote = nullptr;
     ThreadId motionOwner = -1;  ///< thread with an unfinished motion command
@@ -53,8 +53,8 @@ struct CallContext {
 
 inline constexpr const char* kTooMuchBehind = "Runtime is too much behind";
 
-/// One call of a builtin. A builtin that cannot finish returns Status::Again and is executed again with the
-/// same arguments, once in every later frame until it returns Done.
+/// One call of a builtin. A builtin that cannot finish returns Status::Again. It is then executed again with
+/// the same arguments, once in every later frame, until it returns Done.
 class Call {
 public:
     Call(CallContext& context, const Builtin& builtin, ThreadId threadId, std::span<Value> arguments)
@@ -62,17 +62,17 @@ public:
 
     Host& host;
     const ThreadId thread;
-    const std::span<Value> args;  ///< one per parameter, Unset where absent
+    const std::span<Value> args;  ///< one value per parameter; Unset if absent
     Value result = Value::none();
 
-    // kept between executions of one call
-    bool first = true;       ///< first execution
+    // kept between the executions of a call
+    bool first = true;       ///< true in the first execution of the call
     std::int64_t state = 0;  ///< for use by the builtin
     std::int64_t waitedNs = 0;
 
     // set by the builtin
     std::int64_t consumedNs = 0;  ///< physical time taken from the thread's slice
-    bool endFrame = false;        ///< uses up the rest of the slice
+    bool endFrame = false;        ///< uses the rest of the slice
     std::int64_t cost = 0;        ///< extra operations, for builtins that process much data
     bool readSocket = false;      ///< data were read; the frame ends after many such reads
 
@@ -81,10 +81,10 @@ public:
     double random();
 
     const std::string& name() const;
-    const char* needs() const;  ///< the missing equipment, for an absent() builtin
+    const char* needs() const;  ///< for absent() builtins: the missing equipment
     CallContext& context() { return context_; }
 
-    /// For motion builtins: starts the command at the first execution, then waits for its end.
+    /// For motion builtins: starts the command in the first execution, then waits for its end.
     template <class MakeCommand>
     Status motion(MakeCommand make) {
         if (first) {
@@ -94,11 +94,11 @@ public:
         return motionUnfinished() ? Status::Again : Status::Done;
     }
 
-    // ---- arguments; a wrong type causes a fault with its error text
+    // ---- arguments; a wrong type causes a fault with an error text
     bool given(std::size_t i) const { return !args[i].isUnset(); }
     double number(std::size_t i) const;
     double finite(std::size_t i) const;         ///< number that is neither NaN nor infinite
-    std::int32_t integer(std::size_t i) const;  ///< int, or a float that is integral
+    std::int32_t integer(std::size_t i) const;  ///< int, or a float without fractional part
     int integerIn(std::size_t i, int low, int high) const;
     bool boolean(std::size_t i) const;  ///< bool, or a number (0 is false)
     const std::string& string(std::size_t i) const;
@@ -108,7 +108,7 @@ public:
     JointPositions joints(std::size_t i) const;
     Pose pose(std::size_t i) const;          ///< pose only
     Pose poseOr6(std::size_t i) const;       ///< pose or 6-list
-    MoveTarget target(std::size_t i) const;  ///< pose, or joint list
+    MoveTarget target(std::size_t i) const;  ///< pose or joint list
 
     [[noreturn]] void badArgument(std::size_t i, const char* expected) const;
     void check(const Result<void>& outcome) const;  ///< an Error becomes a fault
@@ -121,14 +121,12 @@ private:
     const Builtin& builtin_;
 };
 
-/// "<name> needs <equipment>, which is not simulated".
+/// Throws the fault "<name> needs <equipment>, which is not simulated".
 [[noreturn]] Status absent(Call& c);
-/// Passes the numbers to SetupHost::applySetting.
+/// Passes the arguments to SetupHost::applySetting().
 Status setting(Call& c);
-/// A list of a joint quantity.
+/// Creates a list of the values of a joint quantity.
 Value jointList(const Vector6& values);
-
-/// The fault text for a host's Error.
 
 using BuiltinFunction = Status (*)(Call&);
 
@@ -136,7 +134,7 @@ struct BuiltinParameter {
     std::string name;
     std::string alias;  ///< alternative name used by clients, or empty
     bool required = true;
-    Value defaultValue;  ///< Unset when the default depends on the robot's state
+    Value defaultValue;  ///< Unset if the default depends on the robot's state
     std::string defaultText;
 };
 
@@ -148,38 +146,39 @@ enum BuiltinFlags : unsigned {
 };
 
 inline constexpr int kNever = 1000;
-/// The release of series 3 published together with that of series 5: 3.10 with 5.4, 3.15 with 5.10.
+/// Placeholder for the minor version of series 3 that was released together with that of series 5, e.g. 3.10
+/// with 5.4, and 3.15 with 5.10.
 inline constexpr int kInStep = -1;
-/// Minor numbers of the first version with a function, for each series; 0: all versions of the series.
+/// Minor number of the first version that has a function, for each series; 0: all versions of the series.
 struct FirstVersions {
     int minor5 = 0;
     int minor10 = 0;
     int minor3 = kInStep;
 
-    int ofSeries3() const;  ///< kNever: no version has it
+    int ofSeries3() const;  ///< kNever: no version has the function
     bool isIn(const SoftwareVersion& version) const;
 };
 
-/// When a function came. Where sources only give a range, `listed` is its end: the first versions whose published lists
-/// have the function.
+/// Software versions that have a function. If sources only give a range for the first version, `listed` is
+/// the end of the range: the first versions whose published lists contain the function.
 struct Since {
     FirstVersions first;
     std::optional<FirstVersions> listed = {};
 
-    /// isListed  the later version counts
+    /// isListed  use the later version
     bool availableIn(const SoftwareVersion& version, bool isListed = false) const {
         return (isListed && listed ? *listed : first).isIn(version);
     }
 };
 inline constexpr Since kPolyScopeX{{kNever, 0, kNever}, FirstVersions{kNever, 11, kNever}};
-/// Not in the list of 3.3, but in those of 2019 (3.11 and 5.5).
+/// Missing in the list of 3.3, but present in the lists of 2019 (3.11 and 5.5).
 inline constexpr Since kAfter33{{0, 0, 4}, FirstVersions{5, 0, 11}};
-/// Not in the lists of 2019, but in those of 5.15.
+/// Missing in the lists of 2019, but present in those of 5.15.
 inline constexpr Since kAfter2019{{6}, FirstVersions{15}};
-/// The same, but in a list of 2021 (5.11) or 2022 (5.12).
+/// As above, but already present in a list of 2021 (5.11) or 2022 (5.12).
 inline constexpr Since kAfter2019By2021{{6}, FirstVersions{11}};
 inline constexpr Since kAfter2019By2022{{6}, FirstVersions{12}};
-/// Not in the lists of 5.15, but in those of 5.24 and 10.11.
+/// Missing in the lists of 5.15, but present in those of 5.24 and 10.11.
 inline constexpr Since kAfter515{{16, 0, kNever}, FirstVersions{24, 11, kNever}};
 inline constexpr Since kStructSince{{0, 0, 6}};
 inline constexpr Since kStringsSince{{2, 0, 8}};
@@ -187,12 +186,12 @@ inline constexpr Since kSeries5{{0, 0, kNever}};
 
 /// An entry as written in the tables.
 struct BuiltinRow {
-    const char* signature;  ///< "movej(q, a=1.4, v=1.05, t=0, r=0)"; `?` after a name: optional, no fixed
-                            ///< default; `t|t_min`: an alternative name
+    const char* signature;  ///< e.g. "movej(q, a=1.4, v=1.05, t=0, r=0)"; `?` after a name: optional, no
+                            ///< fixed default; `t|t_min`: an alternative name
     BuiltinFunction function;
     unsigned flags = kPlain;
     Since since = {};
-    const char* needs = nullptr;   ///< with absent(): the equipment, "a ROS network"
+    const char* needs = nullptr;   ///< for absent(): the equipment, e.g. "a ROS network"
     const char* partly = nullptr;  ///< the part of the effect that is not simulated
 };
 
@@ -212,7 +211,7 @@ const std::vector<Builtin>& builtins();
 /// Index into builtins(), or -1.
 int findBuiltin(std::string_view name);
 
-// The tables, each in its own file.
+// The tables, each in a separate file.
 std::span<const BuiltinRow> motionBuiltins();
 std::span<const BuiltinRow> forceBuiltins();
 std::span<const BuiltinRow> superpositionBuiltins();

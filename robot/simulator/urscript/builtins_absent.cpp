@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Known names of equipment that is not simulated: programs with them compile, and fail where they get there.
+// Known functions for equipment that is not simulated. Programs that contain them compile, but fail when they
+// call one.
 
 #include "robot/simulator/urscript/builtin.h"
 

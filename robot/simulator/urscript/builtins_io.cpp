@@ -74,7 +74,7 @@ Status setDomain(Call& c) {
 Status setInputRange(Call& c) {
     const int n = c.integerIn(0, 0, 3);
     const int range = c.integerIn(1, 0, 4);
-    // Range 0 selects current, ranges above 0 select voltage.
+    // Range 0 selects current. Ranges above 0 select voltage.
     c.host.setAnalogDomain(n < 2 ? AnalogPort::StandardInput : AnalogPort::ToolInput, n % 2,
                            range > 0 ? 1 : 0);
     return Status::Done;
@@ -134,8 +134,8 @@ Status runState(Call& c) {
     return Status::Done;
 }
 
-/// The listed outputs are high while a program runs; the others are independent of the program. Exported
-/// programs contain these calls for the outputs of the installation.
+/// The listed outputs are high while a program runs. The other outputs are independent of the program.
+/// Exported programs contain these calls for the outputs of the installation.
 template <RuledOutput output, int last>
 Status runStateOutputs(Call& c) {
     constexpr int kIndependent = 0, kHighWhileRunning = 3;

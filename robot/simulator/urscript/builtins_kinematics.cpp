@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forward and inverse kinematics, Jacobians, dynamics of the arm, all through the host's model.
+// Forward and inverse kinematics, Jacobians and dynamics of the arm, all calculated by the host's model.
 
 #include "robot/simulator/urscript/builtin.h"
 

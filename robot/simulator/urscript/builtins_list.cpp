@@ -13,7 +13,7 @@ namespace {
 using Type = Value::Type;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Matrix inversion has cubic cost, and a frame lasts only two milliseconds.
+// Matrix inversion has cubic cost, and a frame takes only two milliseconds.
 constexpr std::size_t kMaxInverse = 32;
 
 Status norm(Call& c) {
@@ -146,7 +146,7 @@ Status transpose(Call& c) {
     return Status::Done;
 }
 
-// Index 0 is the least significant bit; 32 bits give a signed number.
+// Index 0 is the least significant bit. 32 bits result in a signed number.
 Status binaryListToInteger(Call& c) {
     const Value& v = c.args[0];
     if (!v.is(Type::List) || (v.list().kind != ListData::Kind::Bool && v.list().size() != 0)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// urmath: functions of numbers.
+// urmath: functions for numbers.
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pose algebra. R(p) below is the rotation of pose p, t(p) its position.
+// Pose algebra. In the comments below, R(p) is the rotation of pose p, and t(p) is its position.
 
 #include <cmath>
 
@@ -48,7 +48,7 @@ Status poseDist(Call& c) {
     return Status::Done;
 }
 
-// Straight line and shortest rotation; alpha outside 0..1 extrapolates both.
+// Straight line and shortest rotation; alpha outside of 0..1 extrapolates both.
 Status interpolatePose(Call& c) {
     const Pose from = c.pose(0);
     const Pose to = c.pose(1);
@@ -70,7 +70,7 @@ Status rpy2rotvec(Call& c) {
     return Status::Done;
 }
 
-// Converts a wrench from frame `from` to frame `to`, including its reference point.
+// Converts a wrench from frame `from` to frame `to`, including the change of the reference point.
 Status wrenchTrans(Call& c) {
     const Pose T_from_to = c.pose(0);
     const std::array<double, 6> w = c.six(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// rpc_factory(): what it gives is called by its methods, see machine_remote.cpp.
+// rpc_factory(), which returns an object with callable methods; see remote_calls.h.
 
 #include "robot/simulator/urscript/builtin.h"
 #include "robot/simulator/urscript/remote_calls.h"

@@ -93,7 +93,7 @@ Status targetPayloadInertia(Call& c) {
     return Status::Done;
 }
 
-// Rows of six numbers: a list of poses (as returned by get_tcp_force()), or a matrix.
+// Returns the rows of six numbers in a list of poses (as returned by get_tcp_force()) or in a matrix.
 std::vector<Vector6> rowsAt(const Call& c, std::size_t i) {
     std::vector<Vector6> out;
     if (c.args[i].is(Value::Type::Matrix) && c.args[i].matrix().cols == 6) {
@@ -122,7 +122,7 @@ Status estimatePayload(Call& c) {
     const std::vector<Vector6> wrenches = rowsAt(c, 1);
     const Eigen::Vector3d g = c.host.gravity();
     if (poses.size() != wrenches.size() || g.norm() < 1e-6) {
-        fault("estimate_payload: needs as many wrenches as poses, and gravity");
+        fault("estimate_payload: requires as many wrenches as poses, and gravity");
     }
     double mass = 0;
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TCP sockets of the program. Reads check the received data in each frame until there is enough, the connection
-// ends or the time is over.
+// TCP sockets of the program. Reads check the received data in each frame until there are enough data, the
+// connection ends, or the timeout expires.
 
 #include <algorithm>
 #include <charconv>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kConnectNs = 2'000'000'000;
 constexpr int kMaxReadCount = 30;
 
-// The script of a gripper manufacturer numbers its sockets: 1 is the socket "1".
+// The script of a gripper manufacturer uses numbers for its sockets: 1 is the socket "1".
 const std::string& socketName(Call& c, std::size_t i) {
     if (c.args[i].isNumber()) {
         c.args[i] = Value(toStr(c.args[i], kMaxStringLength));
@@ -29,8 +29,9 @@ bool expired(const Call& c, std::size_t timeoutArgument) {
     return seconds > 0 && static_cast<double>(c.waitedNs) >= seconds * 1e9 - 1.0;
 }
 
-// Returns true if no more bytes can arrive; to be called only when the received ones are not enough. A read that
-// fails at once takes the rest of the frame, so that a loop around it on a closed socket does not spin.
+// Returns true if no more bytes can arrive. Must be called only if the received bytes are not sufficient. A
+// read that fails immediately uses the rest of the frame, so that a loop around it on a closed socket does
+// not use up the operation limit.
 bool over(Call& c, const std::string& socket, std::size_t timeoutArgument) {
     const bool ended = c.host.socketState(socket) != SocketHost::State::Open || expired(c, timeoutArgument);
     c.endFrame = ended && c.first;
@@ -47,7 +48,8 @@ void consume(Call& c, const std::string& socket, std::size_t bytes) {
 
 Status socketOpen(Call& c) {
     const std::string& name = socketName(c, 2);
-    // A failing connect, e.g. without a network, also takes a period, so that a loop around it does not spin.
+    // A failing connection attempt, e.g. without a network, also takes a period, so that a loop around it
+    // does not use up the operation limit.
     if (c.first && !c.host.openSocket(name, c.string(0), c.integerIn(1, 1, 65535))) {
         c.result = false;
         c.endFrame = true;
@@ -120,7 +122,7 @@ Status readByteList(Call& c) {
     return Status::Done;
 }
 
-// "( 1.4 , 3.1 )": one message extends up to the closing bracket.
+// A message such as "( 1.4 , 3.1 )" extends to the closing bracket.
 Status readAsciiFloat(Call& c) {
     const auto count = static_cast<std::size_t>(c.integerIn(0, 0, kMaxReadCount));
     const std::string& name = socketName(c, 1);
@@ -172,13 +174,13 @@ Status readString(Call& c) {
     const std::string suffix = escapes ? unescaped(c.string(2)) : c.string(2);
     const std::string_view bytes = c.host.receivedBytes(name);
     const std::size_t start = bytes.find(prefix);
-    std::size_t end = std::string_view::npos;  // of the text
+    std::size_t end = std::string_view::npos;  // end of the text
     if (start != std::string_view::npos && !bytes.empty()) {
         const std::size_t text = start + prefix.size();
         end = suffix.empty() ? bytes.size() : bytes.find(suffix, text);
         if (end != std::string_view::npos) {
             c.result = Value(std::string(bytes.substr(text, std::min(end - text, kMaxStringLength))));
-            // Text that exceeds the maximum string length is left for the next read.
+            // Text beyond the maximum string length remains for the next read.
             const std::size_t taken =
                 end - text > kMaxStringLength ? text + kMaxStringLength : end + suffix.size();
             consume(c, name, taken);

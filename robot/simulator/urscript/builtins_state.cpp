@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Present state and sensor values of the robot.
+// Current state and sensor values of the robot.
 
 #include "robot/simulator/urscript/builtin.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strings: bytes, indexed from zero.
+// Functions for strings, which consist of bytes indexed from zero.
 
 #include <charconv>
 #include <cmath>
@@ -83,7 +83,7 @@ Status strSub(Call& c) {
     return Status::Done;
 }
 
-// Leading blanks, sign, decimal or 0x; a float if there is a point or an exponent.
+// Leading blanks, sign, decimal or 0x. The result is a float if there is a decimal point or an exponent.
 Status toNum(Call& c) {
     std::string_view s = c.string(0);
     const std::size_t start = s.find_first_not_of(" \t");

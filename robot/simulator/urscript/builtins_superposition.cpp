@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Path offsets, conveyor tracking and its encoders.
+// Path offsets, conveyor tracking and the conveyor encoders.
 
 #include <cmath>
 
@@ -81,7 +81,7 @@ Status encoderRange(Call& c) {
     c.check(c.host.setEncoderRange(c.integerIn(0, 0, 1), c.integerIn(1, 0, 4)));
     return Status::Done;
 }
-// Difference of two tick counts, across overflow of the 32-bit counter.
+// Difference between two tick counts, taking overflow of the 32-bit counter into account.
 Status encoderUnwind(Call& c) {
     c.integerIn(0, 0, 1);
     c.result = std::remainder(c.finite(1), 4294967296.0);

@@ -2,7 +2,7 @@
 #pragma once
 
 // The executable form of a program: code of a stack machine, one sequence per function. Every variable is a
-// slot number, every callee an index; names are not looked up at runtime.
+// slot number and every callee is an index. Names are not looked up at run time.
 
 #include <cstdint>
 #include <string>
@@ -22,7 +22,7 @@ enum class Op : std::uint8_t {
     PushTrue,
     PushFalse,
     PushNone,
-    PushUnset,  // a missing argument
+    PushUnset,  // for a missing argument
     LoadLocal,
     LoadGlobal,
     StoreLocal,
@@ -49,7 +49,7 @@ enum class Op : std::uint8_t {
     GreaterEqual,
     // composites
     MakePose,
-    MakeList,    // b = elements
+    MakeList,    // b = number of elements
     MakeStruct,  // b = index into shapes
     Index,       // one index
     Index2,      // row, column
@@ -57,14 +57,14 @@ enum class Op : std::uint8_t {
     // control; b = target
     Jump,
     JumpIfFalse,
-    JumpIfFalseKeep,  // keeps the bool for `and`, `or`; pops it when not jumping
+    JumpIfFalseKeep,  // keeps the bool for `and`, `or`; pops it if it does not jump
     JumpIfTrueKeep,
-    JumpIfSet,  // a = local; skips the default value of a parameter that was given
+    JumpIfSet,  // a = local; skips the default value of a parameter that was passed
     // calls
     Call,         // b = function, a = arguments
     CallBuiltin,  // b = builtin, a = arguments
     CallMethod,   // b = index into methods
-    Return,       // value on the stack
+    Return,       // the value is on the stack
     ReturnNone,
     Throw,  // b = constant (text)
     // threads
@@ -84,14 +84,15 @@ struct Instruction {
     std::int32_t b = 0;
 };
 
-/// Target of a nested assignment or a method call: a variable and the steps from it to the element.
+/// Target of a nested assignment or a method call: a variable, and the steps from the variable to the
+/// element.
 struct Path {
     enum class Step : std::uint8_t { Index, Index2, Member };
     bool global = false;
     int slot = 0;
     using Part = std::pair<Step, std::string>;
     std::vector<Part> steps;
-    int indexValues = 0;  ///< values on the stack used by the steps
+    int indexValues = 0;  ///< number of values on the stack used by the steps
 };
 
 enum class Method : std::uint8_t {
@@ -113,7 +114,7 @@ struct MethodCall {
     Method method = Method::Unknown;
     std::string name;
     int arguments = 0;
-    bool onPath = false;  ///< otherwise the object is on the stack below the arguments
+    bool onPath = false;  ///< false: the object is on the stack below the arguments
     Path path;
 };
 
@@ -124,10 +125,10 @@ struct FunctionCode {
     int locals = 0;  ///< parameters included
     int stack = 0;   ///< maximum number of operands
     std::vector<Instruction> code;
-    std::vector<ast::Position> positions;  ///< same indices as the code
+    std::vector<ast::Position> positions;  ///< same index as the instruction in `code`
     std::vector<std::string> localNames;
-    std::vector<bool> optional;  ///< parameters that have a default
-    bool outermost = false;      ///< defined directly in the program, or a line of interpreter mode
+    std::vector<bool> optional;  ///< for each parameter, whether it has a default
+    bool outermost = false;      ///< defined directly in the program or in a line of interpreter mode
 };
 
 struct Bytecode {
@@ -136,10 +137,10 @@ struct Bytecode {
     bool raw = false;
     bool commandsMotion = false;
     bool clearsInterpreter = false;       ///< contains a call of clear_interpreter()
-    CompileOptions options;               ///< for the lines of interpreter mode
+    CompileOptions options;               ///< also used for the lines of interpreter mode
     std::vector<FunctionCode> functions;  ///< [0] is the main body
     std::vector<Value> constants;
-    std::vector<std::string> globals;  ///< a line of interpreter mode: the globals it adds
+    std::vector<std::string> globals;  ///< for a line of interpreter mode: the globals that it adds
     std::vector<Path> paths;
     std::vector<MethodCall> methods;
     std::vector<std::vector<std::string>> shapes;  ///< member names of struct literals

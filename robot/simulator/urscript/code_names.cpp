@@ -111,7 +111,7 @@ CodeNames::Slot CodeNames::resolve(std::string_view name) {
     if (const int slot = findGlobal(name); slot >= 0) {
         return {true, slot};
     }
-    // `local x` appears later in the text: in a loop it may already have a value here.
+    // `local x` appears later in the text. In a loop, the variable may already have a value here.
     if (explicitLocals_.contains(name)) {
         return {false, localSlot(name)};
     }
@@ -130,7 +130,7 @@ CodeNames::Callee CodeNames::findFunction(std::string_view name) const {
             return here(scope);
         }
     }
-    // The newest function of that name, because lines may redefine a function.
+    // Use the newest function with this name, because lines may redefine a function.
     for (std::size_t i = surroundings_ == nullptr ? 0 : surroundings_->functions.size(); i > 1; --i) {
         const FunctionCode* f = surroundings_->functions[i - 1].function;
         if (f->outermost && f->name == name) {
@@ -140,7 +140,7 @@ CodeNames::Callee CodeNames::findFunction(std::string_view name) const {
     return {};
 }
 
-// In the numbering of the machine, the functions of a line follow all existing ones.
+// The interpreter numbers the functions of a line after all existing functions.
 int CodeNames::indexOf(const Function& f) const {
     return surroundings_ == nullptr || f.index == 0
                ? f.index
@@ -152,7 +152,7 @@ bool CodeNames::isOutermost(const Function& f) const {
 }
 
 void CodeNames::report(Position at, std::string text) {
-    // Keep the first error in the text, whatever the order of the functions.
+    // Keep the first error in the text, regardless of the order in which functions are compiled.
     if (!error_ || std::pair(at.line, at.column) < std::pair(error_->line, error_->column)) {
         error_ = CompileError{at.line, at.column, std::move(text)};
     }

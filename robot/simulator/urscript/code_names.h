@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Resolves names of variables and functions: globals and functions of the text, locals of the function being
-// compiled, and, for a line of interpreter mode, those of the program it is added to.
+// Resolves names of variables and functions: globals and functions of the text, and locals of the function
+// being compiled. For a line of interpreter mode, also the names of the program to which the line is added.
 
 #include <map>
 #include <memory>
@@ -23,7 +23,7 @@ public:
     const std::optional<CompileError>& error() const { return error_; }
 
 protected:
-    /// surroundings  the program to which a line of interpreter mode is added; null: a whole program
+    /// surroundings  the program to which a line of interpreter mode is added; null for a whole program
     CodeNames(const ast::Tree& tree, const LinkedCode* surroundings)
         : tree_(tree), surroundings_(surroundings) {}
 
@@ -34,12 +34,12 @@ protected:
     void collectGlobals();
     void collectLocals(const ast::Block& block);
     static const ast::Expr* rootOf(const ast::Expr* target);
-    /// -1: not found.
+    /// Returns the slot, or -1 if there is no such global.
     int findGlobal(std::string_view name) const;
     int globalSlot(std::string_view name);
     int localSlot(std::string_view name);
     Slot resolve(std::string_view name);
-    /// A function that can be called or run, wherever it is defined.
+    /// A function that can be called or run, regardless of where it is defined.
     struct Callee {
         int index = -1;
         ast::FunctionKind kind = ast::FunctionKind::Def;
@@ -52,12 +52,12 @@ protected:
     bool isOutermost(const ast::Function& f) const;
     void report(ast::Position at, std::string text);
     void nameNotFound(ast::Position at, std::string_view name);
-    /// Sets the function whose names are resolved from now on.
+    /// Sets the function whose names are resolved by the following calls.
     void enter(const ast::Function& f);
 
     const ast::Tree& tree_;
     std::unique_ptr<Bytecode> out_ = std::make_unique<Bytecode>();
-    // of the function being compiled
+    // the function being compiled
     const ast::Function* function_ = nullptr;
     FunctionCode* code_ = nullptr;
 

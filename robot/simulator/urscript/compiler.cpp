@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every name is resolved, so that a text that calls something unknown anywhere never starts.
+// Every name is resolved, so that a text that calls an unknown function anywhere never starts.
 
 #include "robot/simulator/urscript/compiler.h"
 
@@ -70,7 +70,7 @@ void Compiler::function(const Function& f) {
 void Compiler::defaultOf(const Function& f, const ast::Parameter& parameter) {
     const int slot = localSlot(parameter.name);
     if (parameter.defaultValue == nullptr) {
-        return;  // the call has been checked
+        return;  // the caller always passes a parameter without a default
     }
     const int skip = emit(Op::JumpIfSet, f.at, 0, slot);
     expression(parameter.defaultValue);
@@ -135,7 +135,7 @@ void Compiler::statement(const Stmt& s) {
             emit(Op::Label, s.at, static_cast<int>(out_->labels.size()) - 1);
             break;
         case StmtKind::Definition:
-            break;  // compiled on its own
+            break;  // compiled separately
     }
 }
 
@@ -181,7 +181,7 @@ void Compiler::assign(const Stmt& s) {
     if (root != s.target && root->text == "digital_out" && s.target->kind == ExprKind::Index &&
         s.target->children.size() == 2 && s.scope == AssignScope::Unqualified &&
         resolve(root->text).index < 0) {
-        // `digital_out[n] = True`: output syntax of old controllers, still used by python-urx.
+        // `digital_out[n] = True` is the output syntax of old controllers, which python-urx still uses.
         expression(s.target->children[1]);
         expression(s.value);
         emit(Op::CallBuiltin, s.at, findBuiltin("set_digital_out"), 2, -1);

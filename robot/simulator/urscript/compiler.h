@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The code generator: syntax tree to bytecode, statement by statement. Other files include program.h instead.
+// The code generator, which translates the syntax tree to bytecode statement by statement. Other files
+// include program.h instead.
 
 #include <memory>
 #include <string_view>
@@ -13,7 +14,7 @@ namespace tiller::simulator::urscript {
 
 class Compiler : public ExpressionCompiler {
 public:
-    /// surroundings  the program to which a line of interpreter mode is added; null: a whole program
+    /// surroundings  the program to which a line of interpreter mode is added; null for a whole program
     Compiler(const ast::Tree& tree, const CompileOptions& options, const LinkedCode* surroundings = nullptr)
         : ExpressionCompiler(tree, options, surroundings) {}
 
@@ -28,7 +29,7 @@ private:
     void whileStatement(const ast::Stmt& s);
     void assign(const ast::Stmt& s);
 
-    // of the function being compiled
+    // the function being compiled
     int loopStart_ = 0;
     std::vector<int> breaks_;
 };
@@ -38,8 +39,8 @@ struct LineOutcome {
     std::unique_ptr<Bytecode> code;
     CompileError error;
 };
-/// Compiles statements that are added to a running program. They can use its globals and outermost functions
-/// and the definitions of earlier lines; new variables are local to them, and new globals are an error.
+/// Compiles statements that are added to a running program. They can use its globals and outermost functions,
+/// and the definitions of earlier lines. New variables are local to the statements; new globals are an error.
 LineOutcome compileLine(std::string_view text, const LinkedCode& surroundings);
 
 }  // namespace tiller::simulator::urscript

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Values written as in a program, outside of one: in tables of devices.
+// Constant values in URScript notation outside of programs, e.g. in device tables.
 
 #include <string_view>
 
@@ -10,7 +10,7 @@
 
 namespace tiller::simulator::urscript {
 
-/// A number, True, False, a text in quotes, a list, a pose `p[...]` or a struct of these.
+/// Parses a number, True, False, a quoted text, a list, a pose `p[...]` or a struct of such values.
 /// Errors  ScriptError with the reason
 Result<Value> constantValue(std::string_view text);
 

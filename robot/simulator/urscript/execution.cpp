@@ -30,9 +30,10 @@ Execution::Execution(const Program& program, Host& host, const Limits& limits)
     globals_.resize(code_.globals.size());
 }
 
-// The frequent cases (numbers, jumps, variables) are handled here, all others in operators.cpp.
+// Executes a thread. The frequent cases (numbers, jumps, variables) are handled here, and all others in
+// operators.cpp.
 void Execution::execute(ScriptThread& thread) {
-    // Cached copies of the data of the current call; `reload` after every call or return.
+    // Cached data of the current call. Call `reload` after every call or return.
     const FunctionCode* function = nullptr;
     const Bytecode* unit = nullptr;
     const Value* constants = nullptr;
@@ -53,7 +54,7 @@ void Execution::execute(ScriptThread& thread) {
         locals = thread.stack.data() + call.base;
         sp = thread.stack.data() + thread.top;
     };
-    // Updates the record of the thread before any operation that may fault, block or read it.
+    // Updates the state of the thread before any operation that may fault, block or read this state.
     const auto save = [&] {
         thread.calls.back().pc = pc;
         thread.top = static_cast<std::size_t>(sp - thread.stack.data());
@@ -203,7 +204,7 @@ void Execution::execute(ScriptThread& thread) {
                 sp[-6] = makePose(sp - 6);
                 sp -= 5;
                 for (int i = 0; i < 5; ++i) {
-                    sp[i].forget();  // numbers, otherwise makePose would have failed
+                    sp[i].forget();  // these are numbers, otherwise makePose would have failed
                 }
                 break;
             case Op::MakeList: {
@@ -381,7 +382,7 @@ void Execution::execute(ScriptThread& thread) {
             }
             case Op::EnterCritical:
             case Op::ExitCritical:
-                break;  // threads switch only where they block, where the language requires switching
+                break;  // no-op: threads switch only when they block, which critical sections do not prevent
             case Op::Halt:
                 save();
                 settle();
@@ -426,14 +427,14 @@ void Execution::push(ScriptThread& thread, const LinkedCode::Callee& callee, int
     thread.calls.push_back({&f, callee.unit, 0, base});
 }
 
-// Runs the next line of interpreter mode, as a call at the position of its builtin.
+// Runs the next line of interpreter mode like a call at the position of interpreter_mode().
 void Execution::enterLine(ScriptThread& thread) {
     const Unit& unit = mode_.begin();
     globals_.resize(std::max(globals_.size(), code_.globals.size()));
     push(thread, {&unit.code->functions.front(), &unit}, 0);
 }
 
-// Returns to the caller with the result; false when the thread has left its outermost function.
+// Returns to the caller with the result. Returns false if the thread has left its outermost function.
 bool Execution::leave(ScriptThread& thread, Value result) {
     const CallFrame done = thread.calls.back();
     for (std::size_t i = done.base; i < thread.top; ++i) {
@@ -449,14 +450,14 @@ bool Execution::leave(ScriptThread& thread, Value result) {
     }
     thread.calls.pop_back();
     if (done.unit->owned != nullptr && done.function == &done.unit->code->functions.front()) {
-        mode_.lineDone();  // its result is discarded
+        mode_.lineDone();  // the result of the line is discarded
     } else {
         thread.stack[thread.top++] = std::move(result);
     }
     return true;
 }
 
-// Returns Wait if the builtin must be executed again, or the slice is used up.
+// Returns Wait if the builtin must be executed again or if the slice has been used.
 Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction& instruction) {
     const Builtin& builtin = builtins()[static_cast<std::size_t>(instruction.b)];
     const std::size_t first = thread.top - instruction.a;
@@ -471,7 +472,7 @@ Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction&
         forgetLines();
     }
     thread.operations -= 8 + call.cost;
-    // Reading must take time, however much a client sends and however often the program reads.
+    // Reading must take time, regardless of how much a client sends and how often the program reads.
     call.endFrame =
         call.endFrame || (call.readSocket && limits_.threadOperationsPerFrame - thread.operations >=
                                                  limits_.readingOperationsPerFrame);
@@ -504,11 +505,11 @@ Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction&
     if (call.endFrame) {
         thread.sliceNs = std::min<std::int64_t>(thread.sliceNs, 0);
     }
-    // A thread that has used some of its time yields to threads that have more left.
+    // A thread that has used some of its time yields to threads with more remaining time.
     return thread.sliceNs > 0 && call.consumedNs == 0 && !isStopRequested() ? After::GoOn : After::Wait;
 }
 
-// Returns false if the thread waits and continues here.
+// Returns false if the thread must wait and execute the same instruction again.
 bool Execution::callRemote(ScriptThread& thread, std::int32_t handle, const MethodCall& call,
                            std::span<const Value> arguments, Value& result) {
     if (context_.kind == ProgramKind::Secondary) {
@@ -565,7 +566,7 @@ void Execution::storePath(ScriptThread& thread, const Path& path) {
     Value element = std::move(end[-1]);
     const bool nested = element.nested();
     Value& holder = descend(root, path, path.steps.size() - 1, indices);
-    // Writing to a shared list copies it.
+    // Writing to a shared list copies the list.
     thread.operations -= holder.is(Type::List) ? static_cast<std::int64_t>(holder.list().size() / 32) : 1;
     assignElement(holder, path.steps.back(), indices, std::move(element));
     if (nested) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Executes the bytecode of a script thread during its share of the frame until it waits, ends or fails. The
-// scheduler (virtual_machine.h) assigns the shares.
+// Executes the bytecode of a script thread within the thread's share of the frame, until the thread waits,
+// ends or fails. The scheduler (virtual_machine.h) assigns the shares.
 
 #include <cstdint>
 #include <span>
@@ -24,7 +24,7 @@ protected:
     ~Execution() = default;
 
     void execute(ScriptThread& thread);
-    /// Pushes a call of the function on the thread's stack.
+    /// Pushes a call of the function onto the thread's stack.
     void enter(ScriptThread& thread, int function, int arguments);
 
     Host& host_;
@@ -35,14 +35,14 @@ protected:
     CallContext context_;
     std::vector<Value> globals_;
     std::int64_t frame_ = 0;
-    std::int64_t frameOperations_ = 0;  ///< remaining operations of all threads
+    std::int64_t frameOperations_ = 0;  ///< remaining operations for all threads
 
 private:
-    // Requests of a thread to the scheduler.
-    /// Throws a fault when there are too many threads.
+    // Requests from a thread to the scheduler.
+    /// Throws a fault if there are too many threads.
     virtual ThreadId startThread(int function, ThreadId parent) = 0;
     virtual bool isAlive(ThreadId id) const = 0;
-    /// The thread of a handle; -1: none.
+    /// Returns the thread for a handle; -1: none.
     virtual ThreadId handleOf(const Value& v) const = 0;
     virtual void endThread(ScriptThread& thread) = 0;
     virtual void killTree(ThreadId id) = 0;

@@ -142,7 +142,7 @@ Expr* ExpressionParser::primary() {
         case TokenKind::LeftParen: {
             Expr* e = expression();
             if (accept(TokenKind::Comma)) {
-                // "(x, y, z)", which python-urx sends instead of a list.
+                // python-urx sends "(x, y, z)" instead of a list.
                 std::vector<Expr*> elements = items(TokenKind::RightParen);
                 elements.insert(elements.begin(), e);
                 return newExpr(ExprKind::ListLiteral, token, std::move(elements));
@@ -175,7 +175,7 @@ Expr* ExpressionParser::primary() {
     }
 }
 
-// Parses after the opening bracket, up to and including `close`.
+// Parses the items after the opening bracket, up to and including `close`.
 std::vector<Expr*> ExpressionParser::items(TokenKind close) {
     std::vector<Expr*> out;
     if (!accept(close)) {
@@ -187,7 +187,7 @@ std::vector<Expr*> ExpressionParser::items(TokenKind close) {
     return out;
 }
 
-// `p[`: six elements make a pose; one or two index a variable of that name.
+// After `p[`, six elements form a pose. One or two elements are indices into a variable named p.
 Expr* ExpressionParser::poseOrIndex(const Token& name) {
     const Token& bracket = take();
     std::vector<Expr*> elements = items(TokenKind::RightBracket);
@@ -233,7 +233,7 @@ Expr* ExpressionParser::call(const Token& name) {
                 take();
             } else {
                 if (!names.empty() && !names.back().empty()) {
-                    fail(peek());  // positional arguments must be first
+                    fail(peek());  // positional arguments must come first
                 }
                 names.emplace_back();
             }

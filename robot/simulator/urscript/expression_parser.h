@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Parser for expressions, with the token access and node creation that it is built on. The parser of
-// statements (parser.cpp) uses both.
+// Parser for expressions, including access to tokens and creation of nodes. The parser of statements
+// (parser.cpp) uses these functions as well.
 
 #include <algorithm>
 #include <limits>
@@ -14,12 +14,12 @@
 
 namespace tiller::simulator::urscript {
 
-// Thrown and caught inside the parser only, so that the productions do not have to pass errors upwards.
+// Thrown and caught inside the parser only, so that the parse functions do not have to return errors.
 struct ParseFailure {
     CompileError error;
 };
 
-/// Reads tokens one after the other and creates the nodes of the tree.
+/// Reads tokens sequentially and creates the nodes of the tree.
 class TreeBuilder {
 protected:
     TreeBuilder(std::string_view source, const std::vector<Token>& tokens, ast::Tree& tree)
@@ -57,7 +57,7 @@ protected:
         return take();
     }
     [[noreturn]] void fail(const Token& token) const {
-        // If an `end` is missing, the last `end` in the first column has closed an inner block; report the
+        // If an `end` is missing, the last `end` in the first column has closed an inner block. Report the
         // error there.
         if (token.kind == TokenKind::End && tokens_.size() > 1) {
             const Token& last = tokens_[tokens_.size() - 2];
@@ -68,7 +68,7 @@ protected:
         throw ParseFailure{syntaxError(source_, token.line, token.column)};
     }
 
-    /// True if the text assigns to a variable of this name anywhere.
+    /// True if the text assigns a value to a variable with this name anywhere.
     bool isAssigned(std::string_view name) const {
         const auto assigns = [name](const Token& token, const Token& next) {
             return token.kind == TokenKind::Identifier && token.text == name &&
@@ -77,7 +77,7 @@ protected:
         return std::adjacent_find(tokens_.begin(), tokens_.end(), assigns) != tokens_.end();
     }
 
-    // Limits the recursion of productions, and so the stack.
+    // Limits the recursion of the parse functions, and therefore the stack size.
     class Level {
     public:
         explicit Level(TreeBuilder& builder) : builder_(builder) {
@@ -144,10 +144,10 @@ protected:
 
 private:
     struct Operator {
-        int strength;  ///< 0 is the weakest
+        int strength;  ///< 0 is the lowest precedence
         ast::ExprKind kind;
     };
-    static constexpr int kNotStrength = 2;  // between `and` and the comparisons
+    static constexpr int kNotStrength = 2;  // between `and` and the comparison operators
     static Operator operatorOf(TokenKind kind);
     ast::Expr* binary(int weakest);
     ast::Expr* unary();

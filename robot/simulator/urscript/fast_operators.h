@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Inlined operations on numbers, which make up most statements; all other operations are in operators.h.
+// Inlined operations on numbers, which make up most statements. All other operations are in operators.h.
 
 #include <algorithm>
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace tiller::simulator::urscript {
 
-// Extra operation cost of list operations, so that the frame's budget limits their time as well.
+// Additional operation cost of list operations, so that the operation limit of the frame also limits their
+// time.
 inline std::int64_t elementCount(const Value& v) {
     return static_cast<std::int64_t>(v.is(Value::Type::List)     ? v.list().size()
                                      : v.is(Value::Type::Matrix) ? v.matrix().numbers.size()
@@ -26,7 +27,7 @@ inline std::int64_t costOf(Op op, const Value& left, const Value& right) {
     return most / 8;
 }
 
-// Inlined operations on numbers of the same type; false: not handled.
+// Inlined operations on numbers of the same type. Returns false if the operands are not handled.
 inline bool fastArithmetic(Op op, Value& left, const Value& right) {
     if (left.is(Value::Type::Float) || right.is(Value::Type::Float)) {
         if (!left.isNumber() || !right.isNumber()) {

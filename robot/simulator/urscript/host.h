@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The interfaces of a running script to the robot. The interpreter owns threads, variables and time slices;
-// everything outside the program (arm, registers, I/O, sockets, messages) is accessed through these interfaces,
-// which a simulated controller implements with its arm.
+// The interfaces of a running script to the robot. The interpreter owns threads, variables and time slices.
+// It accesses everything outside of the program (arm, registers, I/O, sockets, messages) through these
+// interfaces, which a simulated controller implements with its arm.
 //
-// Conventions for all of them: SI units, base frame unless stated otherwise, called only from the thread that calls
-// Interpreter::runFrame(), never blocking. Operations that take time are started with one call and polled with
-// another, once per frame. An Error ends the program as a runtime exception; its controllerMessage (or its context
-// if that is empty) becomes the text. Methods with a body here are for optional equipment.
+// Conventions for all interfaces: SI units; base frame unless stated otherwise; called only from the thread
+// that calls Interpreter::runFrame(); never blocking. Operations that take time are started by one call and
+// polled by another, once per frame. An Error ends the program with a runtime exception, whose text is the
+// error's controllerMessage, or its context if controllerMessage is empty. Methods with a default
+// implementation are for optional equipment.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -27,19 +28,19 @@
 
 namespace tiller::simulator::urscript {
 
-/// Identifies a script thread within one program: 0 is the main body, handles of `run` are 1, 2, 3...
+/// Identifies a script thread within one program: 0 is the main body, and the handles returned by `run` are
+/// 1, 2, 3 ...
 using ThreadId = std::int32_t;
 
 /// The error that a host returns for unsupported functions.
 Error notSimulated(std::string_view what);
-/// Creates an error whose text becomes the runtime exception.
+/// Creates an error whose text becomes the text of the runtime exception.
 Error scriptError(std::string text);
 
-// ---------------------------------------------------------------------------------------------- motion
-// commands
+// ---- motion commands
 
-/// Target of a move: joint positions [rad] or a TCP pose in the base frame. The host converts as needed (forward
-/// kinematics for movel, inverse kinematics near the current joints for movej).
+/// Target of a move: joint positions [rad] or a TCP pose in the base frame. The host converts them as needed:
+/// forward kinematics for movel, inverse kinematics near the current joint positions for movej.
 using MoveTarget = std::variant<JointPositions, Pose>;
 
 /// movej, movel, movep, movec, optimovej, optimovel.
@@ -47,10 +48,10 @@ struct Move {
     enum class Kind { J, L, P, C, OptimoveJ, OptimoveL };
     Kind kind = Kind::J;
     MoveTarget target;
-    std::optional<MoveTarget> via;  ///< movec only; of a pose only the position counts
+    std::optional<MoveTarget> via;  ///< movec only; only the position of a pose is used
     double acceleration = 0;  ///< [rad/s2] leading axis (J), [m/s2] (L, P, C), fraction (0,1] (Optimove)
     double velocity = 0;      ///< [rad/s], [m/s], fraction (0,1]
-    double duration = 0;      ///< [s], 0 = not given; has priority over acceleration and velocity
+    double duration = 0;      ///< [s]; 0: not given; has priority over acceleration and velocity
     double blend = 0;         ///< [m]
     int orientationMode = 0;  ///< movec: 0 unconstrained, 1 fixed relative to the arc
 };
@@ -70,7 +71,7 @@ struct ServoC {
 struct SpeedJ {
     JointVelocities qd;
     double acceleration = 0;         ///< [rad/s2], may be 0, very large or infinite
-    std::optional<double> duration;  ///< [s]; none = until the speed is reached, at least one frame
+    std::optional<double> duration;  ///< [s]; empty: until the speed is reached, at least one frame
 };
 
 struct SpeedL {
@@ -90,12 +91,13 @@ struct StopL {
 
 struct DirectTorque {
     JointTorques torque;               ///< without gravity
-    bool frictionCompensation = true;  ///< form with one switch
-    std::optional<Vector6> viscous;    ///< form with scales 0..1
+    bool frictionCompensation = true;  ///< used if the command has a single switch
+    std::optional<Vector6> viscous;    ///< used if the command has scales 0..1
     std::optional<Vector6> coulomb;
 };
 
-/// path_offset_disable, stop_conveyor_tracking: ends the superposition; complete at standstill.
+/// path_offset_disable, stop_conveyor_tracking: ends the superposition. The command is complete at
+/// standstill.
 struct StopSuperposition {
     double deceleration = 20;  ///< [rad/s2]
 };
@@ -115,25 +117,25 @@ struct Freedrive {
     std::array<bool, 6> freeAxes{true, true, true, true, true, true};
     Pose feature;              ///< relative to the base if `tool` is false
     bool tool = false;         ///< the feature is the tool
-    bool checkPayload = true;  ///< false for freedrive_mode_no_incorrect_payload_check
+    bool checkPayload = true;  ///< false for freedrive_mode_no_incorrect_payload_check()
 };
 
-/// Starts motion and reports its completion. The interpreter ensures that only one thread has an unfinished
-/// command at a time.
+/// Starts motions and reports their completion. The interpreter ensures that only one thread at a time has an
+/// unfinished command.
 class MotionHost {
 public:
     virtual ~MotionHost() = default;
 
-    /// Starts `command` for `thread`. The arm may still be moving from an earlier command, also one whose
-    /// thread has been killed. An error ends the program (no inverse solution, target outside the joint
-    /// range...).
+    /// Starts `command` for `thread`. The arm may still be moving because of an earlier command, even if the
+    /// thread of that command has been killed. An error ends the program (no inverse solution, target outside
+    /// of the joint range ...).
     virtual Result<void> startMotion(ThreadId thread, const MotionCommand& command) = 0;
-    /// Polled at the beginning of each later frame, never in the frame of the start. Returns true when the
-    /// calling thread may continue: at standstill at the target, in the blend zone, when the duration has
-    /// elapsed (in program time, so longer at a reduced speed slider), or at standstill after a stop.
+    /// Polled at the beginning of each later frame, but not in the frame of the start. Returns true when the
+    /// calling thread may continue: at standstill at the target, in the blend zone, after the duration (in
+    /// program time, which is longer if the speed slider is below 100 %), or at standstill after a stop.
     virtual Result<bool> motionFinished(ThreadId thread) = 0;
-    /// The thread was killed, or ended, with an unfinished command. The arm keeps its speed until the next
-    /// command of another thread or the end of the program.
+    /// Called if the thread was killed, or ended, with an unfinished command. The arm keeps its speed until
+    /// another thread issues a command or the program ends.
     virtual void motionAbandoned(ThreadId thread) = 0;
 
     virtual Result<void> forceMode(const ForceMode& mode) = 0;  ///< may be called every frame
@@ -153,7 +155,7 @@ public:
     virtual Result<void> resetRevolutionCounter(const JointPositions& qNear);
 };
 
-/// Offsets superimposed on a path: path_offset_* and conveyor tracking. Optional.
+/// Offsets superposed on a path: path_offset_* and conveyor tracking. Optional.
 class SuperpositionHost {
 public:
     virtual ~SuperpositionHost() = default;
@@ -171,8 +173,7 @@ public:
     virtual Result<void> setEncoderRange(int encoder, int rangeId);
 };
 
-// ------------------------------------------------------------------------------------------------- robot
-// state
+// ---- robot state
 
 enum class Source { Actual, Target };
 
@@ -184,17 +185,19 @@ public:
     virtual JointPositions jointPositions(Source) const = 0;
     virtual JointVelocities jointVelocities(Source) const = 0;
     virtual JointAccelerations jointAccelerations(Source) const = 0;
-    /// Joint positions `steps` controller steps ago, 0 = now. Error beyond the buffer of some seconds.
+    /// Joint positions `steps` control periods ago; 0 = now. Returns an error beyond the buffer of several
+    /// seconds.
     virtual Result<JointPositions> jointPositionsHistory(int steps) const = 0;
     virtual JointTorques externalJointTorques() const = 0;  ///< get_joint_torques
 
     virtual Pose tcpPose(Source) const = 0;
     virtual Twist tcpSpeed(Source) const = 0;
-    virtual Pose flangePose() const = 0;      ///< actual, without TCP offset
-    virtual Pose targetWaypoint() const = 0;  ///< of the active move, otherwise the target TCP pose
+    virtual Pose flangePose() const = 0;      ///< actual pose, without the TCP offset
+    virtual Pose targetWaypoint() const = 0;  ///< target of the active move, otherwise the target TCP pose
     virtual Wrench tcpForce() const = 0;
     virtual bool isSteady() const = 0;
-    /// Number of steps back to just before a contact along `direction` (zero: any), 0 = none.
+    /// Number of control periods back to the one just before a contact along `direction` (zero: any
+    /// direction); 0: no contact.
     virtual int toolContact(const Eigen::Vector3d& direction) const = 0;
 
     virtual double jointTemperature(int joint) const = 0;   ///< [deg C], joint 0..5
@@ -205,12 +208,12 @@ public:
 
     using FieldValue =
         std::variant<bool, std::int32_t, double, std::vector<double>, std::vector<std::int32_t>>;
-    /// An RTDE output field by name, delayed by one step.
+    /// Value of an RTDE output field by name, delayed by one control period.
     virtual Result<FieldValue> rtdeValue(std::string_view field) const;
 };
 
-/// Kinematics and dynamics of the calibrated arm. Without `tcp` and `q`, the active TCP and current joints
-/// are used.
+/// Kinematics and dynamics of the calibrated arm. If `tcp` or `q` is empty, the active TCP or the current
+/// joint positions are used.
 class KinematicsHost {
 public:
     virtual ~KinematicsHost() = default;
@@ -219,12 +222,12 @@ public:
                                    const std::optional<Pose>& tcp) const = 0;
     struct InverseRequest {
         Pose pose;
-        std::optional<JointPositions> qNear;  ///< absent: current joints
+        std::optional<JointPositions> qNear;  ///< empty: current joint positions
         double maxPositionError = 1e-10;      ///< [m]
         double maxOrientationError = 1e-10;   ///< [rad]
         std::optional<Pose> tcp;
     };
-    /// The solution nearest to qNear, or nothing.
+    /// Returns the solution nearest to qNear; empty if there is none.
     virtual std::optional<JointPositions> inverseKinematics(const InverseRequest& request) const = 0;
     virtual bool isWithinSafetyLimits(const MoveTarget& target) const = 0;
 
@@ -247,34 +250,33 @@ struct ExternalForceSensor {
         true;  ///< ft_rtde_input_enable; false: enable_external_ft_sensor (torques of opposite sign)
 };
 
-/// Equipment mounted on the arm, and the mounting of the arm. Kept between programs.
+/// Equipment mounted on the arm, and the mounting of the arm. The settings are kept between programs.
 class SetupHost {
 public:
     virtual ~SetupHost() = default;
     virtual Pose tcpOffset() const = 0;
     virtual Result<void> setTcpOffset(const Pose& flangeToTcp, std::string_view name) = 0;
     virtual Payload payload() const = 0;
-    /// `transition` [s] blends from the old payload. `zeroSensor`: the older functions also zero the F/T
-    /// reading.
+    /// `transition`: time for blending from the old to the new payload [s]. `zeroSensor`: true for the older
+    /// functions, which also zero the force/torque reading.
     virtual Result<void> setPayload(const Payload& payload, double transition, bool zeroSensor) = 0;
-    virtual Eigen::Vector3d gravity() const = 0;  ///< [m/s2], upright: 0 0 9.82
+    virtual Eigen::Vector3d gravity() const = 0;  ///< [m/s2]; 0 0 9.82 when upright
     virtual Result<void> setGravity(const Eigen::Vector3d& gravity) = 0;
     virtual Eigen::Vector3d baseAcceleration() const { return Eigen::Vector3d::Zero(); }
     virtual Result<void> setBaseAcceleration(const Eigen::Vector3d& acceleration);
     virtual void zeroForceSensor() = 0;
     virtual Result<void> setExternalForceSensor(const ExternalForceSensor& sensor) = 0;
-    /// Settings that a simulation may ignore, by builtin name with their numbers:
-    /// "position_deviation_warning", "set_baselight_solid", "motion_version_set"... The default
+    /// Settings that a simulation may ignore, identified by builtin name, with their numbers:
+    /// "position_deviation_warning", "set_baselight_solid", "motion_version_set" ... The default
     /// implementation accepts them without effect.
     virtual Result<void> applySetting(std::string_view builtin, std::span<const double> values);
 };
 
-// ------------------------------------------------------------------------------------------ registers and
-// I/O
+// ---- registers and I/O
 
 enum class RegisterSide { Input, Output };
 
-/// General purpose registers. The caller checks addresses: bool 0..127, int and float 0..47.
+/// General purpose registers. The caller checks the addresses: bool 0..127, int and float 0..47.
 class RegisterHost {
 public:
     virtual ~RegisterHost() = default;
@@ -286,7 +288,7 @@ public:
     virtual void setFloatOutput(int address, double value) = 0;
     virtual bool flag(int number) const = 0;  ///< 0..32, kept between programs
     virtual void setFlag(int number, bool value) = 0;
-    /// The registers of the controller's own Modbus server. Addresses 0..kPorts - 1.
+    /// The registers of the controller's own Modbus server, addresses 0..kPorts - 1.
     static constexpr int kPorts = 512;
     virtual bool portBit(int address) const;
     virtual void setPortBit(int address, bool value);
@@ -314,7 +316,7 @@ public:
     virtual bool digitalInput(DigitalBank, int n) const = 0;
     virtual bool digitalOutput(DigitalBank, int n) const = 0;
     virtual void setDigitalOutput(DigitalBank, int n, bool value) = 0;
-    virtual double analog(AnalogPort, int n) const = 0;               ///< [A] or [V] by domain
+    virtual double analog(AnalogPort, int n) const = 0;               ///< [A] or [V], depending on the domain
     virtual void setAnalogOutput(int n, double level) = 0;            ///< 0..1 of the range
     virtual void setAnalogDomain(AnalogPort, int n, int domain) = 0;  ///< 0: 4-20 mA, 1: 0-10 V
     virtual void setToolVoltage(int volts) = 0;                       ///< 0, 12 or 24
@@ -328,29 +330,30 @@ public:
     virtual void resetInputActions() = 0;
 };
 
-// -----------------------------------------------------------------------------------------------------
-// sockets
+// ---- sockets
 
-/// TCP client sockets of the program, by name in the script. All are closed at the end of the program.
+/// TCP client sockets of the program, identified by their names in the script. All sockets are closed when
+/// the program ends.
 class SocketHost {
 public:
     virtual ~SocketHost() = default;
     enum class State { Closed, Connecting, Open };
 
-    /// Starts to connect, after closing an open socket of that name. False when that fails immediately.
+    /// Starts connecting, after closing an open socket with this name. Returns false if the attempt fails
+    /// immediately.
     virtual bool openSocket(std::string_view name, std::string_view address, int port) = 0;
-    /// Open until closed by either side; bytes received before can still be read afterwards.
+    /// The state is Open until either side closes the connection. Bytes received before that can still be
+    /// read afterwards.
     virtual State socketState(std::string_view name) const = 0;
     virtual void closeSocket(std::string_view name) = 0;  ///< unknown names are ignored
-    /// Sends all bytes; false when the socket is not open.
+    /// Sends all bytes. Returns false if the socket is not open.
     virtual bool sendSocket(std::string_view name, std::string_view bytes) = 0;
-    /// Bytes received and not yet consumed. Valid until the next call of this interface.
+    /// Bytes received but not yet consumed. Valid until the next call of this interface.
     virtual std::string_view receivedBytes(std::string_view name) const = 0;
     virtual void consumeBytes(std::string_view name, std::size_t count) = 0;
 };
 
-// ---------------------------------------------------------------------------------------- messages and
-// program
+// ---- messages and program
 
 struct Popup {
     std::string text, title;
@@ -367,21 +370,21 @@ public:
     virtual ~MessageHost() = default;
     virtual void textMessage(std::string_view text) = 0;               ///< primary type 0
     virtual void programLabel(int number, std::string_view text) = 0;  ///< primary type 1, `$ 1 "name"`
-    virtual int showPopup(const Popup& popup) = 0;                     ///< returns an id, primary type 2
+    virtual int showPopup(const Popup& popup) = 0;                     ///< returns an ID, primary type 2
     virtual bool popupOpen(int id) const = 0;  ///< polled once per frame by blocking popups
-    virtual Result<int> requestValue(RequestedType kind, std::string_view text);  ///< primary type 9, an id
+    virtual Result<int> requestValue(RequestedType kind, std::string_view text);  ///< an ID, primary type 9
     virtual std::optional<RequestAnswer> requestedValue(int id);
 };
 
-/// A signal of a Modbus device that the controller reads, or writes and reads, periodically.
+/// A signal of a Modbus device. The controller reads it, or writes and reads it, periodically.
 struct ModbusSignal {
     enum class Kind { Input, Coil, InputRegister, Register };
     std::string name;
     std::string device;  ///< IP address
     Kind kind = Kind::Input;
     int address = 0;
-    int count = 1;      ///< of inputs, coils or registers
-    bool list = false;  ///< its status is a list of `count` values
+    int count = 1;      ///< number of inputs, coils or registers
+    bool list = false;  ///< the status is a list of `count` values
     int writeAddress = 0;
     int writeCount = 1;
 
@@ -395,19 +398,19 @@ struct ModbusStatus {
 };
 enum class ModbusErrorSource { Combined, Device, Connection };
 
-/// Modbus devices that the controller is a client of. Optional. Signals stay when the program ends. Errors of
-/// all functions: no signal of that name.
+/// Modbus devices, of which the controller is a client. Optional. Signals remain when the program ends. All
+/// functions return an error if there is no signal with this name.
 class ModbusHost {
 public:
     virtual ~ModbusHost() = default;
-    virtual Result<void> addModbusSignal(const ModbusSignal& signal);  ///< replaces one of the same name
+    virtual Result<void> addModbusSignal(const ModbusSignal& signal);  ///< replaces one with the same name
     virtual Result<void> deleteModbusSignal(std::string_view name);
-    /// The last values read. Error: none for longer than the signal's watchdog.
+    /// Returns the values read last. Error: no values were read for longer than the signal's watchdog time.
     virtual Result<ModbusStatus> modbusStatus(std::string_view name) const;
     virtual Result<std::int32_t> modbusError(std::string_view name, ModbusErrorSource source) const;
     virtual Result<double> modbusInvalidTime(std::string_view name) const;  ///< [s], 0: valid
-    /// Sets an output; with fewer values than it has, the others keep theirs. Error: not an output, or of
-    /// another kind.
+    /// Sets an output. If `values` has fewer elements than the output, the other values remain unchanged.
+    /// Error: the signal is not an output, or is of a different kind.
     virtual Result<void> setModbusOutput(std::string_view name, bool digital,
                                          std::span<const std::int32_t> values);
     virtual Result<void> setModbusFrequency(std::string_view name,
@@ -429,17 +432,17 @@ public:
     virtual double stepTime() const = 0;                ///< [s] 0.002 or 0.008; length of one frame
     virtual std::int64_t controllerTimeNs() const = 0;  ///< monotonic, since the start of the controller
     virtual std::int64_t systemTimeNs() const = 0;      ///< UTC since 1970
-    /// Safety is informed immediately. The program continues to the end of its frame; call
+    /// Informs the safety system immediately. The program continues to the end of its frame; call
     /// Interpreter::pause().
     virtual Result<void> protectiveStop() = 0;
     virtual void powerDown() = 0;
     virtual Result<void> setWatchdog(std::string_view field, double minFrequency, WatchdogAction action) = 0;
-    /// Main program: decelerate, end force mode and freedrive, remove watchdogs, close sockets. Secondary
-    /// program: nothing. Called exactly once per interpreter that ran, also after errors and stop().
+    /// Main program: decelerates, ends force mode and freedrive, removes watchdogs, closes sockets. Secondary
+    /// program: no action. Called exactly once for each interpreter that ran, also after errors and stop().
     virtual void programEnded(ProgramKind kind) = 0;
 };
 
-/// Named frames, kept between programs.
+/// Named frames, which are kept between programs.
 class WorldHost {
 public:
     virtual ~WorldHost() = default;
@@ -449,8 +452,8 @@ private:
     WorldModel world_;
 };
 
-/// Everything accessible to a script. Its interfaces are virtual bases, so that a host can be composed of
-/// classes that each implement one or several of them.
+/// All interfaces accessible to a script. They are virtual bases, so that a host can be composed of classes
+/// that each implement one or more interfaces.
 class Host : public virtual MotionHost,
              public virtual SuperpositionHost,
              public virtual StateHost,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs one program, one controller frame at a time. Within a frame every script thread runs until it blocks,
-// ends or has used its time slice; between frames nothing runs. The order is deterministic: the thread with
-// most of its slice left runs first; of several equal ones the oldest, but the main program last (see
-// Limits::mainFirst). A thread started in a frame still runs in it.
+// Runs one program, one controller frame at a time. Within a frame, every script thread runs until it blocks,
+// ends or has used its time slice; no thread runs between frames. The order is deterministic. The thread with
+// the largest remaining slice runs first. If several slices are equal, the oldest thread runs first, except
+// that the main program runs last (see Limits::mainFirst). A thread started in a frame still runs in this
+// frame.
 //
-// Host side protocol: each control period call runFrame() once, then step the arm. The destructor and stop()
-// end the program and inform the host.
+// The host calls runFrame() once in each control period and then steps the arm. The destructor and stop() end
+// the program and notify the host.
 
 #include <cstdint>
 #include <memory>
@@ -21,7 +22,7 @@
 
 namespace tiller::simulator::urscript {
 
-/// The error that ended a program early. Line and column count from 1 in the compiled text.
+/// The error that ended a program early. Line and column are counted from 1 in the compiled text.
 struct RuntimeError {
     int line = 0;
     int column = 0;
@@ -30,20 +31,20 @@ struct RuntimeError {
 };
 
 struct Limits {
-    std::int64_t threadOperationsPerFrame = 1'000'000;  ///< more is treated as an infinite loop
-    /// After this many operations, a thread that reads a socket has used up its frame, so that reading takes
-    /// time however much data there is.
+    std::int64_t threadOperationsPerFrame = 1'000'000;  ///< more operations are treated as an infinite loop
+    /// After this many operations, a thread that reads a socket has used its time in the frame, so that
+    /// reading takes time regardless of the amount of data.
     std::int64_t readingOperationsPerFrame = 100'000;
-    std::int64_t frameOperations = 4'000'000;  ///< of all threads together
+    std::int64_t frameOperations = 4'000'000;  ///< for all threads together
     int callDepth = 200;
     int threads = 128;
     std::size_t listLength = 100'000;
     std::uint64_t randomSeed = 1;
-    /// Of equal threads the main program runs first. Otherwise it runs last, so that programs whose thread
-    /// copies an input for the main program, e.g. the vendor's example of an RTDE control loop, use the
-    /// newest copy.
+    /// If true, the main program runs first among threads with equal slices. If false, it runs last. Programs
+    /// in which a thread copies an input for the main program, e.g. the vendor's example of an RTDE control
+    /// loop, then use the newest copy.
     bool mainFirst = false;
-    bool threadsBeginNextFrame = false;     ///< otherwise in the period in which they are started
+    bool threadsBeginNextFrame = false;     ///< false: threads begin in the period in which they are started
     bool remoteServersMayBeAbsent = false;  ///< rpc_factory() does not check its server
 };
 
@@ -54,8 +55,8 @@ public:
     enum class State {
         Running,
         Paused,
-        Finished,  ///< main body ended, or `halt`
-        Stopped,   ///< by stop()
+        Finished,  ///< main body has ended, or `halt`
+        Stopped,   ///< after stop()
         Failed,    ///< see error()
     };
 
@@ -64,9 +65,9 @@ public:
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
 
-    /// Advances the program by one frame of host().stepTime(). Does nothing unless running. A secondary
-    /// program always ends within its first frame.
-    /// Threads  always the same one; hosts may call pause(), resume() and stop() from inside
+    /// Advances the program by one frame of host().stepTime(). Does nothing unless the program is running. A
+    /// secondary program always ends within its first frame.
+    /// Threads  always the same one; hosts may call pause(), resume() and stop() from inside this function
     State runFrame();
 
     void pause();  ///< from the next frame on; pending sleeps and read timeouts are paused
@@ -78,13 +79,13 @@ public:
     const std::optional<RuntimeError>& error() const;
     const Program& program() const;
 
-    /// Current line of the main body (script_control_line), 0 before the first frame.
+    /// Current line of the main body (script_control_line); 0 before the first frame.
     int currentLine() const;
     std::int64_t frame() const;  ///< number of frames run
     int threadCount() const;     ///< including the main body
-    /// Current value of a global variable, or nullptr. Valid until the next frame.
+    /// Current value of a global variable; null if there is none. Valid until the next frame.
     const Value* global(std::string_view name) const;
-    /// Lines sent from outside while the program is in interpreter_mode().
+    /// For lines sent by clients while the program is in interpreter_mode().
     InterpreterMode& mode();
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Interpreter mode: while the main body is in interpreter_mode(), lines from outside are compiled for the running
-// program and executed by it in order. Source: interpreter mode chapter of the script manual.
+// Interpreter mode: while the main body is in interpreter_mode(), lines from clients are compiled for the
+// running program, which executes them in order. Source: interpreter mode chapter of the script manual.
 
 #include <cstdint>
 #include <deque>
@@ -15,27 +15,28 @@
 
 namespace tiller::simulator::urscript {
 
-/// Threads  that of Interpreter::runFrame(), between frames.
+/// Threads  the thread of Interpreter::runFrame(), between frames
 class InterpreterMode {
 public:
-    /// Maximum number of waiting lines; more are discarded.
+    /// Maximum number of waiting lines. Additional lines are discarded.
     static constexpr std::size_t kMaxWaiting = 2'000;
-    /// Maximum number of functions and variables that lines may define until they are cleared.
+    /// Maximum number of functions and variables that lines may define before they are cleared.
     static constexpr std::size_t kMaxDefinitions = 2'000;
-    /// Maximum number of lines run in one frame; the rest runs in the next ones.
+    /// Maximum number of lines executed in one frame. The remaining lines are executed in the following
+    /// frames.
     static constexpr int kLinesPerFrame = 100;
 
     explicit InterpreterMode(LinkedCode& code) : code_(code) {}
 
-    // ---- from outside
+    // ---- called for clients
 
-    /// Lines are accepted.
+    /// True if lines are accepted.
     bool isActive() const { return active_ && !ending_; }
 
     struct Reply {
         enum class Kind {
-            Ack,      ///< queued, with an id counting from 1
-            Discard,  ///< refused, with a reason
+            Ack,      ///< queued, with an ID counted from 1
+            Discard,  ///< refused, with the reason
             Wait,     ///< a clear_interpreter() is pending: retry later
         };
         Kind kind = Kind::Discard;
@@ -51,29 +52,30 @@ public:
 
     struct Counts {
         std::uint32_t lastInterpreted = 0;
-        std::uint32_t lastExecuted = 0;  ///< execution has begun
+        std::uint32_t lastExecuted = 0;  ///< number of the last line whose execution has begun
         std::uint32_t lastCleared = 0;
         std::uint32_t unexecuted = 0;
     };
     const Counts& counts() const { return counts_; }
 
-    // ---- from the program
+    // ---- called by the program
 
-    /// Called when the program reaches interpreter_mode(), initially and after each line.
+    /// Result of proceed(), which is called when the program reaches interpreter_mode(), initially and after
+    /// each line.
     enum class Next { Line, Nothing, End };
     Next proceed(bool clearQueueOnEnter, bool clearOnEnd);
     bool isInLine() const { return inLine_; }
     void requestEnd() { ending_ = active_; }
     void requestClear() { clearing_ = active_; }
 
-    // ---- from the machine
+    // ---- called by the virtual machine
 
     void beginFrame() { linesLeft_ = kLinesPerFrame; }
-    /// The next line to run; valid until the following one.
+    /// Returns the next line to run. Valid until the next call.
     const Unit& begin();
     void lineDone();
     bool takeAbort() { return std::exchange(abort_, false); }
-    /// True once if the definitions of lines must be discarded.
+    /// Returns true once if the definitions made by lines must be discarded.
     bool takeForget() { return std::exchange(forget_, false); }
     void forget();
 
@@ -88,14 +90,14 @@ private:
     LinkedCode& code_;
     std::deque<Line> queue_;
     std::unique_ptr<Unit> running_;
-    std::vector<std::unique_ptr<Unit>> definitions_;  ///< lines whose definitions others may use
+    std::vector<std::unique_ptr<Unit>> definitions_;  ///< lines whose definitions other lines may use
     Counts counts_;
     int linesLeft_ = kLinesPerFrame;
     bool active_ = false;
     bool ending_ = false;
-    bool clearing_ = false;  ///< after the current line
+    bool clearing_ = false;  ///< clear after the current line
     bool clearOnEnd_ = true;
-    bool awaitsClear_ = false;  ///< the last queued line clears, so later ones have to wait for it
+    bool awaitsClear_ = false;  ///< the last queued line clears, so later lines must wait for it
     bool inLine_ = false;
     bool abort_ = false;
     bool forget_ = false;

@@ -85,11 +85,11 @@ constexpr bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// The keyword with that spelling, or Identifier.
+/// Returns the keyword with this spelling, or Identifier.
 TokenKind keywordKind(std::string_view word);
 
 struct LexOutcome {
-    std::vector<Token> tokens;  ///< the last one is of kind End
+    std::vector<Token> tokens;  ///< the last token is of kind End
     std::optional<CompileError> error;
 };
 
@@ -97,7 +97,7 @@ struct LexOutcome {
 LexOutcome tokenize(std::string_view source);
 bool isKeyword(std::string_view word);
 
-/// "syntax_error_on_line:<n>:<text of the line>:" for that position.
+/// Creates the error "syntax_error_on_line:<n>:<text of the line>:" for this position.
 CompileError syntaxError(std::string_view source, int line, int column);
 
 }  // namespace tiller::simulator::urscript

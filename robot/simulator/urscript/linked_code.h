@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The code run by a machine: the program, followed by the additions of interpreter mode. Functions and
-// globals are numbered across both, so that a later line can use the definitions of an earlier one.
+// The code run by a virtual machine: the program, followed by the lines added in interpreter mode. Functions
+// and globals are numbered across both, so that a later line can use the definitions of an earlier one.
 
 #include <map>
 #include <memory>
@@ -13,10 +13,10 @@
 
 namespace tiller::simulator::urscript {
 
-/// Bytecode with constants that belong to one machine.
+/// Bytecode, and constants that belong to one virtual machine.
 struct Unit {
     const Bytecode* code = nullptr;
-    std::unique_ptr<const Bytecode> owned;  ///< of a line; null for the program, which is not owned
+    std::unique_ptr<const Bytecode> owned;  ///< code of a line; null for the program, which is not owned
     std::vector<Value> constants;
 
     explicit Unit(const Bytecode& shared) : code(&shared) { takeConstants(); }
@@ -50,7 +50,7 @@ struct LinkedCode {
             globals.push_back(name);
         }
     }
-    /// Removes the functions and globals of lines, so that only those of the program remain.
+    /// Removes the functions and globals of the lines, so that only those of the program remain.
     void dropLines() {
         functions.resize(program.code->functions.size());
         while (globals.size() > program.code->globals.size()) {
@@ -61,7 +61,7 @@ struct LinkedCode {
 
     const Unit program;
     std::vector<Callee> functions;
-    std::vector<std::string> globals;  ///< names, by slot
+    std::vector<std::string> globals;  ///< names, indexed by slot
     std::map<std::string, int, std::less<>> slots;
 };
 

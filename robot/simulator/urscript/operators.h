@@ -9,15 +9,17 @@
 
 namespace tiller::simulator::urscript {
 
-/// Op::Add ... Op::Modulo: numbers, lists and matrices element by element, matrix products, strings with `+`.
+/// Op::Add ... Op::Modulo for numbers, for lists and matrices element by element, for matrix products, and
+/// for strings with `+`.
 Value arithmetic(Op op, const Value& left, const Value& right);
 Value negated(const Value& v);
 /// Op::Equal ... Op::GreaterEqual.
 bool compare(Op op, const Value& left, const Value& right);
-/// Conversion to a condition: bools, numbers (not 0), strings (not empty).
+/// Converts a value to a condition. Bools, numbers (nonzero is true) and strings (nonempty is true) are
+/// accepted.
 bool truth(const Value& v);
 
-/// `[a, b, ...]`: a list, or a matrix when the elements are lists of numbers.
+/// `[a, b, ...]`: a list, or a matrix if the elements are lists of numbers.
 Value makeList(const Value* elements, std::size_t count, std::size_t maxLength);
 Value makePose(const Value* elements);
 
@@ -26,7 +28,7 @@ Value indexed(const Value& v, const Value& i);
 Value indexed(const Value& v, const Value& row, const Value& column);
 void assignIndexed(Value& v, const Value& i, const Value& element);
 void assignIndexed(Value& v, const Value& row, const Value& column, const Value& element);
-/// Converts an index, checked for 0 <= i < size.
+/// Converts an index and checks that 0 <= index < size.
 std::size_t checkedIndex(const Value& i, std::size_t size);
 
 }  // namespace tiller::simulator::urscript

@@ -149,8 +149,8 @@ Stmt* Parser::statement(Function& owner) {
             return loopStatement(StmtKind::Continue);
         case TokenKind::KwReturn: {
             Stmt* s = newStmt(StmtKind::Return, take());
-            // A value must be on the line of its `return`; after a `return` without a value another statement
-            // follows.
+            // A value must be on the same line as its `return`. Otherwise, the next line is a separate
+            // statement.
             if (peek().line == token.line && startsExpression(peek().kind)) {
                 s->value = expression();
             }
@@ -237,7 +237,7 @@ Stmt* Parser::simpleStatement() {
         s->value = expression();
         return s;
     }
-    // A variable name alone has no effect. Published programs contain it after `else:`.
+    // A variable name alone has no effect. Published programs contain such statements after `else:`.
     const bool isBareName = e->kind == ExprKind::Variable && peek().line != first.line && isAssigned(e->text);
     if (!isBareName && e->kind != ExprKind::Call && e->kind != ExprKind::Method && e->kind != ExprKind::Run) {
         fail(first);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts tokens to the syntax tree. Newlines are not separators: an operand is extended as far as the
-// grammar allows, and since no statement begins with an operator or a bracket, the next statement begins
-// after it.
+// Converts tokens to the syntax tree. Newlines are not separators. An operand extends as far as the grammar
+// allows. Since no statement begins with an operator or a bracket, the next statement begins after the
+// operand.
 
 #include <optional>
 #include <string_view>
@@ -13,9 +13,9 @@
 
 namespace tiller::simulator::urscript {
 
-/// Maximum nesting of expressions and blocks; more is a syntax error.
+/// Maximum nesting of expressions and blocks. Deeper nesting is a syntax error.
 inline constexpr int kMaxNesting = 150;
-/// Longest path through an expression tree, chains of operators included.
+/// Maximum length of a path through an expression tree, including chains of operators.
 inline constexpr int kMaxExpressionDepth = 1500;
 
 struct ParseOutcome {
@@ -25,7 +25,7 @@ struct ParseOutcome {
 
 /// `source` must outlive the tree.
 ParseOutcome parse(std::string_view source);
-/// The same for statements alone: a `def` among them is a function, not a program.
+/// Parses statements only. A `def` among them is a function instead of a program.
 ParseOutcome parseStatements(std::string_view source);
 
 }  // namespace tiller::simulator::urscript

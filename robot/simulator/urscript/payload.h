@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The load of the arm as given by a script.
+// The payload of the arm as set by a script.
 
 #include <Eigen/Core>
 

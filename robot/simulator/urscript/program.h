@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A compiled script: fully checked, with resolved names, ready to run any number of times. Immutable, so that
-// it can be shared between threads.
+// A compiled script: fully checked, with resolved names, and ready to run any number of times. A program is
+// immutable, so that threads can share it.
 
 #include <memory>
 #include <optional>
@@ -17,19 +17,19 @@ namespace tiller::simulator::urscript {
 
 struct Bytecode;
 
-/// The reason why a text cannot run. Line and column count from 1 in the given text.
+/// The reason why a text cannot run. Line and column are counted from 1 in this text.
 struct CompileError {
     int line = 0;
     int column = 0;
-    std::string text;  ///< message of the controller: "compile_error_name_not_found:foo:"
+    std::string text;  ///< message of the controller, e.g. "compile_error_name_not_found:foo:"
 };
 
 struct CompileOptions {
-    /// Software version whose builtins are available; none: all builtins.
+    /// Software version whose builtins are available; empty: all builtins.
     std::optional<SoftwareVersion> version;
-    /// Where sources only give a range for the first version of a builtin, its end counts.
+    /// If sources only give a range for the first version of a builtin, use the end of the range.
     bool isListed = false;
-    /// Builtins that are missing although the software version has them.
+    /// Builtins that are missing although this software version has them.
     std::vector<std::string> missing;
     /// Name of a program without `def`.
     std::string rawName = "unnamed";
@@ -46,8 +46,8 @@ public:
     ProgramKind kind() const;
     /// True for bare statements without a `def`.
     bool isRaw() const;
-    /// True if it calls a builtin that moves the arm (a raw statement that does so replaces the running
-    /// program).
+    /// True if the program calls a builtin that moves the arm. A raw statement with such a call replaces the
+    /// running program.
     bool commandsMotion() const;
     const Bytecode& code() const { return *code_; }
 
@@ -62,11 +62,11 @@ struct CompileOutcome {
     explicit operator bool() const { return program != nullptr; }
 };
 
-/// Compiles one unit: a `def`, a `sec`, or bare statements (run as a separate program).
-/// Threads  any. Depth and memory are bounded for any input.
+/// Compiles one unit: a `def`, a `sec`, or bare statements (which run as a separate program).
+/// Threads  any. Depth and memory are limited for any input.
 CompileOutcome compile(std::string_view text, const CompileOptions& options = {});
 
-/// True if the name is a keyword or a builtin of any software version, and so cannot name a function.
+/// True if the name is a keyword or a builtin of any software version. A function must not have such a name.
 bool isReservedName(std::string_view name);
 
 }  // namespace tiller::simulator::urscript

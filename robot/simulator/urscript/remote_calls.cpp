@@ -6,7 +6,7 @@ namespace tiller::simulator::urscript {
 namespace {
 
 Error unreachable(const xml_rpc::Address& address) {
-    return scriptError("No XML-RPC server answers at " + address.host + ":" + std::to_string(address.port));
+    return scriptError("No XML-RPC server responds at " + address.host + ":" + std::to_string(address.port));
 }
 
 }  // namespace
@@ -82,7 +82,7 @@ Result<std::optional<Value>> RemoteCalls::result(std::int64_t number) {
     }
     if (!it->second.sent) {
         if (!host_.sendSocket(socket, it->second.request)) {
-            return scriptError("The XML-RPC server does not answer");
+            return scriptError("The XML-RPC server does not respond");
         }
         it->second.sent = true;
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Method calls on the result of rpc_factory(). Each uses a separate connection and is polled once per frame.
+// Method calls on the result of rpc_factory(). Each call uses a separate connection and is polled once per
+// frame.
 
 #include <map>
 #include <optional>
@@ -15,33 +16,33 @@
 
 namespace tiller::simulator::urscript {
 
-/// Errors of all  ScriptError, which end the program.
+/// Errors  all functions: ScriptError, which ends the program
 class RemoteCalls {
 public:
     explicit RemoteCalls(SocketHost& host) : host_(host) {}
 
-    /// Returns a handle of a server that may not be reachable yet.
+    /// Returns a handle for a server that may not be reachable yet.
     Result<std::int32_t> declare(std::string_view url);
-    /// Returns a handle, and starts to check whether the server accepts connections.
+    /// Returns a handle and starts to check whether the server accepts connections.
     Result<std::int32_t> open(std::string_view url);
-    /// True when the server accepts; poll until then.
+    /// Returns true when the server accepts connections. Poll this function until then.
     Result<bool> opened(std::int32_t handle);
 
-    /// Starts a call. Returns its number.
+    /// Starts a call and returns its number.
     Result<std::int64_t> begin(std::int32_t handle, std::string_view method,
                                std::span<const Value> arguments);
-    /// The result; poll until it is available.
+    /// Returns the result of a call. Poll this function until the result is available.
     Result<std::optional<Value>> result(std::int64_t call);
 
 private:
     static constexpr std::size_t kMaxHandles = 100;
-    static constexpr std::size_t kMaxCalls = 32;  ///< active; the oldest is dropped (its thread was killed)
+    static constexpr std::size_t kMaxCalls = 32;  ///< if full, the oldest is dropped (its thread was killed)
 
     struct Call {
         std::string request;
         bool sent = false;
     };
-    /// Contains a character that socket names of scripts cannot have.
+    /// The name contains a character that socket names in scripts cannot contain.
     static std::string socketOf(std::int64_t call) { return "\nrpc" + std::to_string(call); }
 
     SocketHost& host_;

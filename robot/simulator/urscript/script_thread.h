@@ -36,7 +36,7 @@ struct ScriptThread {
     std::vector<Value> stack;
     std::size_t top = 0;
     std::vector<CallFrame> calls;
-    // of a builtin that takes several frames
+    // state of a builtin that takes several frames
     bool again = false;
     std::int64_t builtinState = 0;
     std::int64_t builtinSince = 0;

@@ -11,7 +11,7 @@ namespace tiller::simulator::urscript {
 
 namespace {
 
-// Commands that end an unfinished unit, because the sender has abandoned it.
+// Commands that end an unfinished unit, because the sender has abandoned the unit.
 constexpr std::array<std::string_view, 6> kUrgent{"stop program",  "power on",   "power off",
                                                   "set robotmode", "set unlock", "pause program"};
 
@@ -21,9 +21,9 @@ bool isWordCharacter(char c) {
 
 // The words and brackets of one line, without comments and strings.
 struct LineShape {
-    std::string_view text;  // trimmed, without comment
+    std::string_view text;  // trimmed, without the comment
     TokenKind firstWord = TokenKind::End;
-    bool command = false;  // "set speed 0.8": a word followed by another word or by nothing
+    bool command = false;  // e.g. "set speed 0.8": a word followed by another word or the line end
     int blocks = 0;
     int brackets = 0;
 };
@@ -138,7 +138,7 @@ void SourceSplitter::takeLine() {
         return;
     } else if ((shape.firstWord == TokenKind::KwDef || shape.firstWord == TokenKind::KwSec) &&
                (blocks_ == 0 || (firstColumn && (indented_.value_or(false) || misplacedEnd_)))) {
-        // An open bracket in a bare statement, or a missing `end`, must not absorb the following program.
+        // An open bracket in a bare statement or a missing `end` must not absorb the following program.
         const std::string line = std::move(line_);
         line_.clear();
         finish();

@@ -2,9 +2,10 @@
 #pragma once
 
 // Splits the text received on a script port into units that can be run: a `def ... end` or `sec ... end`, a
-// line of bare statements, a command ("stop program", "power on"). Works with any segmentation of the stream;
-// a unit is returned only when its last line is complete. A `def` or `sec` in the first column ends a program
-// with indented lines in which an `end` is missing, so that the next program is not lost.
+// line of bare statements, or a command ("stop program", "power on"). Works with any segmentation of the
+// stream. A unit is returned only when its last line is complete. If an `end` is missing in a program with
+// indented lines, the next `def` or `sec` in the first column ends this program, so that the following
+// program is not lost.
 
 #include <cstddef>
 #include <deque>
@@ -21,21 +22,21 @@ public:
         enum class Kind {
             Program,     ///< def ... end
             Secondary,   ///< sec ... end
-            Statements,  ///< bare statements: one line, or several when brackets or blocks span lines
-            Command,     ///< words that are not URScript, trimmed: "set unlock protective stop"
+            Statements,  ///< bare statements: one line, or several if brackets or blocks span lines
+            Command,     ///< command that is not URScript, trimmed, e.g. "set unlock protective stop"
         };
         Kind kind = Kind::Statements;
-        std::string text;  ///< as received, with newlines; lines of compile() refer to it
+        std::string text;  ///< as received, with newlines; compile() counts lines in this text
     };
 
-    /// Maximum size of an unfinished unit [bytes]; a longer one is returned as it is, so that the compiler
+    /// Maximum size of an unfinished unit [bytes]. A longer unit is returned unchanged, so that the compiler
     /// rejects it.
     static constexpr std::size_t kMaxUnit = 16u << 20;
 
     void feed(std::string_view bytes);
-    /// The next complete unit; nothing if none is complete.
+    /// Returns the next complete unit; empty if no unit is complete.
     std::optional<Unit> next();
-    /// Bytes waiting for the rest of their unit.
+    /// Number of bytes of units that are not complete.
     std::size_t pending() const { return unit_.size() + line_.size(); }
     void clear();
 
@@ -45,13 +46,13 @@ private:
     void emitCommand(std::string_view words);
     void followIndentation(bool firstColumn, int blocks, bool beginsWithEnd);
 
-    std::string line_;                   // begun, not ended
+    std::string line_;                   // incomplete line
     std::string unit_;                   // complete lines of an unfinished unit
-    int blocks_ = 0;                     // open def, if, while...
-    int brackets_ = 0;                   // open ( and [
-    bool begun_ = false;                 // unit_ holds more than comments
-    std::optional<bool> indented_;       // the first line inside the outermost block
-    std::vector<bool> openersIndented_;  // of each open block
+    int blocks_ = 0;                     // number of open def, if, while ...
+    int brackets_ = 0;                   // number of open ( and [
+    bool begun_ = false;                 // unit_ contains more than comments
+    std::optional<bool> indented_;       // whether the first line in the outermost block is indented
+    std::vector<bool> openersIndented_;  // for each open block, whether its opening line is indented
     bool misplacedEnd_ = false;          // an `end` in the first column closed an indented block
     Unit::Kind kind_ = Unit::Kind::Statements;
     std::deque<Unit> ready_;

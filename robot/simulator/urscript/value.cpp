@@ -166,7 +166,7 @@ bool Value::equals(const Value& other) const {
         return number() == other.number();
     }
     if (type_ != other.type_) {
-        // A bool compares with the numbers 0 and 1; values of other different types are unequal.
+        // A bool compares with the numbers 0 and 1. All other values of different types are unequal.
         if (type_ == Type::Bool && other.isNumber()) {
             return (u_.b ? 1.0 : 0.0) == other.number();
         }
@@ -243,8 +243,7 @@ bool Value::nested() const noexcept {
     return type_ == Type::Struct || (type_ == Type::List && list().kind == ListData::Kind::Other);
 }
 
-// -------------------------------------------------------------------------------------------------------
-// lists
+// ---- lists
 
 Value ListData::at(std::size_t i) const {
     switch (kind) {
@@ -262,7 +261,7 @@ Value ListData::at(std::size_t i) const {
 
 bool ListData::accepts(const Value& v) const {
     if (size() == 0) {
-        // Lists of lists are matrices; other lists cannot be nested, which limits the depth of every value.
+        // Lists of lists are matrices. Other lists cannot be nested, which limits the depth of every value.
         return !v.isUnset() && !v.is(Value::Type::None) && !v.is(Value::Type::List) &&
                !v.is(Value::Type::Matrix);
     }

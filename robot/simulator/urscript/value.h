@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A URScript value. Numbers, bools and poses are stored inside; strings, lists, matrices and structs are
-// shared until one holder writes (copy on write), which implements the by-value semantics of the language at
-// the cost of a pointer. Values of one program belong to one host thread: the reference counts are not
-// atomic.
+// A URScript value. Numbers, bools and poses are stored inside the object. Strings, lists, matrices and
+// structs are shared until one owner writes to them (copy on write), which implements the by-value semantics
+// of the language at the cost of a pointer. Values of one program belong to one host thread, because the
+// reference counts are not atomic.
 
 #include <array>
 #include <cstdint>
@@ -39,7 +39,7 @@ public:
     Value(const std::array<double, 6>& pose) noexcept : type_(Type::Pose) { u_.pose = pose; }  // NOLINT
     Value(const Pose& pose) noexcept : Value(pose.array()) {}  // NOLINT: implicit by intent
     explicit Value(std::string text);
-    explicit Value(const char*) = delete;  // would become a bool
+    explicit Value(const char*) = delete;  // the argument would be converted to bool
 
     static Value none() noexcept {
         Value v;
@@ -77,7 +77,7 @@ public:
     bool isNumber() const noexcept { return type_ == Type::Int || type_ == Type::Float; }
     bool is(Type t) const noexcept { return type_ == t; }
 
-    // Unchecked: the caller must have checked type().
+    // Not checked: the caller must have checked type().
     bool asBool() const noexcept { return u_.b; }
     std::int32_t asInt() const noexcept { return u_.i; }
     double asFloat() const noexcept { return u_.d; }
@@ -88,7 +88,7 @@ public:
     const ListData& list() const noexcept { return *u_.list; }
     const MatrixData& matrix() const noexcept { return *u_.matrix; }
     const StructData& structure() const noexcept { return *u_.structure; }
-    /// The data for writing, copied first if shared.
+    /// Returns the data for writing. Shared data are copied first.
     ListData& ownList();
     MatrixData& ownMatrix();
     StructData& ownStructure();
@@ -121,17 +121,17 @@ public:
     /// Sets to Unset; this value must be plain.
     void forget() noexcept { type_ = Type::Unset; }
 
-    /// A copy that shares no data (for constants passed to another host thread).
+    /// Returns a copy that shares no data, for constants passed to another host thread.
     Value detached() const;
-    /// "int", "float", "pose"...: for error messages.
+    /// Name of the type for error messages: "int", "float", "pose" ...
     const char* typeName() const noexcept;
-    /// Same type and content; 2 and 2.0 are equal, NaN is not.
+    /// True for the same type and content. 2 and 2.0 are equal; NaN is not equal to itself.
     bool equals(const Value& other) const;
-    /// Returns whether the value is nested at most `depth` deep and contains at most `budget` values, which
-    /// are subtracted. Every value created by a program is kept within such limits, so that copies,
-    /// comparisons and destruction stay cheap.
+    /// Returns whether the value is nested at most `depth` levels deep and contains at most `budget` values.
+    /// Their number is subtracted from `budget`. Every value created by a program is kept within such limits,
+    /// so that copies, comparisons and destruction are fast.
     bool withinBounds(int depth, std::size_t& budget) const noexcept;
-    /// Struct, or a list of values that are not numbers.
+    /// True for a struct, or for a list of values that are not numbers.
     bool nested() const noexcept;
 
 private:
@@ -170,7 +170,7 @@ private:
         std::int32_t i;
         double d;
         std::array<double, 6> pose;
-        std::uint32_t* counter;  // all shared data begin with their reference count
+        std::uint32_t* counter;  // all shared data start with their reference count
         StringData* string;
         ListData* list;
         MatrixData* matrix;
@@ -183,7 +183,8 @@ struct StringData {
     std::string text;
 };
 
-/// One element type per list. Numbers and bools are kept as doubles (int32 fits exactly), others as values.
+/// All elements of a list have the same type. Numbers and bools are stored as doubles (which represent int32
+/// exactly), others as values.
 struct ListData {
     enum class Kind : std::uint8_t { Bool, Int, Float, Other };
 
@@ -196,8 +197,8 @@ struct ListData {
     std::size_t size() const { return kind == Kind::Other ? values.size() : numbers.size(); }
     bool isNumeric() const { return kind == Kind::Int || kind == Kind::Float; }
     Value at(std::size_t i) const;
-    /// False when the element type does not fit; ints and floats can be mixed, which converts the list to
-    /// floats.
+    /// Returns false if the element type does not fit. Ints and floats can be mixed, which converts the list
+    /// to floats.
     bool set(std::size_t i, const Value& v);
     bool insert(std::size_t i, const Value& v);
     void erase(std::size_t i);
@@ -217,16 +218,16 @@ struct MatrixData {
 
 struct StructData {
     std::uint32_t count = 1;
-    std::int32_t handle = 0;  ///< of a remote object with callable methods; 0: ordinary struct
+    std::int32_t handle = 0;  ///< handle of a remote object with callable methods; 0: ordinary struct
     std::vector<std::pair<std::string, Value>> members;
     Value* find(std::string_view name);
     const Value* find(std::string_view name) const;
 };
 
 /// Conversion for to_str and str_cat: six decimals without trailing zeros, ", " between elements. The result
-/// may be longer than the language allows; it ends soon after `limit` characters.
+/// may be longer than the language allows, but ends soon after `limit` characters.
 std::string toStr(const Value& v, std::size_t limit = 2048);
-/// textmsg: six significant digits, "," between elements.
+/// Conversion for textmsg: six significant digits, "," between elements.
 std::string toMessageText(const Value& v, std::size_t limit = 65536);
 
 }  // namespace tiller::simulator::urscript

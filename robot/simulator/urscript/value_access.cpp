@@ -13,8 +13,8 @@ namespace {
 
 using Type = Value::Type;
 
-// The first value of a variable fixes its type, but only by these families: number types can be mixed, and so
-// can poses and lists, because existing scripts assign one to the other.
+// The first value of a variable determines its family of types. Types can be mixed within a family: number
+// types with each other, and poses with lists, because existing scripts assign one to the other.
 int family(const Value& v) {
     switch (v.type()) {
         case Type::Bool:
@@ -34,7 +34,7 @@ int family(const Value& v) {
     }
 }
 
-/// The values of a struct as a list; nothing if their types differ.
+/// Returns the values of a struct as a list; empty if their types differ.
 std::optional<Value> asList(const StructData& structure) {
     ListData out;
     for (const auto& [name, value] : structure.members) {
@@ -74,7 +74,7 @@ void assign(Value& variable, Value v, const std::string& name) {
     variable = std::move(v);
 }
 
-// The value `steps` levels down, unshared for writing. Advances `indices` past those used.
+// Returns the value `steps` levels down, unshared for writing. Advances `indices` past the indices used.
 Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices) {
     Value* v = &root;
     for (std::size_t i = 0; i < steps; ++i) {
@@ -185,7 +185,7 @@ Value applyMethod(Value& object, const MethodCall& call, const Value* arguments)
                 fault("Type error: the argument of method 'extend' must be a list, not a " +
                       std::string(arguments[0].typeName()));
             }
-            const ListData added = arguments[0].list();  // may be the same list as `object`
+            const ListData added = arguments[0].list();  // a copy: may be the same list as `object`
             if (added.size() > object.list().capacity - size) {
                 fault("List is full: its capacity is " + std::to_string(object.list().capacity));
             }

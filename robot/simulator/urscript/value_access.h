@@ -12,9 +12,9 @@
 
 namespace tiller::simulator::urscript {
 
-/// name  of the variable, in messages
+/// name  name of the variable for messages
 void assign(Value& variable, Value v, const std::string& name);
-/// The value `steps` levels down, unshared for writing. Advances `indices` past those used.
+/// Returns the value `steps` levels down, unshared for writing. Advances `indices` past the indices used.
 Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices);
 /// Assigns through the last step of a path.
 void assignElement(Value& holder, const Path::Part& part, const Value* indices, Value element);

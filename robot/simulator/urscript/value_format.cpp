@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values as text. The two styles differ on the controller too: to_str prints six decimals, textmsg six
-// significant digits without blanks.
+// Converts values to text. The two styles also differ on the controller: to_str prints six decimals, and
+// textmsg prints six significant digits without blanks.
 
 #include <cmath>
 #include <cstdio>
@@ -24,7 +24,7 @@ std::string sixDecimals(double d) {
     if (!std::isfinite(d)) {
         return nonFinite(d);
     }
-    char text[352];  // DBL_MAX has 309 digits before the point
+    char text[352];  // DBL_MAX has 309 digits before the decimal point
     const int length = std::snprintf(text, sizeof text, "%.6f", d);
     std::string s(text, static_cast<std::size_t>(length));
     s.erase(s.find_last_not_of('0') + 1);

@@ -26,8 +26,8 @@ Interpreter::State Interpreter::Machine::runFrame() {
     hostNotified_ = false;
     ++frame_;
     beginFrame();
-    // Scheduling is cooperative: a thread runs until it blocks. Nothing else runs between two of its
-    // statements, and everything else runs while it waits, regardless of critical sections.
+    // Scheduling is cooperative: a thread runs until it blocks. No other thread runs between two of its
+    // statements. While it waits, the other threads run, regardless of critical sections.
     while (!over_) {
         ScriptThread* const thread = next();
         if (thread == nullptr) {
@@ -55,7 +55,8 @@ Interpreter::State Interpreter::Machine::runFrame() {
 void Interpreter::Machine::beginFrame() {
     frameOperations_ = limits_.frameOperations;
     for (const auto& thread : threads_) {
-        // Overdrawn time of a thread is deducted from the next slices; remaining time is lost.
+        // If a thread has exceeded its time, the excess is deducted from its next slices. Unused time is
+        // lost.
         thread->sliceNs = std::min(context_.stepNs, thread->sliceNs + context_.stepNs);
         thread->operations = limits_.threadOperationsPerFrame;
         if (thread->state == ScriptThread::State::Polling) {
@@ -68,7 +69,7 @@ void Interpreter::Machine::beginFrame() {
     abortMove();
 }
 
-// `abort` in interpreter mode: replaces the move by a stop, and completes with it.
+// `abort` in interpreter mode replaces the move by a stop. The command completes when the stop does.
 void Interpreter::Machine::abortMove() {
     constexpr double kDeceleration = 4.0;  // [rad/s2]
     if (mode_.takeAbort() && context_.motionOwner == 0 && context_.abortable) {
@@ -76,8 +77,8 @@ void Interpreter::Machine::abortMove() {
     }
 }
 
-// Called before all threads: a thread that waits for its motion must not block another one that may start a
-// command now.
+// Called before all threads, because a thread that waits for its motion must not block another thread that
+// may start a command in this frame.
 void Interpreter::Machine::pollMotion() {
     if (context_.motionOwner < 0) {
         return;
@@ -100,7 +101,8 @@ bool Interpreter::Machine::runnable(const ScriptThread& thread) const {
            (thread.state == ScriptThread::State::Joining && find(thread.joined) == nullptr);
 }
 
-// The thread with the most remaining time in the frame; of equal ones the oldest.
+// Returns the thread with the most remaining time in the frame. If several have the same time, the oldest is
+// returned.
 ScriptThread* Interpreter::Machine::next() const {
     const auto precedes = [this](const ScriptThread& later, const ScriptThread& best) {
         const bool mainWaits = !limits_.mainFirst && best.id == 0;
@@ -136,7 +138,7 @@ void Interpreter::Machine::run(ScriptThread& thread) {
 
 ast::Position Interpreter::Machine::position(const ScriptThread& thread) {
     const CallFrame& call = thread.calls.back();
-    // pc is the next instruction, except in a waiting builtin, where it is the builtin itself.
+    // pc is the next instruction, except in a waiting builtin, where pc is the call of the builtin.
     const int pc = std::max(thread.again ? call.pc : call.pc - 1, 0);
     return call.function->positions[static_cast<std::size_t>(pc)];
 }
@@ -167,7 +169,7 @@ void Interpreter::Machine::finishProgram() {
     }
 }
 
-// ---- control from outside ----------------------------------------------------------------------------------
+// ---- control by the host ----------------------------------------------------------------------------------
 
 void Interpreter::Machine::pause() {
     if (state != State::Running) {
@@ -242,7 +244,7 @@ void Interpreter::Machine::endThread(ScriptThread& thread) {
         context_.motionOwner = -1;
         host_.motionAbandoned(thread.id);
     }
-    // Its children are assigned to its parent, so that killing an ancestor still reaches them.
+    // The children of the thread are assigned to its parent, so that killing an ancestor also ends them.
     for (const auto& other : threads_) {
         if (other->parent == thread.id) {
             other->parent = thread.parent;
@@ -276,7 +278,7 @@ ThreadId Interpreter::Machine::handleOf(const Value& v) const {
     if (!v.isNumber()) {
         fault(std::string("Type error: a thread handle is an integer, not ") + v.typeName());
     }
-    // The main body has no handle: 0 means no thread.
+    // The main body has no handle; 0 means no thread.
     const double d = v.number();
     return d >= 1 && d < static_cast<double>(nextId_) ? static_cast<ThreadId>(d) : -1;
 }
@@ -295,7 +297,7 @@ int Interpreter::Machine::threadCount() const {
     }));
 }
 
-// No thread may run in removed code: such threads are ended.
+// Threads that run in removed code are ended.
 void Interpreter::Machine::forgetLines() {
     for (const auto& thread : threads_) {
         if (thread->id != 0 && thread->state != ScriptThread::State::Ended &&

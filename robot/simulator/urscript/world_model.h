@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The named frames of PolyScope X: a tree under "world" that always contains "base", "flange" and "tcp". Frames
-// attached to the flange or the TCP move with the arm. Source: world model list of the script directory; each
-// function documents unspecified behaviour.
+// The named frames of PolyScope X: a tree below "world" that always contains "base", "flange" and "tcp".
+// Frames attached to the flange or the TCP move with the arm. Source: world model list of the script
+// directory. Each function documents behaviour that the source does not specify.
 
 #include <Eigen/Geometry>
 #include <map>
@@ -23,24 +23,26 @@ struct ArmFrames {
     Pose flange, tcp;
 };
 
-/// Errors of all functions  ScriptError, naming the frame.
+/// Errors  all functions: ScriptError, naming the frame
 class WorldModel {
 public:
     static constexpr std::size_t kMaxFrames = 1000;
 
-    /// name must be new. pose  relative to `ref`, which becomes the parent
+    /// Adds a frame with a new name.
+    /// pose  relative to `ref`, which becomes the parent
     Result<void> add(const std::string& name, const Pose& pose, const std::string& ref);
-    /// The child keeps its position. Loops are refused.
+    /// Changes the parent of `child`, which keeps its position. Cycles are refused.
     Result<void> attach(const std::string& child, const std::string& parent, const ArmFrames& arm);
-    /// pose  relative to `ref`; the parent does not change. Of the permanent frames only the base can be moved, in
-    ///       the world; frames attached to the world do not move.
+    /// Moves a frame without changing its parent. Of the permanent frames, only the base can be moved (within
+    /// the world); frames attached to the world then do not move.
+    /// pose  relative to `ref`
     Result<void> move(const std::string& name, const Pose& pose, const std::string& ref,
                       const ArmFrames& arm);
-    /// Frames attached to it are attached to its parent and keep their positions.
+    /// Removes a frame. Its children are attached to its parent and keep their positions.
     Result<void> remove(const std::string& name, const ArmFrames& arm);
     /// Removes all frames except the permanent ones.
     void clear() { frames_.clear(); }
-    /// As clear(), and moves the base to the origin of the world.
+    /// Like clear(), and also moves the base to the origin of the world.
     void reset() {
         clear();
         T_world_base_ = Eigen::Isometry3d::Identity();
@@ -49,14 +51,14 @@ public:
     bool contains(const std::string& name) const { return isFixed(name) || frames_.contains(name); }
     Result<std::string> parentOf(const std::string& name) const;
     Result<std::vector<std::string>> childrenOf(const std::string& name) const;
-    /// pose  in `from`; the result is in `to`.
+    /// Converts a pose from the frame `from` to the frame `to`.
     Result<Pose> convert(const Pose& pose, const std::string& from, const std::string& to,
                          const ArmFrames& arm) const;
     /// Pose of `name` relative to `relative`, in the axes of `axes`.
     Result<Pose> poseOf(const std::string& name, const std::string& relative, const std::string& axes,
                         const ArmFrames& arm) const;
 
-    /// load  about the origin and axes of the frame
+    /// load  with respect to the origin and axes of the frame
     Result<void> setMass(const std::string& name, const Payload& load);
     /// Total load attached to flange and TCP, in the flange frame.
     Payload attachedPayload(const ArmFrames& arm) const;

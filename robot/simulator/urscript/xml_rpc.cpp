@@ -154,7 +154,7 @@ public:
         while (xml_.readNextStartElement()) {
             enter("value");
             out.arguments.push_back(value(0));
-            xml_.skipCurrentElement();  // to the end of <param>
+            xml_.skipCurrentElement();  // skip to the end of <param>
         }
         return out;
     }
@@ -188,7 +188,7 @@ private:
         }
     }
 
-    // Parses inside <value>, up to and including its end.
+    // Parses the content of <value>, including its end tag.
     Value value(int depth) {
         if (depth > kMaxValueDepth || ++elements_ > kMaxElements) {
             fault("The XML-RPC server's reply is too large");

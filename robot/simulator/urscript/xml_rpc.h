@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// XML-RPC as used by URScript: values in XML, transported over HTTP. A pose is a struct of x, y, z, rx, ry,
+// XML-RPC as used by URScript: values in XML, transferred over HTTP. A pose is a struct of x, y, z, rx, ry,
 // rz. Source: xmlrpc.com specification; URScript rpc_factory.
 
 #include <optional>
@@ -21,7 +21,7 @@ struct Address {
     int port = 80;
     std::string path;
 };
-/// Parses "http://127.0.0.1:8000/RPC2". Nothing if it is not such an address.
+/// Parses an address such as "http://127.0.0.1:8000/RPC2". Empty if the text is not such an address.
 std::optional<Address> parseAddress(std::string_view url);
 
 /// Returns a complete HTTP request that calls `method`.
@@ -29,20 +29,21 @@ std::optional<Address> parseAddress(std::string_view url);
 Result<std::string> request(const Address& address, std::string_view method,
                             std::span<const Value> arguments);
 
-/// Returns the reply of the server, or nothing while it is incomplete.
+/// Returns the reply of the server; empty while it is incomplete.
 /// ended  the connection has ended
-/// Errors  ScriptError: HTTP status, malformed reply, fault of the server
+/// Errors  ScriptError: HTTP status, malformed reply, fault reported by the server
 Result<std::optional<Value>> reply(std::string_view received, bool ended);
 
-// The side of a server.
+// For the server side.
 
 struct MethodCall {
     std::string method;
     std::vector<Value> arguments;
 };
-/// body  of the HTTP request.  Errors  ScriptError: malformed, or a type that URScript does not have
+/// body  body of the HTTP request
+/// Errors  ScriptError: malformed, or a type that URScript does not have
 Result<MethodCall> readCall(std::string_view body);
-/// Body of a reply. None: a reply without a value.
+/// Returns the body of a reply. None: a reply without a value.
 std::string response(const Value& value);
 std::string faultResponse(std::string_view text);
 

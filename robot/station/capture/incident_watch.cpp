@@ -43,7 +43,7 @@ IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObje
             [this](const QString& text, qint64 utcNs) { box_.note(operatorNote(text, utcNs)); });
 }
 
-// The worker is destroyed first, then the box, which completes the current incident.
+// The worker is destroyed before the black box, whose destructor completes the current incident.
 IncidentWatch::~IncidentWatch() = default;
 
 void IncidentWatch::setProject(const QString& name, const QByteArray& content) {
@@ -61,7 +61,8 @@ void IncidentWatch::restart() {
         QMetaObject::invokeMethod(
             this, [this, incident] { tell(incident); }, Qt::QueuedConnection);
     };
-    // Starting the box may first write an incident of the previous connection, so the worker does it.
+    // Starting the black box may first write an incident of the previous connection, so this is done by the
+    // worker.
     worker_.post(this, [this, options, receiver = session_.sharedReceiver()](const CancelToken&) {
         static_cast<void>(box_.start(options, *receiver));
         return std::function<void()>([this] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The incident recorder of the window: runs while a robot is connected, receives the messages of the log, and
+// The incident recorder of the window. It runs while a robot is connected, receives the log messages, and
 // reports the file of an incident.
 
 #include <QObject>
@@ -18,17 +18,18 @@ class IncidentWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// folder  for the files; created with the first file
+    /// folder  for the files; created when the first file is written
     IncidentWatch(RobotSession& session, const QString& folder, QObject* parent = nullptr);
     ~IncidentWatch() override;
 
-    /// The project stored in each file.
+    /// Sets the project stored in each file.
     void setProject(const QString& name, const QByteArray& content);
     /// Number of packets from the robot on this connection so far.
     std::uint64_t packets() const { return box_.packets(); }
 
 Q_SIGNALS:
-    /// text    one sentence about the file; detail  the suggested action
+    /// text    one sentence about the file
+    /// detail  the suggested action
     /// path    of the file; empty if it could not be written
     void told(tiller::Severity severity, const QString& text, const QString& detail, const QString& path);
 
@@ -42,7 +43,7 @@ private:
     QString projectName_;
     QByteArray project_;
     recording::BlackBox box_;
-    SerialExecutor worker_;  ///< last: its jobs use the box
+    SerialExecutor worker_;  ///< last member, because its jobs use the black box
 };
 
 }  // namespace tiller

@@ -11,14 +11,14 @@
 namespace tiller {
 namespace {
 
-constexpr double kMessageWindow = 2.0;  ///< [s] maximum time between a stop and messages about it
-constexpr double kBlameWindow = 0.5;    ///< [s] time before the stop that is searched for a deviating joint
-constexpr double kBlameLeast = 0.5;     ///< [A] minimum deviation of current to name a joint
-constexpr double kMaxGap = 0.5;         ///< [s] maximum time between two packets of one record
-constexpr double kElsewhere = 0.002;    ///< [rad] threshold for a moved arm
+constexpr double kMessageWindow = 2.0;  ///< maximum time between a stop and messages about it [s]
+constexpr double kBlameWindow = 0.5;    ///< time before the stop in which a deviating joint is searched [s]
+constexpr double kBlameLeast = 0.5;     ///< minimum current deviation for naming a joint [A]
+constexpr double kMaxGap = 0.5;         ///< maximum time between two packets of one record [s]
+constexpr double kElsewhere = 0.002;    ///< minimum joint change that counts as a moved arm [rad]
 
 /// Missing values are drawn as zero.
-double valueOrNaN(double value) {
+double finiteOrZero(double value) {
     return std::isfinite(value) ? value : 0.0;
 }
 
@@ -71,10 +71,10 @@ void StopRecorder::take(const receive::Sample& sample) {
     const receive::RobotState robot(sample);
     StopRecord::Point point;
     point.time = robot.timestamp();
-    point.force = valueOrNaN(robot.tcpForce().force.norm());
-    point.speed = valueOrNaN(robot.tcpSpeed().linear.norm());
-    point.current = robot.jointCurrent().unaryExpr(&valueOrNaN);
-    point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&valueOrNaN);
+    point.force = finiteOrZero(robot.tcpForce().force.norm());
+    point.speed = finiteOrZero(robot.tcpSpeed().linear.norm());
+    point.current = robot.jointCurrent().unaryExpr(&finiteOrZero);
+    point.deviation = (robot.jointCurrent() - robot.targetCurrent()).unaryExpr(&finiteOrZero);
     bool gap = false;
     if (!points_.empty()) {
         const double since = point.time - points_.back().time;
@@ -83,8 +83,8 @@ void StopRecorder::take(const receive::Sample& sample) {
             points_.clear();  // the controller was restarted
         }
     }
-    // While no data arrived, the arm may have been unlocked, moved and stopped again. If it has not moved, it
-    // is the same stop.
+    // While no data arrived, the arm may have been unlocked, moved and stopped again. If it is at the same
+    // position, this is the same stop.
     const bool another = gap && hasMoved(q_, robot.q());
     connection_ = sample.connection;
     q_ = robot.q();

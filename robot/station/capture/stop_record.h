@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stores the last five seconds before a stop by the safety system, at the full data rate of the robot, and the
-// messages of the controller about it.
+// Stores the last five seconds before a stop by the safety system, at the full data rate of the robot, and
+// the related messages from the controller.
 
 #include <QObject>
 #include <QStringList>
@@ -20,10 +20,10 @@ namespace tiller {
 struct StopRecord {
     struct Point {
         double time = 0;                      ///< the controller's time stamp [s]
-        double force = 0;                     ///< at the TCP [N]
-        double speed = 0;                     ///< of the TCP [m/s]
-        Vector6 current = Vector6::Zero();    ///< of the joints [A]
-        Vector6 deviation = Vector6::Zero();  ///< measured less target current [A]
+        double force = 0;                     ///< force at the TCP [N]
+        double speed = 0;                     ///< TCP speed [m/s]
+        Vector6 current = Vector6::Zero();    ///< joint currents [A]
+        Vector6 deviation = Vector6::Zero();  ///< measured minus target current [A]
     };
 
     SafetyStatus status = SafetyMode::Undefined;
@@ -32,7 +32,7 @@ struct StopRecord {
     Pose tcpPose;
     JointPositions q;
     int suspect = -1;     ///< joint with the largest current deviation, 0..5; -1: no clear deviation
-    QStringList reports;  ///< messages of the controller within two seconds of the stop: "C157 Collision ..."
+    QStringList reports;  ///< controller messages within two seconds of the stop, e.g. "C157 Collision ..."
 };
 
 /// Threads  GUI
@@ -44,13 +44,13 @@ public:
 
     /// The last stop of this connection; empty if there was none.
     const std::optional<StopRecord>& last() const { return record_; }
-    /// Time since the stop by the clock of the controller [s]; 0 if there was none.
+    /// Time since the stop on the controller's clock [s]; 0 if there was none.
     double secondsSince() const;
 
     static constexpr double kSeconds = 5.0;
 
 Q_SIGNALS:
-    /// A stop was recorded, or further messages about the last one arrived.
+    /// A stop was recorded, or further messages about the last stop arrived.
     void changed();
 
 private:
@@ -63,7 +63,7 @@ private:
     std::deque<StopRecord::Point> points_;
     std::deque<std::pair<double, QString>> said_;
     bool stopped_ = false;
-    std::uint64_t connection_ = 0;  ///< of the last sample
+    std::uint64_t connection_ = 0;  ///< connection of the last sample
     JointPositions q_;              ///< position of the arm at the stop
     double now_ = 0;
     std::optional<StopRecord> record_;

@@ -272,7 +272,7 @@ void ProjectDocument::removeFrame(int row) {
 }
 
 void ProjectDocument::leaveFrame(const QUuid& frame, const QString& text) {
-    // Waypoints defined by their joints are included, because their stored pose refers to the frame too.
+    // Waypoints with a joint target are included, because their stored pose also refers to the frame.
     QVector<int> rows;
     std::vector<project::Waypoint> points;
     for (int i = 0; i < waypoints().size(); ++i) {
@@ -293,8 +293,8 @@ void ProjectDocument::leaveFrame(const QUuid& frame, const QString& text) {
         pattern.columnEnd = T_base_frame * pattern.columnEnd;
         pattern.rowEnd = T_base_frame * pattern.rowEnd;
         patternsAfter.replace(i, pattern);
-        // Use the exact result of the pattern, so that later pattern changes still recognize these waypoints
-        // as unmoved.
+        // Use the exact result of the pattern, so that later changes of the pattern recognize these waypoints
+        // as unmodified.
         for (std::size_t n = 0; n < points.size(); ++n) {
             if (project::isWhereLaid(waypoints().at(rows[static_cast<int>(n)]), patterns().at(i))) {
                 points[n].pose = project::poseAt(pattern, points[n].place);
@@ -428,7 +428,7 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
     for (const int row : rows) {
         rowAt[keyOf(waypoints().at(row).place)] = row;
     }
-    // Build the new list of the pattern's waypoints; existing ones keep their ids.
+    // Build the new list of the pattern's waypoints. Existing waypoints keep their ids.
     QVector<int> changedRows;
     std::vector<project::Waypoint> changed;
     std::vector<project::Waypoint> added;
@@ -452,7 +452,8 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
             then.joints = laid.joints;
             then.tcpOffset = laid.tcpOffset;
         }
-        // Fields that still have the pattern's value follow the pattern; fields edited for one waypoint stay.
+        // Fields that still have the value of the pattern are updated. Fields edited for a single waypoint
+        // are kept.
         const project::Waypoint& old = before.first;
         const auto follow = [&](auto project::Waypoint::*field) {
             if (now.*field == old.*field) {
@@ -486,7 +487,7 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
     if (!added.empty()) {
         insertWaypoints(behind, added, text);
     }
-    // Rows of the pattern keep their places in the list and are filled in pattern order.
+    // Rows of the pattern keep their positions in the list and are filled in pattern order.
     QVector<QUuid> ids;
     qsizetype next = 0;
     for (const project::Waypoint& point : waypoints()) {
@@ -530,12 +531,12 @@ void ProjectDocument::removePattern(const QUuid& id, const QString& text) {
     endGroup();
 }
 
-/// Patterns taught at waypoints follow changes of these waypoints.
+/// Updates patterns that were taught with the changed waypoints.
 void ProjectDocument::followCorners(const std::vector<project::Waypoint>& changed, const QString& text) {
     for (const project::Pattern& pattern : project::PatternList(patterns())) {
         project::Pattern after = pattern;
         for (const project::Waypoint& point : changed) {
-            // In the pattern's frame, whatever frame the corner waypoint uses.
+            // Convert to the pattern's frame, because the corner waypoint may use a different frame.
             const auto place = project::givenIn(point, pattern.first.frame, frames());
             if (!place) {
                 continue;
@@ -558,8 +559,8 @@ void ProjectDocument::followCorners(const std::vector<project::Waypoint>& change
     }
 }
 
-/// Called before the waypoints at these rows are removed: removes their places from their patterns. Patterns
-/// that were taught at them keep the corner pose but lose the link to the waypoint.
+/// Called before the waypoints at these rows are removed. Removes their positions from their patterns.
+/// Patterns that were taught with these waypoints keep the corner pose but lose the link to the waypoint.
 void ProjectDocument::forgetPlaces(const QList<int>& rows, const QString& text) {
     QSet<QUuid> going;
     for (const int row : rows) {
@@ -607,7 +608,7 @@ void ProjectDocument::insertRaw(int row, const std::vector<project::Waypoint>& w
 
 std::vector<project::Waypoint> ProjectDocument::takeRaw(const QVector<int>& rows) {
     std::vector<project::Waypoint> taken;
-    // Adjacent rows are removed together, starting with the last run.
+    // Adjacent rows are removed as one range, starting with the last range.
     for (auto to = static_cast<int>(rows.size()); to > 0;) {
         int from = to - 1;
         while (from > 0 && rows[from - 1] == rows[from] - 1) {

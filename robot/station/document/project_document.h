@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The project in memory: waypoints, frames and its other parts, and the robot they are for. Every change is an edit
-// (project_edits.h) that can be applied and reverted; a subclass may keep the edits for undo
-// (widgets/project/undoable_document.h). Use it in one thread, in a window the GUI thread.
+// The project in memory: waypoints, frames and all other parts, and the robot model they are for. Every
+// change is an edit (project_edits.h) that can be applied and reverted. A subclass may store the edits for
+// undo (widgets/project/undoable_document.h). Must be used in one thread; in a window, this is the GUI
+// thread.
 
 #include <QObject>
 #include <QUuid>
@@ -17,15 +18,15 @@
 
 namespace tiller {
 
-/// The part of the project that an edit changes. It determines where the window shows the edit.
+/// The part of the project that an edit changes. Determines where the window shows the edit.
 enum class ProjectPart { Waypoints, Frames, Tcps, Payloads, Positions, Cell, Programs };
 
 /// An edit that was undone or redone.
 struct ProjectStep {
     bool undone = true;
-    QString text;  ///< the edit: "Change the TCP “gripper”"
+    QString text;  ///< description of the edit, e.g. "Change the TCP “gripper”"
     ProjectPart part = ProjectPart::Waypoints;
-    QUuid id;  ///< the first changed waypoint, frame, tool, payload or position; null: none remains
+    QUuid id;  ///< the first changed waypoint, frame, tool, payload or position; null if removed
 };
 
 class ProjectEdit;
@@ -40,20 +41,20 @@ public:
     const project::Project& project() const { return project_; }
     const project::WaypointList& waypoints() const { return project_.waypoints; }
     const project::FrameList& frames() const { return project_.frames; }
-    /// The connected arm; without one, that of the project.
+    /// The connected arm or, if no robot is connected, that of the project.
     const RobotModel& robot() const { return robot_; }
-    /// Reach depends on the arm. If its geometry differs from that of the arm the project was taught with, no
-    /// waypoint counts as reachable: see isOfOtherModel().
+    /// Sets the arm that determines reachability. If its geometry differs from that of the arm the project
+    /// was taught with, no waypoint counts as reachable; see isOfOtherModel().
     void setRobot(const RobotModel& connected);
-    /// Called when no robot is connected.
+    /// Call when no robot is connected.
     void clearRobot();
-    /// True when the positions of the project were taught with a different model than robot(), so that each
-    /// of them would be somewhere else.
+    /// True if the positions of the project were taught with a model other than robot(), so that equal joint
+    /// positions result in different poses.
     bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
-    /// Sets the robot model of a project that has none, or has no waypoints. This is not an edit and is saved
-    /// with the next one. An undo that restores waypoints restores their model.
+    /// Sets the robot model of a project without a model or without waypoints. This is not an edit, and is
+    /// saved together with the next edit. An undo that restores waypoints also restores their model.
     void adoptRobot(RobotModelId connected);
-    /// One undo step: replaces the project by the result of project::changeModel().
+    /// Replaces the project by the result of project::changeModel(), as one undo step.
     void changeModel(const project::ModelChange& change, const QString& text);
     const project::Reach& reach(int row) const { return reach_.at(static_cast<std::size_t>(row)); }
     const project::Tooling& tooling() const { return project_.tooling; }
@@ -67,37 +68,38 @@ public:
     /// Replaces the project and clears the undo history.
     void setProject(project::Project project);
 
-    // Manual edits: one undo step each, named `text`. Rows count from 0.
+    // Manual edits. Each is one undo step named `text`. Rows count from 0.
     void insertWaypoints(int row, const std::vector<project::Waypoint>& waypoints, const QString& text);
     void removeWaypoints(QList<int> rows);
-    /// Does nothing if `waypoint` is unchanged. The previous version is added to the history of the waypoint;
-    /// patterns taught at it follow.
+    /// Does nothing if `waypoint` is unchanged. The previous version is added to the history of the waypoint.
+    /// Patterns that use the waypoint as a corner are updated.
     void changeWaypoint(int row, const project::Waypoint& waypoint, const QString& text);
     /// Changes several waypoints.
-    /// after  one per row; unchanged ones are ignored
+    /// after  one per row; unchanged waypoints are ignored
     void changeWaypoints(const QList<int>& rows, const std::vector<project::Waypoint>& after,
                          const QString& text);
-    /// Moves the waypoints at `rows`, in their order, in front of the one at `before`.
+    /// Moves the waypoints at `rows`, in their order, to the position before the waypoint at `before`.
     void moveWaypointsBefore(const QList<int>& rows, int before);
     void insertFrame(int row, const project::Frame& frame, const QString& text);
     /// Does nothing if `frame` is unchanged.
     void changeFrame(int row, const project::Frame& frame, const QString& text);
-    /// Waypoints, patterns and other objects in the frame keep their positions and are then given in Base.
+    /// Waypoints, patterns and other objects in the frame keep their positions and are converted to Base.
     void removeFrame(int row);
 
-    // Each does nothing if the value is unchanged.
+    // Each function does nothing if the value is unchanged.
     void changeTooling(const project::Tooling& after, const QString& text);
     void changePositions(const project::Positions& after, const QString& text);
     void changeCell(const project::CellGeometry& after, const QString& text);
     void changePaths(const project::PathList& after, const QString& text);
     void changePrograms(const project::ProgramList& after, const QString& text);
 
-    /// The waypoints of the pattern are inserted before `row`.
+    /// Adds the pattern and inserts its waypoints before `row`.
     void insertPattern(int row, const project::Pattern& pattern, const QString& text);
-    /// Replaces the pattern with the same id and updates its waypoints: unmodified ones move, manually moved
-    /// ones stay, new ones are added, and those no longer in the pattern are removed.
+    /// Replaces the pattern with the same id and updates its waypoints. Unmodified waypoints move, manually
+    /// moved ones remain, missing ones are added, and waypoints that are not part of the changed pattern are
+    /// removed.
     void changePattern(const project::Pattern& pattern, const QString& text);
-    /// Removes the pattern but keeps its waypoints as ordinary ones.
+    /// Removes the pattern but keeps its waypoints as ordinary waypoints.
     void dissolvePattern(const QUuid& id, const QString& text);
     /// Removes the pattern and its waypoints.
     void removePattern(const QUuid& id, const QString& text);
@@ -109,7 +111,7 @@ public:
     // Used by the edits.
     void insertRaw(int row, const std::vector<project::Waypoint>& waypoints);
     /// rows     ascending
-    /// Returns  the removed elements, in that order
+    /// Returns  the removed waypoints, in the same order
     std::vector<project::Waypoint> takeRaw(const QVector<int>& rows);
     /// Replaces the waypoints with the same ids.
     void replaceRaw(const std::vector<project::Waypoint>& waypoints);
@@ -136,7 +138,7 @@ Q_SIGNALS:
     /// Waypoints were added or restored and should be selected.
     void waypointsAppeared(int first, int last);
 
-    // For table models: emitted before and after each change of the list of waypoints.
+    // For table models. Emitted before and after each change of the list of waypoints.
     void projectAboutToBeReplaced();
     void projectReplaced();
     void waypointsAboutToBeInserted(int first, int last);
@@ -154,7 +156,7 @@ protected:
     virtual void clearHistory() {}
     /// Number of edits currently applied.
     virtual int historyIndex() const { return 0; }
-    /// To be called by a subclass after an undo or redo: restores the robot model, and emits stepTaken().
+    /// Restores the robot model and emits stepTaken(). To be called by a subclass after an undo or redo.
     /// before  the project before the undo or redo
     void finishStep(const project::Project& before, bool undone, const QString& text);
 
@@ -185,16 +187,16 @@ private:
     void notifyPart(const std::optional<RobotModelId>&);
 
     project::Project project_;
-    std::vector<project::Reach> reach_;  ///< of the waypoints, in list order
+    std::vector<project::Reach> reach_;  ///< one per waypoint, in list order
     RobotModel robot_;
     bool isConnected_ = false;  ///< robot_ is the connected arm
     /// A robot model that the project adopted while the undo history contained edits.
     struct Adoption {
-        int index = 0;  ///< of the undo history; at lower indices the project has the model `before`
+        int index = 0;  ///< index in the undo history; at lower indices, the model is `before`
         std::optional<RobotModelId> before;
     };
     std::vector<Adoption> adoptions_;
-    std::optional<RobotModelId> connectedModel_;  ///< of the last adoptRobot(); empty without a robot
+    std::optional<RobotModelId> connectedModel_;  ///< set by adoptRobot(); empty without a robot
     QString author_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The edits of a project as objects that can be applied and reverted: four for the list of waypoints, one for
-// any other part. ProjectDocument creates them; an undo history stores them.
+// The edits of a project as objects that can be applied and reverted: four for the list of waypoints, and one
+// for any other part. ProjectDocument creates them; an undo history stores them.
 
 #include <QString>
 #include <QVector>
@@ -12,13 +12,13 @@
 
 namespace tiller {
 
-/// One edit, with the content before and after it. The document must be in the state before it for apply(), and in
-/// the state after it for revert().
+/// One edit, with the content before and after it. apply() requires the document in the state before the
+/// edit, revert() in the state after it.
 class ProjectEdit {
 public:
     explicit ProjectEdit(const QString& text) : text_(text) {}
     virtual ~ProjectEdit() = default;
-    /// Text of the undo history: "Delete “home”".
+    /// Text for the undo history, e.g. "Delete “home”".
     const QString& text() const { return text_; }
     virtual void apply(ProjectDocument& document) = 0;
     virtual void revert(ProjectDocument& document) = 0;
@@ -64,7 +64,7 @@ private:
 
 class ReorderWaypoints : public ProjectEdit {
 public:
-    /// before, after  the ids of all waypoints
+    /// before, after  the ids of all waypoints in their order
     ReorderWaypoints(QVector<QUuid> before, QVector<QUuid> after, const QString& text);
     void apply(ProjectDocument& document) override;
     void revert(ProjectDocument& document) override;
@@ -74,7 +74,7 @@ private:
     QVector<QUuid> after_;
 };
 
-/// Parts other than the waypoints are small, so the whole part is stored.
+/// All parts except the waypoints are small, so the whole part is stored.
 template <class Part>
 class EditPart : public ProjectEdit {
 public:

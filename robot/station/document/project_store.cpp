@@ -60,7 +60,9 @@ QString ProjectStore::statusText() const {
                                                                      : lastError_.controllerMessage;
         return tr("%1 — not saved: %2").arg(name(), why);
     }
-    return modified_ ? tr("%1 — saving…").arg(name()) : tr("%1 — saved").arg(name());
+    return modified_                   ? tr("%1 — saving…").arg(name())
+           : !QFileInfo::exists(path_) ? tr("%1 — new").arg(name())
+                                       : tr("%1 — saved").arg(name());
 }
 
 void ProjectStore::onChange() {
@@ -112,7 +114,7 @@ void ProjectStore::watch() {
         watcher_.removePaths(before);
     }
     if (!path_.isEmpty()) {
-        // Watching the folder detects replaced files, watching the file detects in-place writes.
+        // Watching the folder detects replaced files. Watching the file detects in-place writes.
         watcher_.addPath(QFileInfo(path_).absolutePath());
         if (QFileInfo::exists(path_)) {
             watcher_.addPath(path_);
@@ -127,7 +129,7 @@ bool ProjectStore::isOpen(const QString& path) const {
 
 Result<void> ProjectStore::open(const QString& path) {
     if (isOpen(path)) {
-        // Reopening the open project must not fail because of its own lock.
+        // Reopening the current project must not fail because of its own lock.
         if (const Result<void> saved = saveLast(); !saved) {
             return saved;
         }
@@ -168,7 +170,7 @@ Result<void> ProjectStore::openKept(const project::KeptCopy& copy) {
     show(*loaded, {}, nullptr, copy.name.isEmpty() ? tr("Unsaved project") : copy.name);
     keeper_->adopt(copy);
     modified_ = true;
-    autosave_.start(kAutosaveMs);  // another window may continue the copy on the disk
+    autosave_.start(kAutosaveMs);  // another window may continue the copy on disk
     Q_EMIT statusChanged(statusText());
     return {};
 }
@@ -179,7 +181,7 @@ Result<void> ProjectStore::saveLast() {
     }
     if (!path_.isEmpty() && obstacle_ == Obstacle::None) {
         const Result<void> saved = saveNow();
-        // A copy in the program's own folder is sufficient: the next start offers it.
+        // A copy in the application folder is sufficient, because the next start offers to restore it.
         return saved || (!copyFolder_.isEmpty() && keepCopy()) ? Result<void>() : saved;
     }
     return keepCopy();
@@ -204,7 +206,7 @@ Result<project::RecoveredProject> ProjectStore::openRecovered(const QString& pat
             return saved.error();
         }
         show(recovered->document, path, std::move(access));
-        // Not saved until the first edit: the damaged file is still the only complete one.
+        // Do not save before the first edit, because the damaged file is still the only complete one.
         modified_ = true;
         Q_EMIT statusChanged(statusText());
     }
@@ -277,7 +279,7 @@ void ProjectStore::autosave() {
         }
         return std::function<void()>([this, access, revision, saved] {
             if (access != access_) {
-                return;  // another file was opened meanwhile
+                return;  // another file was opened in the meantime
             }
             const bool failedBefore = lastError_.code != ErrorCode::None;
             settle(revision, saved);
@@ -356,7 +358,7 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
     }
 }
 
-/// A view-only window loads each save of the owner without asking.
+/// A view-only window loads each save of the lock owner without asking.
 bool ProjectStore::showOwnersSave() {
     const Result<project::Project> loaded = access_->load(revision_);
     if (!loaded) {
@@ -376,7 +378,7 @@ Result<void> ProjectStore::reload() {
     if (access_ == nullptr) {
         return {};
     }
-    // Reloading cannot be undone: unsaved changes become a copy that the next start offers.
+    // Reloading cannot be undone. Unsaved changes are stored as a copy that the next start offers to restore.
     if (modified_ && !copyFolder_.isEmpty()) {
         if (const Result<void> kept = keepCopy(); !kept) {
             return kept;

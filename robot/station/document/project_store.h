@@ -2,8 +2,8 @@
 #pragma once
 
 // The file of the open project: its path, its save state, and automatic saving shortly after every change.
-// The file can be open in other windows, and other programs can change it: the store never overwrites content
-// that it has not read, and keeps a copy of all work that is not in a file.
+// Other windows can open the file, and other programs can change it. The store never overwrites content that
+// it has not read, and keeps a copy of all work that is not saved in a file.
 
 #include <QFileSystemWatcher>
 #include <QObject>
@@ -23,61 +23,62 @@ class ProjectStore : public QObject {
     Q_OBJECT
 
 public:
-    /// Why changes are not saved to the file.
+    /// Reason why changes are not saved to the file.
     enum class Obstacle {
         None,
         OpenElsewhere,   ///< another window has the project open
-        ChangedByOther,  ///< another program changed the file, and the operator has not decided yet
+        ChangedByOther,  ///< changed by another program; the operator has not decided yet
     };
 
     explicit ProjectStore(ProjectDocument& document, QObject* parent = nullptr);
     /// Saves unsaved changes, or keeps a copy of them.
     ~ProjectStore() override;
 
-    /// Folder for copies of unsaved work; without it no copies are kept.
+    /// Folder for copies of unsaved work. If it is empty, no copies are kept.
     void setCopyFolder(const QString& folder);
     const QString& copyFolder() const { return copyFolder_; }
 
     QString path() const { return path_; }
     bool isModified() const { return modified_; }
-    /// Whether every change is in the file.
+    /// True if all changes are saved in the file.
     bool isSaved() const { return !modified_ && !path_.isEmpty(); }
     /// Name of a project that was opened as a copy and has no file yet; otherwise empty.
     QString copyName() const { return copyName_; }
     Obstacle obstacle() const { return obstacle_; }
     /// The other window that has the project open.
     const std::optional<project::LockOwner>& otherOwner() const { return owner_; }
-    /// Name of the project: the file's name, or that of the copy.
+    /// Name of the project: that of its file or, for a copy, copyName().
     QString name() const;
-    /// For the status line: "cell-7.tiller — saved", "cell-7.tiller — not saved: disk full".
+    /// Text for the status bar, e.g. "cell-7.tiller — saved", "cell-7.tiller — not saved: disk full".
     QString statusText() const;
 
-    /// Opens the project file and saves to it from now on. On an error the state is unchanged.
+    /// Opens the project file. Later changes are saved to this file. On an error the state is unchanged.
     Result<void> open(const QString& path);
-    /// Opens the readable part of a damaged file; the first save moves the damaged file aside.
+    /// Opens the readable part of a damaged file. The first save renames the damaged file.
     Result<project::RecoveredProject> openRecovered(const QString& path);
-    /// Opens the content of the file as a project without a file: nothing is saved before saveAs().
+    /// Opens the content of the file as a project without a file. Nothing is saved before saveAs().
     /// name  name of the copy until then
     Result<void> openCopy(const QString& path, const QString& name);
     /// Opens unsaved work of an earlier window as a modified copy.
     Result<void> openKept(const project::KeptCopy& copy);
-    /// Saves to this file now and from now on.
+    /// Saves to this file. Later changes are also saved to it.
     Result<void> saveAs(const QString& path);
-    /// As open(), but creates an empty project if the file does not exist. Used at program start.
+    /// Like open(), but creates an empty project if the file does not exist. Used at program start.
     Result<void> openOrStart(const QString& path);
     Result<void> saveNow();
-    /// Discards the unsaved changes on the operator's request: no copy of them is kept.
+    /// Discards the unsaved changes on the operator's request, without keeping a copy.
     void discardChanges();
 
     /// Reads the file again after another program has changed it. Unsaved changes are lost.
     Result<void> reload();
-    /// Takes over the project from the other window, and reads its last saved state if nothing was changed
-    /// here.
+    /// Takes over the project from the other window. If nothing was changed in this window, reads the state
+    /// last saved by the other one.
     Result<void> takeOver();
-    /// Saves to a new file next to the one another program has changed, and to the new file from now on.
+    /// Saves to a separate file next to the file that another program has changed. Later changes are saved to
+    /// the separate file.
     /// Returns  its path
     Result<QString> keepBoth();
-    /// Checks whether another window or program has locked or changed the file. The result is reported by a
+    /// Checks whether another window or program has locked or changed the file. Reports the result by a
     /// signal.
     void checkFile();
 
@@ -96,9 +97,9 @@ Q_SIGNALS:
     void saveFailed(const tiller::Error& error);
     /// Automatic saving works again.
     void saveRecovered();
-    /// Another window has the project open; changes here are not saved.
+    /// Another window has the project open, so changes in this window are not saved.
     void openElsewhere();
-    /// The other window has closed the project; changes here are saved.
+    /// The other window has closed the project, so changes in this window are saved.
     void freeAgain();
     /// Another program has changed the file.
     void changedByOther();
@@ -111,14 +112,14 @@ private:
     void autosave();
     project::Project snapshot() const;
     void settle(std::uint64_t revision, const Result<project::ProjectAccess::SaveResult>& saved);
-    /// Continues with this file, to which the project has just been saved.
+    /// Switches to this file, to which the project has just been saved.
     void continueIn(const QString& path, Access access,
                     const Result<project::ProjectAccess::SaveResult>& saved);
     void settleCheck(const project::ProjectAccess::Check& check);
-    /// Saves or keeps the last changes of the open project before it is replaced.
+    /// Saves the last changes of the open project, or keeps a copy, before the project is replaced.
     Result<void> saveLast();
     Result<void> keepCopy();
-    /// As reload(), but keeps an existing copy of unsaved changes.
+    /// Like reload(), but keeps an existing copy of unsaved changes.
     Result<void> readAgain();
     void show(const project::Project& project, const QString& path, Access access,
               const QString& copyName = {});
@@ -133,16 +134,16 @@ private:
     QString copyName_;
     QString copyFolder_;
     QTimer autosave_;
-    QTimer check_;  ///< shortly after a change of the folder
+    QTimer check_;  ///< runs shortly after a change of the folder
     QFileSystemWatcher watcher_;
     Error lastError_;
     bool modified_ = false;
     bool loading_ = false;
     Obstacle obstacle_ = Obstacle::None;
     std::optional<project::LockOwner> owner_;
-    std::optional<QByteArray> announced_;  ///< the foreign content that was reported
-    std::uint64_t revision_ = 0;           ///< of the document, for saves that complete late
-    Access access_;                        ///< null without a file
+    std::optional<QByteArray> announced_;  ///< content by another program that was reported
+    std::uint64_t revision_ = 0;           ///< document revision; detects late completions of saves
+    Access access_;                        ///< null if there is no file
     std::shared_ptr<project::CopyKeeper> keeper_;
     SerialExecutor worker_;  ///< runs automatic saves
 };

@@ -40,12 +40,12 @@ constexpr std::array<const char*, ColumnCount> kHeadings = {
 constexpr std::array<const char*, 7> kColourWords = {"none", "blue",   "orange", "green",
                                                      "pink", "yellow", "sky"};
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct WaypointClipboard {
     Q_DECLARE_TR_FUNCTIONS(WaypointClipboard)
 };
 
-/// Escapes a text of several lines for one field.
+/// Escapes a multi-line text for one field.
 QString inOneLine(QString text) {
     return text.replace(QLatin1Char('\\'), QLatin1String("\\\\"))
         .replace(QLatin1Char('\n'), QLatin1String("\\n"))
@@ -212,14 +212,15 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         const Pose there = kinematics::forwardTcp(dh, point.joints, point.tcpOffset);
         point = project::taughtAt(point, point.joints, there, point.tcpOffset, frames).value_or(point);
     } else if (const auto place = project::poseInBase(point, frames); !hasJoints && place) {
-        // If the pose cannot be reached, the waypoint gets the default joints and is marked in the list.
+        // If the pose cannot be reached, the waypoint gets the default joint positions and is marked in the
+        // list.
         point.joints =
             kinematics::inverseNearest(dh, *place, point.tcpOffset, defaults.near).value_or(defaults.near);
     }
     return point;
 }
 
-/// Columns of a text without a heading line, depending on the number of fields in its first line.
+/// Columns of text without a heading line, depending on the number of fields in its first line.
 std::optional<std::array<int, ColumnCount>> placesWithoutHeading(qsizetype fields) {
     std::array<int, ColumnCount> places{};
     if (fields >= Tcp) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Waypoints as a table of text with tab-separated fields, to exchange with spreadsheets. Lengths in mm,
-// angles in degrees, orientations as roll, pitch and yaw.
+// Converts waypoints to and from tab-separated text, for exchange with spreadsheets. Lengths in mm, angles in
+// degrees, orientations as roll, pitch and yaw.
 
 #include <QString>
 #include <vector>
@@ -13,21 +13,21 @@
 
 namespace tiller::waypoint_clipboard {
 
-/// One heading line, then one line per waypoint.
+/// Returns one heading line, then one line per waypoint.
 QString toText(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames);
 
-/// Values for fields that a line does not contain.
+/// Values for fields that are missing in a line.
 struct Defaults {
-    const RobotModel* robot = nullptr;  ///< model for solving poses; null: a UR5e
+    const RobotModel* robot = nullptr;  ///< model used to solve poses; null: a UR5e
     JointPositions near;                ///< reference for choosing the nearest solution [rad]
     Pose tcpOffset;
 };
 
-/// The heading line is optional. With it, the columns may be in any order, and only the joints or the pose
-/// are required. Without it, the text has either all columns in the order of toText(), or the six numbers of
-/// a pose, optionally preceded by a name. A pose without joints defines the waypoint, and its joints are the
-/// nearest solution; joints without a pose define it likewise. Waypoints get new ids; names are kept, or
-/// numbered.
+/// The heading line is optional. If it exists, the columns may be in any order, and only the joints or the
+/// pose are required. Without it, the text has either all columns in the order of toText(), or the six
+/// numbers of a pose, optionally preceded by a name. If only the pose is given, the joints are computed as
+/// the nearest solution. If only the joints are given, the pose is computed from them. Waypoints get new ids.
+/// Names are kept, or numbered if they already exist.
 /// Errors   InvalidArgument with line and column; a text with an error is rejected as a whole
 Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames,
                                                 const Defaults& defaults = {});

@@ -31,7 +31,7 @@ QChar separatorOf(const QString& text) {
     return more(more(QLatin1Char(','), QLatin1Char(';')), QLatin1Char('\t'));
 }
 
-/// Converts the text to tab-separated fields, as the clipboard uses.
+/// Converts the text to tab-separated fields as used by the clipboard.
 Result<QString> tabbed(const QString& text) {
     const QChar separator = separatorOf(text);
     QString result;
@@ -50,7 +50,7 @@ Result<QString> tabbed(const QString& text) {
                 inside = !inside;
             }
         } else if (inside) {
-            // Line breaks and tabs within a quoted field do not end it.
+            // Line breaks and tabs within a quoted field do not end the field.
             result += c == QLatin1Char('\n') || c == QLatin1Char('\t') ? QLatin1Char(' ') : c;
         } else {
             result += c == separator ? QLatin1Char('\t') : c;
@@ -69,7 +69,7 @@ Result<QString> tabbed(const QString& text) {
 QByteArray toCsv(const std::vector<project::Waypoint>& waypoints, const project::FrameList& frames) {
     QString result;
     QStringList lines = waypoint_clipboard::toText(waypoints, frames).split(QLatin1Char('\n'));
-    lines.removeLast();  // empty
+    lines.removeLast();  // empty line
     for (const QString& line : std::as_const(lines)) {
         QStringList fields = line.split(QLatin1Char('\t'));
         std::transform(fields.begin(), fields.end(), fields.begin(), quoted);

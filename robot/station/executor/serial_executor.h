@@ -11,8 +11,9 @@
 
 namespace tiller {
 
-/// Thread: one, normal priority, started by the constructor, ended by the destructor, which cancels the
-/// current job through its token and drops the waiting ones. Jobs are passed into it, completions out of it.
+/// Thread: one, normal priority. Started by the constructor and ended by the destructor, which cancels the
+/// current job through its token and drops the waiting ones. Jobs are passed to the thread; completions are
+/// returned from it.
 class SerialExecutor {
 public:
     SerialExecutor();
@@ -20,13 +21,13 @@ public:
     SerialExecutor(const SerialExecutor&) = delete;
     SerialExecutor& operator=(const SerialExecutor&) = delete;
 
-    /// Runs `job` after those posted before, then the returned function in the thread of `context` (not at
-    /// all if `context` has been destroyed).
+    /// Runs `job` after all jobs posted before. Then runs the returned function in the thread of `context`,
+    /// unless `context` has been destroyed.
     /// Threads  any. Blocks: never
     void post(QObject* context, std::function<std::function<void()>(const CancelToken&)> job);
-    /// Runs `job` even while the worker is ending: for closing resources.
+    /// Runs `job` even while the worker is ending. Use it to close resources.
     void postCleanup(std::function<void()> job);
-    /// Cancels the current job and drops the waiting ones, except cleanups.
+    /// Cancels the current job and drops the waiting ones, except for cleanup jobs.
     void cancelAll();
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 using divergence::Quantity;
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct ComparisonText {
     Q_DECLARE_TR_FUNCTIONS(Comparison)
 };
@@ -121,8 +121,8 @@ QString reportDetails(const divergence::Report& report) {
     QStringList lines;
     if (report.partedFromStart()) {
         lines << ComparisonText::tr(
-            "Arm and model differ from the first sample on: check the payload, the robot model and contact "
-            "with the arm.");
+            "Arm and model differ from the first sample on. Check the payload and the robot model, and make "
+            "sure that nothing touches the arm.");
     } else if (report.first()) {
         lines << ComparisonText::tr(
             "From this time on, the arm was pushed or held, its payload differed, or a joint did not follow "

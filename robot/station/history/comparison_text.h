@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Describes the result of comparing a recording with the model of its arm in sentences.
+// Text for the result of comparing a recording with the model of its arm.
 
 #include <QString>
 
@@ -9,18 +9,18 @@
 
 namespace tiller {
 
-/// "0.80°", "6.2 mm", "4.20 A", "61.0 N"
+/// Amount with its unit, e.g. "0.80°", "6.2 mm", "4.20 A", "61.0 N".
 QString amountText(divergence::Quantity quantity, double amount);
-/// Short label for the mark in the plots: "Elbow 0.80°"
+/// Short label for the mark in the plots, e.g. "Elbow 0.80°".
 QString deviationMark(const divergence::Difference& parting);
-/// "Arm and model diverge at 12.348 s: Elbow deviates by 0.80°"
+/// Example: "Arm and model diverge at 12.348 s: Elbow deviates by 0.80°".
 QString deviationText(const divergence::Difference& parting);
-/// Result of the whole comparison, also when there is no deviation.
+/// Result of the whole comparison, including the result that there is no deviation.
 QString reportText(const divergence::Report& report);
-/// The suggested checks, and one line per quantity with its largest deviation and the time from which it
+/// The suggested checks, and one line per quantity with its largest deviation and the time at which it first
 /// exceeds the limit.
 QString reportDetails(const divergence::Report& report);
-/// The reason why there is no comparison, and the suggested action.
+/// Reason why the comparison is not possible, and the suggested action.
 QString comparisonError(const Error& error);
 
 }  // namespace tiller

@@ -14,7 +14,7 @@ namespace tiller {
 
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct DerivationText {
     Q_DECLARE_TR_FUNCTIONS(DerivedSignal)
 };
@@ -42,7 +42,7 @@ QString fromParser(const mu::string_type& text) {
 /// An expression in which the names in braces are replaced by identifiers that the parser accepts.
 struct Plain {
     QString expression;
-    QStringList braced;  ///< in order of appearance
+    QStringList braced;  ///< names in braces, in order of first appearance
 
     explicit Plain(const QString& text) {
         static const QRegularExpression kBraced(QStringLiteral("\\{([^{}]+)\\}"));
@@ -53,7 +53,7 @@ struct Plain {
             if (known < 0) {
                 braced.append(match.captured(1));
             }
-            // The surrounding blanks keep an adjacent name from merging with the identifier.
+            // The surrounding spaces prevent an adjacent name from merging with the identifier.
             expression += text.mid(done, match.capturedStart() - done) + QLatin1Char(' ') +
                           word(known < 0 ? braced.size() - 1 : known) + QLatin1Char(' ');
             done = match.capturedEnd();
@@ -81,10 +81,10 @@ private:
     static QString word(qsizetype number) { return QStringLiteral("braced_%1_").arg(number); }
 };
 
-/// An expression over the values of one sample.
+/// An expression that is evaluated for the values of one sample.
 class Expression : public DerivedSignal {
 public:
-    /// Returns  the error; empty if none
+    /// Returns the error message, or an empty string.
     QString read(const Plain& plain, const std::function<bool(const QString&)>& exists) {
         try {
             parser_.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.");
@@ -153,7 +153,7 @@ public:
     double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                    std::int64_t sample) override {
         const double value = history.value(columns[0], sample);
-        // Restart the window where the samples are not consecutive.
+        // The window restarts where the samples are not consecutive.
         if (sample != next_ || history.gapBefore(sample) || std::isnan(value)) {
             points_.clear();
             sum_ = 0;
@@ -165,7 +165,8 @@ public:
         points_.push_back({history.time(sample), value});
         sum_ += value;
         const double since = points_.back().time - seconds_ * (1 + 1e-9);
-        // The rate of change needs the point at the far end of the window, the mean only the points inside.
+        // The rate of change also needs the last point before the window; the mean needs only the points
+        // inside.
         while (points_.size() > 2 && (mean_ ? points_.front().time : points_[1].time) < since) {
             sum_ -= points_.front().value;
             points_.pop_front();
@@ -221,7 +222,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
                                "norm(actual_TCP_force_0, actual_TCP_force_1)"));
     }
     const QString expression = form.captured(3).trimmed();
-    // A single "=" would make the parser assign to the signal.
+    // The parser would interpret a single "=" as an assignment to the signal.
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {
@@ -252,7 +253,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     made->text_ = made->unit_.isEmpty()
                       ? QStringLiteral("%1 = %2").arg(made->name_, expression)
                       : QStringLiteral("%1 [%2] = %3").arg(made->name_, made->unit_, expression);
-    // The normalized text must be accepted as input too, so it has the same length limit.
+    // The normalized text must also be accepted as input, so it has the same length limit.
     return made->text_.size() > kMaxTextLength ? Result<std::shared_ptr<DerivedSignal>>(tooLong())
                                                : Result<std::shared_ptr<DerivedSignal>>(made);
 }

@@ -19,10 +19,11 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
     const QString source = shown.empty() ? QString() : store.recordingOf(shown.front());
     if (std::any_of(shown.begin(), shown.end(),
                     [&](int signal) { return store.recordingOf(signal) != source; })) {
-        return Error{context.code, context.context,
-                     QCoreApplication::translate("tiller::PlotDock",
-                                                 "The page shows several recordings, or a recording and live "
-                                                 "signals. Show only one of them on the page.")};
+        return Error{
+            context.code, context.context,
+            QCoreApplication::translate("tiller::PlotDock",
+                                        "The page shows several recordings, or a recording and live signals. "
+                                        "Show only one of them on the page, then export again.")};
     }
     const bool isCsv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
     if (source.isEmpty()) {
@@ -33,7 +34,7 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
                                  "Live signals can only be exported as .csv. Record them first.")};
     }
     const std::unique_ptr<recording::Recording> selected = store.selected(shown);
-    // A cursor on a row includes the row, although its time on the plots' axis is rounded.
+    // A cursor placed on a row includes the row, although its time on the plots' axis is rounded.
     constexpr double kRounding = 1e-6;  // [s]
     const double begin = store.timesOf(source)->firstTime();
     recording::ExportChoice choice;
@@ -49,7 +50,7 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
             ErrorCode::InvalidArgument, context.context,
             QCoreApplication::translate("tiller::PlotDock", "export: there are no samples in this range")};
     }
-    // The window does not respond, not even to STOP, while it exports.
+    // The export blocks the window, including STOP, so its size is limited.
     constexpr double kMaxValues = 20e6;
     if (static_cast<double>(rows->count) * static_cast<double>(shown.size()) > kMaxValues) {
         return Error{

@@ -13,22 +13,22 @@ namespace tiller {
 
 class SignalStore;
 
-/// Signals of one recording: its own rows and times from the file, as .csv, .h5, .hdf5 or .mcap. Live signals: as
-/// exportCsv().
+/// For signals of one recording, writes the rows and times of its file as .csv, .h5, .hdf5 or .mcap. For live
+/// signals, see exportCsv().
 /// t0, t1   on the plots' time axis [s]
 /// Returns  rows written
-/// Errors   as exportCsv() and recording::exportRecording(); Rejected if the signals have different time axes, and if
-///          live signals are to be written to another file than .csv
+/// Errors   as exportCsv() and recording::exportRecording(); Rejected if the signals have different time
+///          axes, or if the format for live signals is not .csv
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
                                    double t1, const QString& path);
 
 /// Writes every sample of t0 ... t1 [s] as CSV: "timestamp", then one column per signal, named as in
 /// recordings. Rows are the samples of the standard stream; additionally requested signals have the value
-/// that was valid at that time. A value that the robot does not send is an empty cell; a lost sample is a
-/// missing row, as in recordings.
+/// that was valid at that time. A value that the robot does not send is written as an empty cell. A lost
+/// sample is written as a missing row, as in recordings.
 /// Returns  number of rows written
-/// Errors   FileNotWritable, DiskFull; InvalidArgument when there is no sample in the range. An existing file
-/// stays unchanged on any error
+/// Errors   FileNotWritable, DiskFull; InvalidArgument if there is no sample in the range. An existing file
+///          remains unchanged on any error.
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
                                const QString& path);
 

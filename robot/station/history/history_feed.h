@@ -2,7 +2,7 @@
 #pragma once
 
 // Writes the samples of each frame into the history of the signals. Defines the time axis of the plots: the
-// time stamps of the controller, and the host time for interruptions in which the controller may have
+// time stamps of the controller, or the host time for interruptions in which the controller may have
 // restarted.
 
 #include <cstdint>
@@ -21,31 +21,32 @@ class HistoryFeed {
 public:
     explicit HistoryFeed(SignalStore& store) : store_(store) {}
 
-    /// The following data belong to another robot. The history is kept, with a gap of the actual duration.
+    /// Call when the following data belong to another robot. The history is kept, with a gap of the actual
+    /// duration.
     void beginLink();
     /// Returns  number of rows added
     int take(const SampleBatch& batch);
-    /// The same for additionally requested fields.
+    /// Like take(), for additionally requested fields.
     int takeExtra(const SampleBatch& batch);
 
     /// Converts a time stamp of the controller to the plots' time axis [s].
     double plotTime(double robotTime) const { return robotTime + offset_; }
-    /// A range of the plots' time axis that is visibly without data [s].
+    /// A range of the plots' time axis with a noticeable gap in the data [s].
     struct Silence {
         double from = 0;
         double to = 0;
     };
     static constexpr double kNoticeableGap = 0.3;  ///< [s]
-    /// The interruptions that ended since the last call.
+    /// Interruptions that ended since the last call.
     std::vector<Silence> takeDataGaps() { return std::exchange(silences_, {}); }
 
-    /// Rows lost because the window was too slow for the ring buffer.
+    /// Number of rows lost because the window did not read the ring buffer in time.
     std::uint64_t overrun() const { return overrun_; }
-    /// Number of gaps in the history so far, whatever their cause.
+    /// Number of gaps in the history so far, from any cause.
     std::uint64_t gaps() const { return gaps_; }
 
 private:
-    /// Signals added to a history from each batch.
+    /// Converts the samples of each batch to rows of one history.
     struct Intake {
         std::shared_ptr<const receive::SampleLayout> layout;  ///< layout for which `places` is valid
         std::vector<std::size_t> places;                      ///< index of each column in a sample
@@ -66,11 +67,11 @@ private:
     Intake further_;
     double offset_ = 0;
     double lastRobotTime_ = 0;
-    double lastStep_ = 0;  // between two samples without a gap [s]
+    double lastStep_ = 0;  // time between the last two samples without a gap [s]
     std::int64_t lastHostNs_ = 0;
     std::vector<Silence> silences_;
     std::uint64_t lastSequence_ = 0;
-    std::uint64_t connection_ = 0;  // of the last sample; 0: none yet on this connection
+    std::uint64_t connection_ = 0;  // connection of the last sample; 0: no sample yet
     bool any_ = false;
     bool gapPending_ = false;
     std::uint64_t furtherSequence_ = 0;

@@ -12,20 +12,20 @@ namespace tiller {
 namespace {
 
 constexpr std::int64_t kBlock = SeriesColumn::kBlockRows;
-/// Recordings up to this size (two minutes at 500 Hz) are read faster as a whole than in pieces.
+/// Recordings up to this number of rows (two minutes at 500 Hz) are read faster as a whole than in parts.
 constexpr std::uint64_t kShort = 60'000;
-/// Number of rows that are read before the first drawing, and in later steps.
+/// Number of rows read before the first drawing, and in later steps.
 constexpr std::int64_t kRowsAtOnce = 8'000;
 constexpr std::int64_t kRowsInTheEnd = 64'000;
 constexpr std::int64_t kBlocksInTurn = 1;
 constexpr std::int64_t kExtentsInTurn = 1500;
 constexpr std::int64_t kDraftColumns = 4;
-/// Minimum number of extents from which a long recording is first drawn as a whole.
+/// Minimum number of extents for the first drawing of a long recording.
 constexpr std::int64_t kMinExtents = 1000;
-/// Number of blocks whose rows stay in memory.
+/// Number of blocks whose rows are kept in memory.
 constexpr std::size_t kBlocksKept = 64;
 
-/// The time marks of the file, plus two at each gap, because no rows exist between them.
+/// The time marks of the file, plus two at each gap, because there are no rows within a gap.
 std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
                                         const std::vector<recording::TimeMark>& known, double begin) {
     std::vector<SeriesBuffer::Mark> marks;
@@ -99,7 +99,8 @@ Result<void> HistoryFile::readExtents(std::span<const Column> columns, recording
     for (const Column& column : columns) {
         wanted.push_back(column.file);
     }
-    // The file returns its stored extents for this count or, if a crash left none, finer ones.
+    // The file returns its stored extents for this number of rows. If a crash prevented storing them, it
+    // returns finer ones.
     const auto each = static_cast<std::uint64_t>(rowsEach);
     const auto read = file_.summaries(wanted, range, std::max<std::uint64_t>(1, range.count / each));
     if (!read) {
@@ -284,7 +285,8 @@ bool HistoryFile::sharpen(std::int64_t begin, std::int64_t end, int pixelColumns
     };
     const std::int64_t wanted = coarsest(perColumn);
     if (effort == Effort::Draft) {
-        // The first drawing may be several columns coarse; the rest is read in the following calls.
+        // The extents of the first drawing may span several columns. Finer ones are read in the following
+        // calls.
         readExtents(first, last, coarsest(kDraftColumns * perColumn),
                     std::numeric_limits<std::int32_t>::max());
         for (std::int64_t block = first; block <= last; ++block) {

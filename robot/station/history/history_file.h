@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A history backed by a long recording. Hours of data open at once because the summaries stored in the file
-// are sufficient to draw them. Rows are read only when the user zooms in or a value is requested.
+// A history backed by a long recording. Several hours of data open immediately because the summaries stored
+// in the file are sufficient to draw them. Rows are read only when the user zooms in or a value is requested.
 
 #include <cstdint>
 #include <list>
@@ -18,11 +18,11 @@ namespace tiller {
 /// Threads  GUI
 class HistoryFile : public SampleFile {
 public:
-    /// False for files without summaries, and for files so short that reading them as a whole is faster.
+    /// False for files without summaries, and for short files, which are faster to read as a whole.
     static bool isWorthIt(const recording::Recording& file);
 
-    /// begin  time of the first row on the time axis [s]
-    /// Errors those of Recording
+    /// begin   time of the first row on the time axis [s]
+    /// Errors  those of Recording
     static Result<std::unique_ptr<HistoryFile>> make(const recording::Recording& file, SeriesBuffer& history,
                                                      double begin);
 
@@ -32,18 +32,18 @@ public:
     Result<std::vector<int>> add(std::span<const std::size_t> fileColumns,
                                  std::span<const Precision> precisions);
 
-    /// Adds a column computed from columns of the file. Its values are known only where rows have been read,
-    /// until its extents are set in the history, which requires reading all rows.
+    /// Adds a column computed from columns of the file. Its values are available only for rows that have been
+    /// read. For all other rows, its extents have to be set in the history, which requires reading all rows.
     /// Returns  its column number in the history
     int addComputed(const RecordedSignal& signal);
 
-    /// Maximum work per call of sharpen().
+    /// Amount of work per call of sharpen().
     enum class Effort {
-        Draft,  ///< enough for a first picture: extents up to four pixel columns wide, or rows when zoomed in
-        Turn,   ///< the next part of the missing data
+        Draft,  ///< sufficient for a first image: extents up to four pixel columns wide, or rows if zoomed in
+        Turn,   ///< reads the next part of the missing data
     };
     /// Reads the data needed to draw these samples with this number of pixel columns.
-    /// Returns  true when another call would improve the resolution
+    /// Returns  true if another call would improve the resolution
     bool sharpen(std::int64_t begin, std::int64_t end, int pixelColumns, Effort effort);
 
     void fill(std::int64_t block) override;
@@ -54,23 +54,23 @@ public:
 
 private:
     struct Column {
-        int column;        ///< of the history
-        std::size_t file;  ///< of the file
+        int column;        ///< column of the history
+        std::size_t file;  ///< column of the file
     };
     struct Computed {
-        int column;  ///< of the history
+        int column;  ///< column of the history
         RecordedRows rows;
     };
     HistoryFile(const recording::Recording& file, SeriesBuffer& history, double begin)
         : file_(file), history_(history), begin_(begin) {}
     std::int64_t blocks() const;
     bool isFilled(std::int64_t block) const;
-    /// Newly added columns are filled when a block is next accessed.
+    /// Releases the rows in memory. Blocks are read again, with all columns, when they are next accessed.
     void forgetRows();
     /// The coarsest resolution of any column in this block [rows].
     std::int64_t resolutionOf(std::int64_t block) const;
     /// Reads extents of `rowsEach` rows for the blocks first ... last, `mostExtents` extents at most.
-    /// Returns  true when something was read
+    /// Returns  true if something was read
     bool readExtents(std::int64_t first, std::int64_t last, std::int64_t rowsEach, std::int64_t mostExtents);
     Result<void> readExtents(std::span<const Column> columns, recording::RowRange range,
                              std::int64_t rowsEach);

@@ -7,7 +7,7 @@ namespace tiller {
 
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct StateLaneText {
     Q_DECLARE_TR_FUNCTIONS(StateLane)
 };

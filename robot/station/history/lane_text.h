@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The text for the activity of the robot in the lane below the plots.
+// Text that describes the activity of the robot in the lane below the plots.
 
 #include <QString>
 
@@ -15,9 +15,9 @@ struct LaneEntry {
     QString label;
 };
 
-/// jogLabel  the pressed key, "X+"; empty if unknown
+/// jogLabel  label of the pressed jog button, e.g. "X+"; empty if unknown
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel);
-/// For a period without data of the robot.
+/// Entry for a period without data from the robot.
 LaneEntry noDataEntry();
 
 }  // namespace tiller

@@ -7,7 +7,7 @@
 
 namespace tiller {
 
-/// min > max means: no value.
+/// If min > max, there is no value.
 struct MinMax {
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();

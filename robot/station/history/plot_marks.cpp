@@ -126,8 +126,8 @@ void PlotMarks::check() {
 QString PlotMarks::words(const Threshold& threshold) const {
     const SignalInfo& info = store_.info(store_.find(threshold.key));
     const QString limit = info.valueText(threshold.limit);
-    return threshold.above ? tr("%1 above %2").arg(info.longLabel, limit)
-                           : tr("%1 below %2").arg(info.longLabel, limit);
+    return threshold.above ? tr("%1 is above %2").arg(info.longLabel, limit)
+                           : tr("%1 is below %2").arg(info.longLabel, limit);
 }
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Marks on the time axis of the plots: notes of the operator, and thresholds with the times at which a signal
+// Marks on the time axis of the plots: operator notes, and thresholds with the times at which a signal
 // crossed them.
 
 #include <QObject>
@@ -14,19 +14,19 @@ namespace tiller {
 class SignalStore;
 
 struct Threshold {
-    QString key;        ///< of the signal
-    double limit = 0;   ///< in its unit
-    bool above = true;  ///< alarms above the limit; false: below
+    QString key;        ///< key of the signal
+    double limit = 0;   ///< in the unit of the signal
+    bool above = true;  ///< true: alarm above the limit; false: below
 
     friend bool operator==(const Threshold&, const Threshold&) = default;
 };
 
-/// A text at a point in time.
+/// A text label at a point in time.
 struct PlotMark {
     double time = 0;  ///< on the plots' time axis [s]
     QString text;
     bool alarm = false;
-    QString recording{};  ///< the recording the mark belongs to; empty: shown on all pages
+    QString recording{};  ///< recording that contains the mark; empty: shown in all plots
 };
 
 class PlotMarks : public QObject {
@@ -37,21 +37,21 @@ public:
         : QObject(parent), store_(store) {}
 
     void addNote(double time, const QString& text);
-    /// Adds a mark to a recording, until forgetOf().
+    /// Adds a mark to a recording. forgetOf() removes it.
     void addOf(const QString& recording, PlotMark mark);
     void forgetOf(const QString& recording);
     void forgetRecordings();
     const std::deque<PlotMark>& marks() const { return marks_; }
-    void forgetBefore(double time);  ///< Marks of recordings are kept.
+    void forgetBefore(double time);  ///< Does not remove marks of recordings.
 
     const QVector<Threshold>& thresholds() const { return thresholds_; }
     void setThresholds(const QVector<Threshold>& thresholds);
     void add(const Threshold& threshold);
     void remove(const Threshold& threshold);
     /// Checks the samples added since the last call. A signal triggers an alarm when it exceeds the limit,
-    /// and again only after it has been back within the limit.
+    /// and can trigger the next one only after returning within the limit.
     void check();
-    /// "Fz above 50.0 N"
+    /// Description of the threshold, e.g. "Fz above 50.0 N".
     QString words(const Threshold& threshold) const;
 
     static constexpr int kMaxThresholds = 48;
@@ -74,7 +74,7 @@ private:
 
     const SignalStore& store_;
     QVector<Threshold> thresholds_;
-    QVector<Watch> watches_;  // one for each threshold
+    QVector<Watch> watches_;  // one per threshold
     std::deque<PlotMark> marks_;
 };
 

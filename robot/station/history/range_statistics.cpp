@@ -11,7 +11,7 @@ namespace tiller {
 namespace {
 
 constexpr std::int64_t kSumRows = SeriesColumn::kBlockRows;
-/// Maximum number of blocks in memory summed per call, which takes some milliseconds.
+/// Maximum number of blocks in memory that are summed per call, which takes a few milliseconds.
 constexpr std::int64_t kBlocksAtOnce = 300;
 /// Maximum number of blocks of a file that are read synchronously.
 constexpr std::int64_t kFewBlocks = 4;
@@ -96,7 +96,7 @@ std::int64_t RangeStatisticsCache::Range::endBlock() const {
 RangeStatisticsCache::RangeStatisticsCache(const SignalStore& store, QObject* parent)
     : QObject(parent), store_(store) {
     connect(&store_, &SignalStore::signalAdded, this, [this](int signal) {
-        if (signal < 0) {  // recordings were closed
+        if (signal < 0) {  // the recordings were closed
             endReading();
             failed_.clear();
         }
@@ -148,7 +148,7 @@ void RangeStatisticsCache::want(std::span<const int> wanted, double from, double
         std::int64_t first = std::numeric_limits<std::int64_t>::max();
         std::int64_t end = 0;
     };
-    std::map<QString, Missing> files;  // by recording name
+    std::map<QString, Missing> files;  // grouped by recording name
     std::int64_t asked = 0;
     std::int64_t missing = 0;
     bool isMemoryMissing = false;
@@ -200,7 +200,7 @@ void RangeStatisticsCache::want(std::span<const int> wanted, double from, double
         QMetaObject::invokeMethod(this, &RangeStatisticsCache::known, Qt::QueuedConnection);
     }
     if (!files.empty()) {
-        // Files are read one after the other.
+        // Only one file is read at a time.
         const auto& [recording, next] = *files.begin();
         if (!reading_ || !reading_->covers(next.of, next.first, next.end)) {
             read(recording, next.of, next.first, next.end);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Statistics of the samples in a time range. Sums of whole blocks are cached, so that moving a cursor over an
-// hour costs no more than over a second. For a long recording, a worker computes them and reads the file
-// once.
+// Statistics of the samples in a time range. Sums of whole blocks are cached, so moving a cursor over an hour
+// is as fast as over a second. For a long recording, a worker computes the sums and reads the file once.
 
 #include <QHash>
 #include <QObject>
@@ -31,22 +30,22 @@ struct RangeStatistics {
     double mean = 0;
     double rms = 0;
     double deviation = 0;  ///< standard deviation of the population (divided by count)
-    double slope = 0;      ///< of the least-squares line [per s]; 0 for a single point in time
+    double slope = 0;      ///< slope of the least-squares line [per s]; 0 for a single point in time
 
     double peakToPeak() const { return max - min; }
 };
 
-/// Sums over samples. Means and central moments are updated incrementally, so that a small ripple on a large
-/// value is not lost to rounding.
+/// Sums over samples. Means and central moments are updated incrementally, so that rounding does not hide a
+/// small ripple on a large value.
 struct Moments {
     std::int64_t count = 0;
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
     double mean = 0;
     double meanTime = 0;
-    double squares = 0;      ///< about the mean
-    double timeSquares = 0;  ///< about the mean
-    double products = 0;     ///< about both means
+    double squares = 0;      ///< sum of squared deviations from the mean
+    double timeSquares = 0;  ///< sum of squared deviations from the mean time
+    double products = 0;     ///< sum of products of both deviations
 
     /// NaN is ignored.
     void add(double time, double value);
@@ -60,17 +59,17 @@ class RangeStatisticsCache : public QObject {
     Q_OBJECT
 
 public:
-    /// store  must outlive it
+    /// store  must outlive the cache
     explicit RangeStatisticsCache(const SignalStore& store, QObject* parent = nullptr);
     ~RangeStatisticsCache() override;
 
     /// Selects the signals and the range of the next queries: the samples between `from` and `to`, in either
-    /// order. Computes a part of the missing sums now and the rest later; known() is emitted when results
+    /// order. Computes some of the missing sums immediately and the rest later. Emits known() when results
     /// have changed.
     void want(std::span<const int> wanted, double from, double to);
-    /// Fraction of the sums that is available: 0 ... 1.
+    /// Available fraction of the sums: 0 ... 1.
     double part() const { return part_; }
-    /// The reason why sums are missing or incomplete; empty if they are available or still being computed.
+    /// Reason why sums are missing or incomplete; empty if they are available or still being computed.
     const QString& problem() const { return problem_; }
     /// Returns nothing if there is no value, or while part() is below 1.
     std::optional<RangeStatistics> statistics(int signal, double from, double to) const;
@@ -79,29 +78,29 @@ Q_SIGNALS:
     void known();
 
 private:
-    using Blocks = std::vector<std::optional<Moments>>;  ///< by block number
+    using Blocks = std::vector<std::optional<Moments>>;  ///< indexed by block number
     struct Range {
         std::int64_t begin, end;  ///< sample numbers
-        /// The whole blocks in the range.
+        /// Blocks that are completely within this range: first index, and index after the last.
         std::int64_t firstBlock() const;
         std::int64_t endBlock() const;
     };
     struct Reading;
     std::optional<Range> rangeOf(int signal, double from, double to) const;
     Moments sum(int signal, std::int64_t begin, std::int64_t end) const;
-    /// Reads blocks first ... end - 1 of these signals from the file, and replaces the current job.
+    /// Reads blocks first ... end - 1 of these signals from the file. Replaces the current job.
     void read(const QString& recording, const std::vector<int>& wanted, std::int64_t firstBlock,
               std::int64_t endBlock);
     void endReading();
     void take(int signal, std::int64_t block, const Moments& moments);
 
     const SignalStore& store_;
-    std::map<int, Blocks> blocks_;  ///< by signal
+    std::map<int, Blocks> blocks_;  ///< indexed by signal
     double part_ = 1;
     QString problem_;
-    QHash<QString, QString> failed_;    ///< error by recording
+    QHash<QString, QString> failed_;    ///< error message by recording
     std::shared_ptr<Reading> reading_;  ///< null: nothing is being read
-    SerialExecutor worker_;             ///< last member: its jobs end before the others are destroyed
+    SerialExecutor worker_;             ///< last member, so its jobs end before the others are destroyed
 };
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads the values of some signals of a recording row by row: stored columns, single bits, or computed
-// signals. RecordedStretch describes such a read for a worker, which opens the file itself.
+// Reads the values of selected signals of a recording row by row: stored columns, single bits, or computed
+// signals. RecordedStretch describes such a read for a worker that opens the file itself.
 
 #include <QString>
 #include <cstdint>
@@ -21,8 +21,8 @@ namespace tiller {
 
 /// A signal, described by its source columns in the file.
 struct RecordedSignal {
-    std::vector<std::size_t> columns;  ///< of the file; for a computed signal its inputs, in order
-    int bit = -1;                      ///< of the only column; -1: the whole value
+    std::vector<std::size_t> columns;  ///< columns of the file; for a computed signal its inputs, in order
+    int bit = -1;                      ///< bit of the only column; -1: the whole value
     QString derivation{};              ///< expression of a computed signal; otherwise empty
 };
 
@@ -31,10 +31,10 @@ struct RecordedSignal {
 /// seconds  on the recording's own axis; missing rows repeat the last value
 std::vector<double> axisOf(std::vector<double> seconds, double begin, std::uint64_t rows);
 
-/// Threads  one at a time; each thread needs its own recording
+/// Threads  one at a time; each thread needs a separate recording object
 class RecordedRows {
 public:
-    /// file     must outlive it
+    /// file     must outlive this object
     /// begin    time of its first row on the plots' time axis [s]
     RecordedRows(const recording::Recording& file, double begin, std::vector<RecordedSignal> wanted);
 
@@ -42,12 +42,12 @@ public:
         std::vector<double> times;                ///< on the plots' time axis [s]
         std::vector<std::vector<double>> values;  ///< one vector for each signal; NaN: no value
     };
-    /// Errors  those of Recording
+    /// Errors  as for Recording
     Result<Rows> read(recording::RowRange range);
 
     /// Reads the rows in file order, in several steps.
-    /// each    receives the rows and the number of the first one; returns false to stop
-    /// Errors  those of Recording; Cancelled
+    /// each    receives the rows and the number of the first row; returns false to stop
+    /// Errors  as for Recording; Cancelled
     Result<void> readAll(recording::RowRange range, const CancelToken& cancel,
                          const std::function<bool(std::uint64_t first, const Rows& rows)>& each);
 
@@ -57,10 +57,10 @@ private:
     const recording::Recording& file_;
     double begin_;
     std::vector<RecordedSignal> signals_;
-    std::vector<std::shared_ptr<DerivedSignal>> derivations_;  ///< null: not computed
-    std::vector<std::size_t> columns_;                         ///< of the file, each once
+    std::vector<std::shared_ptr<DerivedSignal>> derivations_;  ///< null for signals that are not computed
+    std::vector<std::size_t> columns_;                         ///< columns of the file, without duplicates
     std::vector<std::vector<std::size_t>> places_;             ///< index of each signal's columns in columns_
-    double lookBack_ = -1;                                     ///< [s]; negative: no computed signal
+    double lookBack_ = -1;                                     ///< [s]; negative if no signal is computed
 };
 
 /// Describes the read of some signals of a recording for a worker.
@@ -69,12 +69,12 @@ struct RecordedStretch {
     double begin = 0;  ///< time of the first row on the plots' time axis [s]
     recording::RowRange rows;
     std::optional<std::int64_t>
-        startUtcNs;  ///< with `columns`, detects that another file replaced the recording
+        startUtcNs;  ///< used with `columns` to detect that the recording was replaced
     std::size_t columns = 0;
     std::vector<RecordedSignal> wanted;
 
-    /// Like RecordedRows::readAll(), but opens the file. Unreadable rows have no values, and the error is
-    /// returned at the end.
+    /// Like RecordedRows::readAll(), but opens the file. Rows that cannot be read have no values, and the
+    /// error is returned at the end.
     /// Errors   FileCorrupt, FileNotReadable, Cancelled
     /// Threads  any
     Result<void> readAll(

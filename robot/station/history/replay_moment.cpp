@@ -9,7 +9,7 @@ namespace tiller {
 
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct ReplayText {
     Q_DECLARE_TR_FUNCTIONS(Replay)
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A past point in time that view, inputs and outputs, and log show together: of an opened recording, or of
-// the history while the plots are paused. Live data continue in the background, and jogging is not affected.
+// A past point in time that the 3D view, the inputs and outputs, and the log show together. It refers to an
+// opened recording, or to the history while the plots are paused. Live data continue in the background, and
+// jogging is not affected.
 
 #include <QDateTime>
 #include <QString>
@@ -18,17 +19,18 @@ namespace tiller {
 struct ReplayMoment {
     QString source;          ///< name of the recording; empty: the history
     double time = 0;         ///< on the plots' time axis [s]
-    QDateTime wallTime;      ///< invalid: unknown
+    QDateTime wallTime;      ///< invalid if unknown
     receive::Sample sample;  ///< empty: no data at that time
-    double seconds = 0;      ///< since the recording's first row; 0 for the history
-    /// The recording's log; null for the history, whose log is that of the window.
+    double seconds = 0;      ///< since the first row of the recording; 0 for the history
+    /// The log of the recording; null for the history, which uses the log of the window.
     std::shared_ptr<const std::vector<recording::RecordedEvent>> events;
 
-    /// "REPLAY · 14:02:11.250 · at 12.350 s of incident_….mcap": label shown by every view in replay.
+    /// Label shown by every view during replay, e.g. "REPLAY · 14:02:11.250 · at 12.350 s of
+    /// incident_….mcap".
     QString words() const;
 };
 
-/// Empty: live data.
+/// Empty while live data are shown.
 using Replay = std::optional<ReplayMoment>;
 
 }  // namespace tiller

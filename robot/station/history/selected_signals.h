@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Some signals of a recording as a recording with the same rows, for exports: columns of the file, single bits, and
-// computed signals.
+// Presents selected signals of a recording as a recording with the same rows, for exports. The signals can be
+// columns of the file, single bits, and computed signals.
 
 #include <vector>
 
@@ -11,7 +11,7 @@
 
 namespace tiller {
 
-/// The first column is the time column of the file; `seconds` since the first row if the file has none.
+/// The first column is the time column of the file or, if the file has none, `seconds` since the first row.
 class SelectedSignals : public recording::Recording {
 public:
     struct Column {
@@ -19,7 +19,7 @@ public:
         RecordedSignal signal;
     };
     /// file     must outlive the object
-    /// columns  without the time column, which is added
+    /// columns  without the time column, which is added automatically
     SelectedSignals(const recording::Recording& file, const std::vector<Column>& columns);
 
     const QString& path() const override { return file_.path(); }
@@ -41,7 +41,7 @@ public:
 private:
     const recording::Recording& file_;
     std::vector<recording::RecordedColumn> columns_;
-    std::vector<RecordedSignal> signals_;  ///< one per column; without columns of the file: the time
+    std::vector<RecordedSignal> signals_;  ///< one per column; the time has no columns of the file
 };
 
 }  // namespace tiller

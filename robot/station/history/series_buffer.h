@@ -2,11 +2,11 @@
 #pragma once
 
 // The history behind the plots: one column of times, and one column of values per signal with levels of
-// minima and maxima. The cost of a query depends on the number of pixel columns, not on the number of
-// samples. The oldest samples are dropped when they exceed the limits of age or memory.
+// minima and maxima. The cost of a query depends on the number of pixel columns and not on the number of
+// samples. The oldest samples are dropped when the limits of age or memory are exceeded.
 //
-// The samples may be stored in a file instead: only summaries are in memory, and a block of rows is read when
-// one of its rows is requested.
+// The samples can instead be stored in a file. Then only summaries are in memory, and a block of rows is read
+// when one of its rows is requested.
 
 #include <cstdint>
 #include <memory>
@@ -23,11 +23,11 @@ namespace tiller {
 /// curves.
 struct ColumnGrid {
     double start = 0;  ///< time of the left edge of column 0 [s]
-    double width = 0;  ///< of a column [s]
+    double width = 0;  ///< width of a column [s]
     std::vector<std::int64_t> edges;
-    std::vector<std::uint8_t> gapBefore;  ///< samples were lost right before one of this column's samples
+    std::vector<std::uint8_t> gapBefore;  ///< samples were lost directly before one of this column's samples
 
-    std::int64_t first = 0;  ///< of the history when the grid was computed
+    std::int64_t first = 0;  ///< first(), end() and revision() of the history for which the grid was computed
     std::int64_t end = 0;
     std::uint64_t revision = 0;
 
@@ -35,9 +35,9 @@ struct ColumnGrid {
     bool empty() const { return edges.empty() || edges.front() == edges.back(); }
 };
 
-/// Limits beyond which a history drops its oldest samples.
+/// A history that exceeds these limits drops its oldest samples.
 struct HistoryLimits {
-    /// Half an hour, plus a margin for the block that is dropped as a whole.
+    /// Half an hour, plus a margin because blocks are dropped as a whole.
     double seconds = 30 * 60 + 10;
     std::size_t bytes = std::size_t{1} << 30;
 };
@@ -65,7 +65,7 @@ public:
     /// Memory used by all samples [bytes].
     std::size_t memoryBytes() const;
 
-    /// Appends one row. NaN, or a column beyond the values: the signal has no value at this time.
+    /// Appends one row. A signal has no value at this time if its value is NaN or missing.
     /// time       [s], later than that of the previous row
     /// gapBefore  samples between this row and the previous one were lost
     /// Returns    false, without appending, if the time does not increase or is not finite
@@ -74,7 +74,7 @@ public:
         double time = 0;
         bool gapBefore = false;
     };
-    /// Appends many rows column by column, which is several times as fast. Their times must increase and be
+    /// Appends many rows column by column, which is several times faster. Their times must increase and be
     /// later than lastTime().
     /// source(column, row)  returns each value
     template <class Source>
@@ -97,7 +97,7 @@ public:
         columns_[static_cast<std::size_t>(column)] = std::move(filled);
     }
 
-    // For a history stored in a file. Nothing can be appended; the limits do not apply.
+    // For a history stored in a file. Rows cannot be appended, and the limits do not apply.
 
     /// Approximate time of a sample, refined by setTimes().
     struct Mark {
@@ -111,9 +111,9 @@ public:
     void lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
                std::vector<std::int64_t> gaps);
     bool isInFile() const { return file_ != nullptr; }
-    /// Incremented with each change of the known part of a history in a file.
+    /// Incremented when more of a history stored in a file becomes known.
     std::uint64_t revision() const { return revision_; }
-    /// All values of these samples are in memory.
+    /// True if all values of these samples are in memory.
     bool hasRows(int column, std::int64_t begin, std::int64_t end) const;
     /// See SeriesColumn. The values of a column added by outlineColumn() are stored in the file.
     int outlineColumn(Precision precision);
@@ -126,8 +126,8 @@ public:
     /// Releases times and values of a block.
     void forget(std::int64_t block);
 
-    /// Samples are numbered from the first one ever appended: first() is the oldest sample kept, end() is one
-    /// past the newest.
+    /// Samples are numbered starting with the first one ever appended. first() is the oldest sample kept,
+    /// end() is one past the newest.
     std::int64_t first() const { return first_; }
     std::int64_t end() const { return end_; }
     bool isEmpty() const { return end_ == 0; }
@@ -160,18 +160,19 @@ public:
                     (at % 64) &
                 1) != 0;
     }
-    /// The first sample at or after this time; end() if none.
+    /// The first sample at or after this time, or end().
     std::int64_t lowerBound(double time) const;
-    /// The last sample at or before this time; -1 if none.
+    /// The last sample at or before this time, or -1.
     std::int64_t lastBefore(double time) const;
 
-    /// Divides start ... start + columns * width into columns. A grid of this history on the same time raster
-    /// keeps the unchanged columns, so that a scrolling view computes only its new columns.
+    /// Divides start ... start + columns * width into columns. If the grid already belongs to this history
+    /// and has the same time raster, unchanged columns are kept, so a scrolling view computes only the added
+    /// columns.
     void cut(double start, double width, int columns, ColumnGrid& grid) const;
     /// Exact minimum and maximum per column of the grid.
     void envelope(int column, const ColumnGrid& grid, std::vector<MinMax>& out) const;
     std::vector<MinMax> envelope(int column, double t0, double t1, int columns) const;
-    /// Over the samples begin ... end - 1.
+    /// Minimum and maximum of the samples begin ... end - 1.
     MinMax minMax(int column, std::int64_t begin, std::int64_t end) const {
         return columns_[static_cast<std::size_t>(column)].minMax(begin - first_, end - first_);
     }
@@ -179,7 +180,7 @@ public:
     void fetchAhead(int column, std::int64_t sample) const {
         columns_[static_cast<std::size_t>(column)].fetchAhead(sample - first_);
     }
-    /// True when samples were lost right before one of the samples begin ... end - 1.
+    /// True if samples were lost directly before one of the samples begin ... end - 1.
     bool hasGap(std::int64_t begin, std::int64_t end) const;
 
 private:
@@ -193,7 +194,7 @@ private:
 
     void addTime(const Row& row);
     void trim();
-    /// Approximate time from the known data, without reading the file.
+    /// Approximate time from data in memory, without reading the file.
     double roughTime(std::int64_t sample) const {
         const std::int64_t row = sample - first_;
         const auto& block = times_[static_cast<std::size_t>(row >> SeriesColumn::kBlockBits)];
@@ -201,7 +202,7 @@ private:
     }
     double timeByMarks(std::int64_t row) const;
     void fetch(std::int64_t row) const;
-    /// First sample whose approximate time is >= time, searched outwards from a guess.
+    /// First sample whose approximate time is >= time, searched outwards from the guess.
     std::int64_t lowerBoundNear(double time, std::int64_t guess) const;
     std::int64_t lowerBoundBetween(double time, std::int64_t low, std::int64_t high) const;
 
@@ -213,7 +214,7 @@ private:
 
     SampleFile* file_ = nullptr;
     std::vector<Mark> marks_;
-    std::vector<std::int64_t> gaps_;  ///< of a history in a file
+    std::vector<std::int64_t> gaps_;  ///< for a history stored in a file
     std::uint64_t revision_ = 0;
 };
 

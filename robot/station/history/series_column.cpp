@@ -21,7 +21,7 @@ void* SeriesColumn::OnCacheLine::operator new(std::size_t size, std::align_val_t
     static_assert(__STDCPP_DEFAULT_NEW_ALIGNMENT__ >= sizeof(void*));
     auto* const given = static_cast<std::byte*>(::operator new(size + kCacheLine));
     std::byte* const line = given + (kCacheLine - reinterpret_cast<std::uintptr_t>(given) % kCacheLine);
-    std::memcpy(line - sizeof given, &given, sizeof given);  // for operator delete
+    std::memcpy(line - sizeof given, &given, sizeof given);  // stored for operator delete
     return line;
 }
 
@@ -53,7 +53,7 @@ struct SeriesColumn::RunningExtent {
             add(entries[i].min, entries[i].max);
         }
     }
-    /// Four independent accumulators shorten the dependency chain.
+    /// Uses four independent accumulators to shorten the dependency chain.
     static RunningExtent of(const Value* rows, std::size_t count) {
 #ifdef __SSE2__
         if constexpr (sizeof(Value) == sizeof(float)) {
@@ -78,7 +78,7 @@ struct SeriesColumn::RunningExtent {
 
 #ifdef __SSE2__
 private:
-    /// Two entries per iteration.
+    /// Processes two entries per iteration.
     void addFloats(const Extent<float>* entries, std::size_t count) {
         __m128 low = _mm_set1_ps(min);
         __m128 high = _mm_set1_ps(max);
@@ -95,8 +95,8 @@ private:
             add(entries[count - 1].min, entries[count - 1].max);
         }
     }
-    /// Eight values per iteration. With one NaN operand these instructions return the second operand, the
-    /// number.
+    /// Processes eight values per iteration. If one operand is NaN, these instructions return the second
+    /// operand, which is the number.
     static RunningExtent ofFloats(const float* rows, std::size_t count) {
         const RunningExtent none;
         __m128 min[2] = {_mm_set1_ps(none.min), _mm_set1_ps(none.min)};
@@ -190,7 +190,7 @@ void SeriesColumn::completeBlock(Block& block) {
     }
 }
 
-/// begin, end  multiples of kSummary
+/// begin, end  must be multiples of kSummary
 template <class Value>
 SeriesColumn::RunningExtent<Value> SeriesColumn::extentOf(const Levels<Value>& levels, std::size_t begin,
                                                           std::size_t end) {
@@ -283,7 +283,7 @@ void SeriesColumn::setExtent(std::unique_ptr<Levels<Value>>& levels, std::size_t
     const std::size_t end = at + rows;
     std::fill(levels->fine.begin() + static_cast<std::ptrdiff_t>(at >> kFineBits),
               levels->fine.begin() + static_cast<std::ptrdiff_t>(end >> kFineBits), entry);
-    // A coarse entry is recomputed for each of its parts, and is complete with the last one.
+    // A coarse entry is recomputed for each of its parts, so it is complete after the last part.
     for (std::size_t coarse = at >> kCoarseBits; coarse <= (end - 1) >> kCoarseBits; ++coarse) {
         completeCoarse(*levels, coarse);
     }

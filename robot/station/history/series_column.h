@@ -2,11 +2,11 @@
 #pragma once
 
 // The values of one signal in blocks, with levels of minima and maxima inside each block. A block with a
-// constant value stores only that value: registers, modes and bit fields need almost no memory.
+// constant value stores only that value, so registers, modes and bit fields need very little memory.
 //
-// A column stored in a file may be known only by extents of several rows each. Queries about rows that are
-// not in memory are answered from these extents, which then cover the requested rows and possibly more, never
-// fewer.
+// For a column stored in a file, only extents of several rows each may be known. If the requested rows are
+// not in memory, queries use these extents. The result then covers at least the requested rows and possibly
+// more.
 
 #include <array>
 #include <bit>
@@ -23,8 +23,8 @@
 namespace tiller {
 
 enum class Precision : std::uint8_t {
-    Single,  ///< as float: measured values
-    Exact,   ///< as double: integers, bit fields
+    Single,  ///< stored as float; for measured values
+    Exact,   ///< stored as double; for integers and bit fields
 };
 
 /// Rows are counted from the oldest one kept.
@@ -33,14 +33,14 @@ class SeriesColumn {
 public:
     static constexpr int kBlockBits = 12;
     static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
-    /// Row ranges that begin and end at multiples of this number are evaluated from summaries alone.
+    /// Row ranges that begin and end at multiples of this number are evaluated from summaries only.
     static constexpr std::int64_t kSummary = 32;
-    /// As kSummary, but with far fewer summaries to read.
+    /// Like kSummary, but with far fewer summaries to read.
     static constexpr std::int64_t kCoarseSummary = 256;
     /// Larger than the number of rows of any extent.
     static constexpr std::int64_t kUnknown = std::int64_t{1} << 40;
 
-    /// rowsBefore  rows that the other columns already have; this column has no values there
+    /// rowsBefore  number of existing rows of the other columns, for which this column has no values
     explicit SeriesColumn(Precision precision, std::int64_t rowsBefore = 0);
 
     Precision precision() const { return precision_; }
@@ -62,17 +62,18 @@ public:
 
     // For a column stored in a file.
 
-    /// Adds rows that are stored in the file and not known yet. The column must have no other rows.
+    /// Adds rows that are stored in the file and whose values are still unknown. The column must not have any
+    /// other rows.
     void outline(std::int64_t rows);
-    /// Sets extents of `rowsEach` rows each, starting at a multiple of rowsEach; an empty extent means no
-    /// values.
+    /// Sets extents of `rowsEach` rows each, starting at a multiple of rowsEach. An empty extent means that
+    /// there are no values.
     /// rowsEach  a multiple of kSummary that divides the block size, or a multiple of the block size
     void setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
     /// Sets the values of a block.
     void setRows(std::int64_t block, std::span<const double> values);
     /// Releases the values of a block and restores the state before setRows().
     void forgetRows(std::int64_t block);
-    /// Rows per known extent of this block: kUnknown at first, 1 when its rows are in memory.
+    /// Rows per known extent of this block: kUnknown at first, 1 if its rows are in memory.
     std::int64_t resolutionOf(std::int64_t block) const {
         return blocks_[static_cast<std::size_t>(block)].grain;
     }
@@ -84,8 +85,8 @@ public:
                : block.exact ? block.exact->rows[at]
                              : block.constant;
     }
-    /// Prefetches the memory that minMax() reads for this row. Otherwise each access to distant rows waits
-    /// for a cache miss.
+    /// Prefetches the memory that minMax() reads for this row. Without this, each access to distant rows
+    /// waits for a cache miss.
     void fetchAhead(std::int64_t row) const {
 #if defined(__GNUC__)
         if (row < 0 || row >= rows_) {
@@ -110,7 +111,7 @@ public:
     MinMax minMax(std::int64_t begin, std::int64_t end) const;
 
 private:
-    // log2 of the rows per entry of the first level; eight of these entries form one entry of the second
+    // log2 of the rows per entry of the first level. Eight of these entries form one entry of the second
     // level.
     static constexpr int kFineBits = 5;
     static_assert(std::int64_t{1} << kFineBits == kSummary);
@@ -125,8 +126,8 @@ private:
     };
     static constexpr std::size_t kCacheLine = 64;
     /// Allocates memory aligned to a cache line through the ordinary allocator. The aligned allocation of
-    /// glibc hardly reuses freed memory, so that a history that drops old blocks and adds new ones would grow
-    /// for days.
+    /// glibc rarely reuses freed memory, so the memory use of a history that drops old blocks and adds others
+    /// would grow for days.
     struct OnCacheLine {
         static void* operator new(std::size_t size, std::align_val_t);
         static void operator delete(void* at, std::align_val_t);
@@ -144,9 +145,9 @@ private:
     };
     template <class Value>
     struct RunningExtent;
-    /// Summary of a block in a file while its rows are not in memory.
+    /// Summary of a block stored in a file, used while its rows are not in memory.
     struct Outline {
-        /// Two halves of the block, which are sufficient while there are no levels.
+        /// The two halves of the block, sufficient if there are no levels.
         std::array<MinMax, 2> halves;
         std::unique_ptr<Levels<float>> single;
         std::unique_ptr<Levels<double>> exact;
@@ -156,8 +157,8 @@ private:
         double constant = 0;  ///< the value of every row while `single` and `exact` are null
         std::unique_ptr<Values<float>> single;
         std::unique_ptr<Values<double>> exact;
-        MinMax whole;                      ///< of a full block
-        std::unique_ptr<Outline> outline;  ///< of a block in a file
+        MinMax whole;                      ///< range of a full block
+        std::unique_ptr<Outline> outline;  ///< for a block stored in a file
         std::int64_t grain = 1;
     };
 
@@ -201,7 +202,7 @@ private:
         }
     }
     void beginBlock();
-    /// Allocates storage for a block whose values differ.
+    /// Allocates individual values for a block that is not constant.
     template <class Value>
     void spread(Block& block, std::size_t rows);
     template <class Value>

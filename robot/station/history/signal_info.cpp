@@ -20,14 +20,14 @@ using receive::FieldInfo;
 using receive::FieldKind;
 using receive::FieldModes;
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct SignalText {
     Q_DECLARE_TR_FUNCTIONS(SignalInfo)
 };
 
 enum class Axes { None, Cartesian, Joints };
 
-/// Components of a field that are shown side by side.
+/// Components of a field that are displayed next to each other.
 struct Family {
     const char* field;
     int first;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Name, unit and number of significant digits of a signal: one entry per component of every output field, and
-// per bit with a separate meaning.
+// Name, unit and number of significant digits of a signal. There is one entry per component of every output
+// field, and one per bit with a separate meaning.
 
 #include <QString>
 #include <QStringList>
@@ -14,33 +14,33 @@
 namespace tiller {
 
 struct SignalInfo {
-    QString key;        ///< "actual_q_0", as in recordings; with the bit appended: "robot_status_bits.1"
-    QString field;      ///< "actual_q": the field requested from the robot; empty for other signals
-    int component = 0;  ///< of the field
-    int bit = -1;       ///< of the component; -1: the whole value
+    QString key;        ///< name as in recordings, e.g. "actual_q_0"; with the bit "robot_status_bits.1"
+    QString field;      ///< field requested from the robot, e.g. "actual_q"; empty for other signals
+    int component = 0;  ///< component of the field
+    int bit = -1;       ///< bit of the component; -1: the whole value
     int axis = -1;      ///< 0 x, 1 y, 2 z; -1: no axis
 
-    QString group;      ///< "Joints"
-    QString family;     ///< "Joint currents": group of signals shown together
-    QString label;      ///< "Base": name within its group
-    QString longLabel;  ///< "I Base": name among signals of other groups
-    QString meaning;    ///< from the vendor's documentation, English
+    QString group;      ///< e.g. "Joints"
+    QString family;     ///< group of signals shown together, e.g. "Joint currents"
+    QString label;      ///< name within its group, e.g. "Base"
+    QString longLabel;  ///< name among signals of other groups, e.g. "I Base"
+    QString meaning;    ///< from the vendor's documentation, in English
 
     receive::FieldKind kind = receive::FieldKind::Number;
     receive::FieldModes modes = receive::FieldModes::None;
-    QString unit{};     ///< "N"; empty if none
-    int digits = 3;     ///< significant decimal places
-    double step = 0.1;  ///< minimum distance of two grid lines, so that noise is not magnified
+    QString unit{};     ///< e.g. "N"; empty if there is no unit
+    int digits = 3;     ///< number of significant decimal places
+    double step = 0.1;  ///< minimum distance between grid lines, to avoid magnifying noise
 
-    /// Drawn as a lane of states, not as a curve.
+    /// True if the signal is drawn as a lane of states instead of a curve.
     bool isState() const { return kind == receive::FieldKind::Enumeration || bit >= 0; }
     Precision precision() const {
         return kind == receive::FieldKind::Number && unit != QLatin1String("s") ? Precision::Single
                                                                                 : Precision::Exact;
     }
-    /// Text for the value of a state: "Running", "on", "7"; empty for no value.
+    /// Text for the value of a state, e.g. "Running", "on", "7"; empty if there is no value.
     QString stateName(double value) const;
-    /// "12.3 N", "Running"; "–" for no value.
+    /// Value with its unit or name, e.g. "12.3 N", "Running"; "–" if there is no value.
     QString valueText(double value, bool withSign = false) const;
 };
 

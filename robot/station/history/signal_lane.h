@@ -12,7 +12,7 @@ namespace tiller {
 
 class SignalStore;
 
-/// Segments for the columns of a grid. A column in which the state changes more than once is Varied, so that
+/// Segments for the columns of a grid. A column in which the state changes more than once is Varied, so
 /// changes remain visible at any zoom level.
 std::vector<LaneSegment> signalSegments(const SignalStore& store, int signal, const ColumnGrid& grid);
 

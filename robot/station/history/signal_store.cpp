@@ -138,8 +138,8 @@ std::vector<std::int64_t> SignalStore::changes(int signal, std::int64_t begin, s
         const bool same =
             !extent.isEmpty() && extent.min == extent.max && !std::isnan(buffer->value(column, at - 1));
         if (same || extent.isEmpty()) {
-            // Extents ignore NaN: a range that begins and ends with a value may still contain a sample
-            // without value.
+            // Extents ignore NaN, so a range that begins and ends with a value may still contain a sample
+            // without a value.
             if (extent.isEmpty() || !std::isnan(buffer->value(column, to - 1))) {
                 at = to;
                 continue;
@@ -295,7 +295,8 @@ void SignalStore::compute(int signal) {
     computed.isComputing = true;
     const std::array<int, 1> itself = {signal};
     const RecordedStretch stretch = *stretchOf(itself, 0, table.buffer->end());
-    // All rows have to be read, which takes several seconds per hour of data, so this runs on the worker.
+    // All rows have to be read, which takes several seconds per hour of data. Therefore this runs on the
+    // worker.
     worker_.post(this, [this, signal, stretch, closing = closing_](const CancelToken& ending) {
         if (closing.isCancelled()) {
             return std::function<void()>();
@@ -389,10 +390,10 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
         wanted_ = wanted;
         return true;
     }
-    constexpr qsizetype kTimestamp = 10;  // including its comma
+    constexpr qsizetype kTimestamp = 10;  // length of "timestamp" including its comma
     if (static_cast<std::size_t>(fields.join(QLatin1Char(',')).size() + kTimestamp) >
         receive::longestFieldList()) {
-        problem_ = tr("The robot cannot send so many signals at once: remove other signals first.");
+        problem_ = tr("The robot cannot send this many signals at once: remove other signals first.");
         return false;
     }
     for (const QString& field : std::as_const(fields)) {
@@ -438,7 +439,7 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     table.buffer = std::move(history);
     table.pieces = std::move(pieces);
     table.name = name;
-    // Recorded signals get the same display names as the robot's own signals.
+    // Recorded signals get the same display names as the signals of the robot.
     QHash<QString, QVector<int>> known;
     const int robots = count();
     for (int i = 0; i < robots; ++i) {
@@ -585,7 +586,7 @@ bool SignalStore::load(int signal) {
     table.derived.push_back(-1);
     wanted.column = added;
     if (!failure.isEmpty()) {
-        problem_ = failure;  // the readable part is shown
+        problem_ = failure;  // the readable part is still shown
     }
     return true;
 }
@@ -667,7 +668,7 @@ std::vector<int> SignalStore::signalsOf(const QString& recording) const {
 void SignalStore::closeRecordings() {
     closing_.cancel();
     closing_ = {};
-    // Signal numbers are never reused: these remain empty.
+    // Signal numbers are never reused, so these entries remain empty.
     for (Signal& signal : signals_) {
         if (signal.table >= kFirstRecording) {
             byKey_.remove(signal.info.key);

@@ -35,7 +35,7 @@ public:
 
     int count() const { return static_cast<int>(signals_.size()); }
     const SignalInfo& info(int signal) const { return signals_[static_cast<std::size_t>(signal)].info; }
-    /// False: computed here, or from a recording.
+    /// False if the signal is computed here, or belongs to a recording.
     bool isRobots(int signal) const {
         const Signal& one = signals_[static_cast<std::size_t>(signal)];
         return one.table < kFirstRecording && !one.derivation;
@@ -46,27 +46,27 @@ public:
     bool isRecorded(int signal) const {
         return signals_[static_cast<std::size_t>(signal)].table >= kFirstRecording;
     }
-    /// -1 if not found.
+    /// Returns -1 if there is no such signal.
     int find(const QString& key) const { return byKey_.value(key, -1); }
 
-    /// Adds a signal computed from others (see DerivedSignal for the text), including values for existing
-    /// samples. For a long recording, a worker reads the file and the values become available from its
-    /// beginning on.
+    /// Adds a signal computed from others, with values for the existing samples. See DerivedSignal for the
+    /// syntax of the text. For a long recording, a worker reads the file from its beginning, and the values
+    /// become available step by step.
     /// Returns  its number; the existing one if the signal was added before
-    /// Errors   InvalidArgument, with the error in the text; those of Recording
+    /// Errors   InvalidArgument, with a message that contains the error; those of Recording
     Result<int> derive(const QString& text);
-    /// Reports why derive() failed for a menu entry.
+    /// Reports why derive() failed for a menu command.
     void refuse(const Error& error) { Q_EMIT computationFailed(error.controllerMessage); }
-    /// Returns the signal with this key; a derived signal, whose key is its text, is created if necessary.
-    /// -1: not possible.
+    /// Returns the signal with this key, or -1. Creates a derived signal, whose key is its text, if
+    /// necessary.
     int findOrDerive(const QString& key);
 
-    /// Null: the field was never requested from the robot.
+    /// Returns null if the field was never requested from the robot.
     const SeriesBuffer* buffer(int signal) const;
     int column(int signal) const { return signals_[static_cast<std::size_t>(signal)].column; }
-    /// Value of the column, or of its bit; NaN: no value.
+    /// Value of the column, or of its bit; NaN if there is no value.
     double value(int signal, std::int64_t sample) const;
-    /// The value of the last sample at or before this time; nothing in a gap or without data.
+    /// The value of the last sample at or before this time; empty in a gap or without data.
     std::optional<double> valueAt(int signal, double time) const;
     /// All samples in begin ... end - 1 at which the value differs from the previous one.
     std::vector<std::int64_t> changes(int signal, std::int64_t begin, std::int64_t end) const;
@@ -75,21 +75,21 @@ public:
     /// name of the recording. Values are read from the file on demand.
     /// begin    time of its first row on the plots' time axis [s]
     /// Returns  the name of the recording, derived from the file name
-    /// Errors   those of Recording; InvalidArgument when it contains no row
+    /// Errors   as for Recording; InvalidArgument if it contains no row
     Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
-    /// The recording that a signal belongs to; empty: live.
+    /// The recording that a signal belongs to; empty for live signals.
     QString recordingOf(int signal) const;
-    /// An opened recording; null if none has that name.
+    /// The opened recording with this name, or null.
     const recording::Recording* recorded(const QString& recording) const;
-    /// The row times of a recording on the time axis of the plots, as samples without values. Null if no
-    /// recording has that name.
+    /// The row times of a recording on the plots' time axis, as samples without values. Null if there is no
+    /// recording with this name.
     const SeriesBuffer* timesOf(const QString& recording) const;
-    /// The complete sample of the robot at this time: of a recording or, without a name, of the live data.
-    /// Empty in a gap and where there are no data.
+    /// The complete sample of the robot at this time, from a recording or, if the name is empty, from the
+    /// live data. Empty in a gap and where there are no data.
     receive::Sample sampleAt(const QString& recording, double time) const;
-    /// To be called before these samples are drawn with this number of pixel columns: reads the required data
-    /// of a long recording.
-    /// Returns  true when another call would improve the resolution
+    /// Reads the data of a long recording that are needed to draw these samples with this number of pixel
+    /// columns. Call before drawing.
+    /// Returns  true if another call would improve the resolution
     bool sharpen(const SeriesBuffer& history, std::int64_t begin, std::int64_t end, int pixelColumns,
                  HistoryFile::Effort effort);
     /// The signals of an opened recording.
@@ -97,22 +97,23 @@ public:
     /// Closes all recordings. They must no longer be displayed.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
-    /// Describes the read of samples of these signals from the file of a long recording, for a worker.
+    /// Describes how a worker can read samples of these signals from the file of a long recording.
     /// begin, end  the samples begin ... end - 1
     /// Returns  nothing unless all signals belong to the same long recording
     std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
                                              std::int64_t end) const;
-    /// These signals as a recording with the rows and times of their file. They must all belong to one recording.
+    /// Presents these signals as a recording with the rows and times of their file. They must all belong to
+    /// one recording.
     std::unique_ptr<recording::Recording> selected(std::span<const int> wanted) const;
-    /// Fraction of a signal computed from a long recording that is available: 0 ... 1.
+    /// For a signal computed from a long recording, the fraction that is available: 0 ... 1.
     double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
-    /// The reason why the last want() failed: too many signals for the robot, or for the memory budget.
+    /// Reason why the last want() failed: too many signals for the robot, or for the memory limit.
     const QString& problem() const { return problem_; }
 
-    /// Histories of the standard fields and of the additionally requested ones.
+    /// History of the standard fields, and history of the additionally requested fields.
     const SeriesBuffer& live() const { return *tables_[kLive].buffer; }
     const SeriesBuffer& further() const { return *tables_[kFurther].buffer; }
-    /// Appends rows; source(column, row) returns each value of the robot's own signals.
+    /// Appends rows. source(column, row) returns each value of the signals sent by the robot.
     template <class Source>
     void appendLive(std::span<const SeriesBuffer::Row> rows, Source source) {
         append(tables_[kLive], rows, source);
@@ -121,13 +122,13 @@ public:
     void appendFurther(std::span<const SeriesBuffer::Row> rows, Source source) {
         append(tables_[kFurther], rows, source);
     }
-    /// Components in column order: "actual_q_0".
+    /// Names of the components in column order, e.g. "actual_q_0".
     const std::vector<std::string>& liveColumns() const { return tables_[kLive].columns; }
     const std::vector<std::string>& furtherColumns() const { return tables_[kFurther].columns; }
 
-    /// Sets the signals that a client shows, so that fields outside the standard stream can be requested.
-    /// Replaces the earlier set of this client.
-    /// who      identified by its address only
+    /// Sets the signals that a client displays, so that fields outside the standard stream are requested.
+    /// Replaces the previous signals of this client.
+    /// who      identifies the client by its address; not accessed
     /// Returns  false, without change, if the robot cannot send so many signals
     bool want(const void* who, const QSet<int>& shown);
     const QStringList& extraFields() const { return furtherFields_; }
@@ -137,13 +138,13 @@ public:
     std::size_t memoryBytes() const;
 
 Q_SIGNALS:
-    /// Fields to request from the robot in addition.
+    /// The additional fields to request from the robot have changed.
     void furtherFieldsChanged(const QStringList& fields);
     /// A derived signal was added.
     void signalAdded(int signal);
     /// Another part of a signal computed from a long recording is available.
     void computedFurther(int signal);
-    /// A signal could not be computed, or only in part.
+    /// A signal could not be computed, or only partly.
     void computationFailed(const QString& why);
 
 private:
@@ -152,9 +153,9 @@ private:
         std::unique_ptr<SeriesBuffer> buffer;
         std::vector<std::string> columns;
         std::vector<int> derived;  ///< the derived signal of each column; -1: a field of the robot
-        QString name{};            ///< of a recording
+        QString name{};            ///< name of the recording
         std::unique_ptr<recording::Recording> file{};
-        std::unique_ptr<HistoryFile> pieces{};  ///< of a long recording, which is not read as a whole
+        std::unique_ptr<HistoryFile> pieces{};  ///< for a long recording, which is not read as a whole
         /// Layout of the samples returned by sampleAt().
         std::shared_ptr<const receive::SampleLayout> layout{};
         std::vector<std::size_t> places{};  ///< index of the file's columns in a sample
@@ -166,12 +167,12 @@ private:
         int column = -1;
         std::shared_ptr<DerivedSignal> derivation;
         std::vector<int> inputs;        ///< signal numbers
-        std::vector<int> inputColumns;  ///< of the same table
-        double computedPart = 1;        ///< for a long recording
+        std::vector<int> inputColumns;  ///< columns in the same table
+        double computedPart = 1;        ///< available fraction, for a long recording
         bool isComputing = false;
     };
 
-    /// The sample whose values apply at this time; nothing in a gap or without data.
+    /// The sample whose values apply at this time; empty in a gap or without data.
     static std::optional<std::int64_t> heldAt(const SeriesBuffer& buffer, double time);
     static void prepareSamples(Table& table);
     const Table* tableOf(const QString& recording) const;
@@ -185,7 +186,7 @@ private:
     void append(Table& table, std::span<const SeriesBuffer::Row> rows, Source source) {
         SeriesBuffer& history = *table.buffer;
         const std::int64_t begin = history.end();
-        // Derived columns come after their inputs, which already have their values here.
+        // Derived columns follow their inputs, so the input values are already available.
         history.appendRows(rows, [&](std::size_t column, std::size_t row) {
             const int derived = table.derived[column];
             return derived < 0 ? static_cast<double>(source(column, row))
@@ -198,7 +199,7 @@ private:
     void compute(int signal);
     void takeExtents(int signal, std::int64_t first, std::span<const MinMax> extents);
     RecordedSignal recordedSignal(int signal) const;
-    /// Reads the summaries of the shown signals of long recordings together.
+    /// Reads the summaries of all displayed signals of long recordings.
     bool loadOutlines(const QSet<int>& shown);
     std::optional<std::size_t> fileColumnOf(int signal) const;
     bool hasCapacityFor(int signal, std::size_t bytes);
@@ -211,8 +212,8 @@ private:
     QHash<const void*, QSet<int>> wanted_;
     QStringList furtherFields_;
     QString problem_;
-    CancelToken closing_;    ///< of the open recordings
-    SerialExecutor worker_;  ///< last member: its jobs end before the others are destroyed
+    CancelToken closing_;    ///< cancelled when the recordings are closed
+    SerialExecutor worker_;  ///< last member, so its jobs end before the others are destroyed
 };
 
 }  // namespace tiller

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Activity of the robot as labelled time segments: the data of the lane below the plots.
+// Activity of the robot as labelled time segments, for the lane below the plots.
 
 #include <QString>
 #include <deque>
@@ -31,7 +31,7 @@ class StateLane {
 public:
     static constexpr std::size_t kMaxSegments = 20000;
 
-    /// The state from this time on. The same kind and label extend the last segment.
+    /// Sets the state from this time on. The same kind and label extend the last segment.
     void add(double time, LaneKind kind, const QString& label);
     /// Removes segments that ended before this time.
     void forgetBefore(double time);
@@ -40,10 +40,10 @@ public:
     bool isEmpty() const { return segments_.empty(); }
     /// Time until which the state is known [s]; 0 while empty.
     double endTime() const { return segments_.empty() ? 0 : segments_.back().end; }
-    /// Whole segments, from oldest to newest; the last one ends where it was last confirmed.
+    /// Complete segments, oldest first. The last one ends at the time of its last add().
     const std::deque<LaneSegment>& segments() const { return segments_; }
-    /// The segments within t0 ... t1, clipped to it. Segments shorter than `least` [s] are merged with their
-    /// successor.
+    /// The segments within t0 ... t1, clipped to this range. Segments shorter than `least` [s] are merged
+    /// with their successor.
     std::vector<LaneSegment> visible(double t0, double t1, double least) const;
 
 private:

@@ -9,7 +9,7 @@ namespace tiller {
 
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct FreedriveText {
     Q_DECLARE_TR_FUNCTIONS(Freedrive)
 };
@@ -35,7 +35,7 @@ QString freedriveAxesText(FreedriveAxes axes) {
 control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp) {
     control::Freedrive freedrive;
     if (axes == FreedriveAxes::All) {
-        return freedrive;  // without a frame, so that older software accepts it too
+        return freedrive;  // no frame, so that older software also accepts it
     }
     switch (axes) {
         case FreedriveAxes::All:
@@ -68,7 +68,7 @@ QString payloadDoubt(const SessionState& state) {
     }
     const QString felt = force > kPayloadForce ? format::newtons(force) : format::newtonMetres(torque);
     return FreedriveText::tr(
-               "The arm measures %1 with a payload of %2 kg and would drift. Release the tool, or correct "
+               "The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct "
                "payload and TCP.")
         .arg(felt, format::number(state.payloadMass, 2));
 }

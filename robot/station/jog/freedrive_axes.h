@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Axes that can be moved by hand in freedrive, and the check whether the arm can hold its load meanwhile.
+// Axes that can be moved by hand in freedrive, and the check whether the arm can hold its load in freedrive.
 
 #include <QString>
 #include <array>
@@ -15,24 +15,24 @@ enum class FreedriveAxes {
     All,
     Position,     ///< the tool keeps its orientation
     Orientation,  ///< the TCP keeps its position
-    Plane,        ///< along X and Y of the chosen frame
-    Line,         ///< along Z of the chosen frame
+    Plane,        ///< motion along X and Y of the chosen frame
+    Line,         ///< motion along Z of the chosen frame
 };
 inline constexpr std::array kFreedriveAxes = {FreedriveAxes::All, FreedriveAxes::Position,
                                               FreedriveAxes::Orientation, FreedriveAxes::Plane,
                                               FreedriveAxes::Line};
 
-/// "All axes", "Position only" ...
+/// Label of the selection, e.g. "All axes", "Position only".
 QString freedriveAxesText(FreedriveAxes axes);
 /// R_base_frame  axes of the chosen frame; the origin is the TCP
 control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp);
 
-/// Maximum force and torque measured by an arm at rest without contact: above the noise of every model.
+/// Maximum force and torque measured by an arm at rest without contact, above the noise of every model.
 inline constexpr double kPayloadForce = 12;  ///< [N]
 inline constexpr double kPayloadTorque = 2;  ///< [Nm]
 
-/// The reason why freedrive should not start: the arm measures a force without contact, so it would sink or rise.
-/// Empty if there is none.
+/// Reason why freedrive should not start: the arm measures a force without contact, so it would sink or rise.
+/// Empty if freedrive can start.
 QString payloadDoubt(const SessionState& state);
 
 }  // namespace tiller

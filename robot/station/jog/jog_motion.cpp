@@ -24,12 +24,12 @@ Eigen::Vector3d unit(int axis, int direction) {
     return v;
 }
 
-/// Modifier keys never increase the speed of a motion until contact.
+/// Modifier keys never increase the speed of an UntilContact motion.
 double allowed(const JogSelection& selection, double factor) {
     return selection.motion == MotionChoice::UntilContact ? std::min(factor, 1.0) : factor;
 }
 
-/// The speed for a linear move that is a pure rotation [m/s].
+/// The speed parameter for a linear move that is a pure rotation [m/s].
 double turnSpeed(double rotation, const control::MotionLimits& limits) {
     return std::min(capped(rotation, limits.tcpRotationSpeed) * kinematics::kTurnRadius, limits.tcpSpeed);
 }
@@ -149,8 +149,8 @@ MoveRequest jointStep(const JogSelection& selection, int joint, int direction, d
 double jointKeySpeed(const JogSelection& selection, int joint, double factor, const JointPositions& from,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits) {
     const control::JogTarget target = jointJog(selection, joint, 1, factor, limits);
-    // Distances of TCP and elbow from the axis of the joint are constant while only this joint rotates, so
-    // any target gives the same bound.
+    // While only this joint rotates, the distances of TCP and elbow from its axis are constant, so any target
+    // results in the same bound.
     JointPositions to = from;
     to[joint] += 1;
     return std::min(target.qd[joint],

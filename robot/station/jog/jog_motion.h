@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion of a jog key: the speed classes and steps of the interface, and the calculation of a velocity or a
-// limited step from a key, a frame and a speed. Free functions without widgets.
+// Motion of a jog button: the speed classes and steps of the interface, and the calculation of a velocity or
+// a limited step from a button, a frame and a speed. Free functions without widgets.
 
 #include <Eigen/Core>
 #include <QString>
@@ -19,8 +19,8 @@ namespace tiller {
 
 enum class FrameChoice { Base, Tool, View, Taught };
 
-/// Hold moves while the key is held; a step moves once per press; until contact moves slowly while the key is held
-/// and stops when the tool touches an object.
+/// Hold: moves while the button is held. FineStep, Step, CoarseStep: one step per press. UntilContact: moves
+/// slowly while the button is held, and stops when the tool touches an object.
 enum class MotionChoice { Hold, FineStep, Step, CoarseStep, UntilContact };
 
 /// One level of the speed selector.
@@ -40,8 +40,8 @@ struct StepSize {
 };
 StepSize stepSize(MotionChoice motion);
 
-/// The step sizes offered by menus and commands, in display units. Commands choose length and angle together,
-/// menus separately.
+/// The step sizes offered by menus and commands, in display units. In commands, length and angle are chosen
+/// together; in menus, separately.
 struct StepPreset {
     double millimetres;
     double degrees;
@@ -52,25 +52,26 @@ inline constexpr StepPreset kStepPresets[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1}, 
 /// The lowest jog speed offered by menus and commands [m/s].
 inline constexpr double kSlowestJog = 0.001;
 
-/// Steps up to this size run to their end after the key is released; longer ones run only while it is held.
+/// Steps up to this size run to their end after the button is released. Longer steps run only while it is
+/// held.
 inline constexpr double kFreeStepLength = 0.010;            ///< [m]
 inline constexpr double kFreeStepAngle = 0.17453292519943;  ///< [rad] 10 deg
 
-/// Until contact: the default force, the smallest force that a robot can distinguish from noise, the largest
-/// allowed force [N], and the maximum speeds for any speed class.
+/// For UntilContact: the default force, the smallest force that a robot can distinguish from noise, the
+/// largest allowed force [N], and the maximum speeds for all speed classes.
 inline constexpr double kContactForce = 10;
 inline constexpr double kMinContactForce = 5;
 inline constexpr double kMaxContactForce = 50;
 inline constexpr SpeedClass kContactSpeed{0.020, 0.0523598775598, 0.0174532925199};
 
-/// A taught frame; only its rotation is used.
+/// A taught frame, of which only the rotation is used.
 struct TaughtFrame {
     QString name;
     Pose T_base_frame;
     QUuid id = {};
 };
 
-/// All selections of the jog column.
+/// All selections in the jog panel.
 struct JogSelection {
     FrameChoice frame = FrameChoice::Base;
     MotionChoice motion = MotionChoice::Hold;
@@ -78,35 +79,35 @@ struct JogSelection {
     /// Custom values that replace the selected class or step.
     std::optional<SpeedClass> speed;
     std::optional<StepSize> step;
-    double contactForce = kContactForce;  ///< UntilContact: change of force that ends it [N]
+    double contactForce = kContactForce;  ///< for UntilContact: change of force that ends the motion [N]
     /// Axes of the view in the base frame: X to the right, Y away from the viewer, Z up.
     Eigen::Matrix3d R_base_view = Eigen::Matrix3d::Identity();
     std::optional<TaughtFrame> taught;
 };
 
-/// axis 0-2 translation along, 3-5 rotation about X, Y, Z; direction +1 or -1.
+/// axis: 0-2 translation along, 3-5 rotation about X, Y, Z; direction: +1 or -1.
 struct CartesianKey {
     int axis = 0;
     int direction = 1;
 };
 
-/// The velocity for a key of the pad.
+/// The velocity for a button of the jog pad.
 /// factor  of the modifier keys: 0.1, 1 or 3; the result never exceeds `limits`
 control::JogTarget cartesianJog(const JogSelection& selection, const CartesianKey& key, double factor,
                                 const control::MotionLimits& limits);
-/// The velocity of one joint. TCP and elbow stay below the selected TCP speed: JogTarget::speedCap.
+/// The velocity of one joint. JogTarget::speedCap keeps TCP and elbow below the selected TCP speed.
 control::JogTarget jointJog(const JogSelection& selection, int joint, int direction, double factor,
                             const control::MotionLimits& limits);
 
-/// One bounded step of the TCP from `from`; rotation is about the TCP, in the axes of the chosen frame.
+/// One bounded step of the TCP from `from`. Rotations are about the TCP, in the axes of the chosen frame.
 MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key, double factor,
                           const Pose& from, const control::MotionLimits& limits);
 /// One bounded step of one joint at jointKeySpeed(), limited to the joint's range.
 MoveRequest jointStep(const JogSelection& selection, int joint, int direction, double factor,
                       const JointPositions& from, const RobotModel& model, const Pose& tcpOffset,
                       const control::MotionLimits& limits);
-/// Speed of a joint key [rad/s]: the selected joint speed, or less if TCP or elbow would exceed the selected
-/// TCP speed.
+/// Speed of a joint button [rad/s]: the selected joint speed, or less if TCP or elbow would exceed the
+/// selected TCP speed.
 double jointKeySpeed(const JogSelection& selection, int joint, double factor, const JointPositions& from,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
 
@@ -118,31 +119,32 @@ MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, 
 StepSize chosenStep(const JogSelection& selection);
 /// The selected or custom speeds.
 SpeedClass chosenSpeed(const JogSelection& selection);
-/// All speeds for a custom TCP speed: rotation and joint speeds are in proportion to the classes.
+/// All speeds for a custom TCP speed. Rotation and joint speeds have the same ratio to it as in the speed
+/// classes.
 SpeedClass speedFor(double tcpSpeed);
-/// True if the arm jogs while the key is pressed, false if a press makes one step.
+/// True if the arm jogs while the button is pressed, false if a press makes one step.
 bool isHeld(MotionChoice motion);
-/// True for steps that may continue after the key is released.
-/// turns  the key rotates the tool or a joint, so its angle is relevant instead of its length
+/// True for steps that may continue after the button is released.
+/// turns  the button rotates the tool or a joint, so the angle is relevant instead of the length
 bool stepRunsToEnd(const JogSelection& selection, bool turns);
 
-/// Rotates the tool about the TCP until its Z axis is parallel to the nearest axis of the selected frame (of
-/// the base if that is the tool frame). Hold-to-run.
+/// Rotates the tool about the TCP until its Z axis is parallel to the nearest axis of the selected frame, or
+/// of the base if the tool frame is selected. Hold-to-run.
 MoveRequest alignMove(const JogSelection& selection, const Pose& from, const control::MotionLimits& limits);
 
 /// "Base", "Tool", "View" or the name of the taught frame.
 QString frameName(const JogSelection& selection);
-/// The frame for displaying the current pose, relative to the base: the selected one, or Base for the tool
-/// frame, in which the TCP is always zero.
+/// The frame for displaying the current pose, relative to the base. This is the selected frame, or Base for
+/// the tool frame, in which the TCP is always zero.
 Pose readingFrame(const JogSelection& selection);
 QString readingFrameName(const JogSelection& selection);
-/// Axes along which the selection moves the TCP, as columns in the base frame.
+/// Axes of the selected frame, along which jogging moves the TCP, as columns in the base frame.
 Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp);
 
-/// Factor by which the modifier keys change the speed: Ctrl 0.1, Shift 3.
+/// Factor by which the modifier keys change the speed: 0.1 for Ctrl, 3 for Shift.
 double modifierFactor(Qt::KeyboardModifiers modifiers);
 
-/// [0, -90, 0, -90, 0, 0] deg: upright and free of self-collision on every model.
+/// [0, -90, 0, -90, 0, 0] deg: the arm is upright and free of self-collision for every model.
 JointPositions defaultHome();
 
 }  // namespace tiller

@@ -21,7 +21,7 @@ constexpr double kWarnDegrees = 15.0;
 constexpr double kShoulderWarnMetres = 0.06;
 constexpr double kSineWarnDegrees = 8;
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct LimiterAdviceText {
     Q_DECLARE_TR_FUNCTIONS(LimiterAdvice)
 };
@@ -29,7 +29,7 @@ struct LimiterAdviceText {
 LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     struct Kind {
         Singularity singularity;
-        int joint;  ///< number used by the controller's limiter
+        int joint;  ///< joint number used by the controller's limiter
         bool near;
         QString what;
         QString slowed;
@@ -52,8 +52,8 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 speed"), LimiterAdviceText::tr("rotate wrist 2"),
          LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
-    // The limit that slows the jog down has priority; the controller still reports it after the jog has ended
-    // there.
+    // The limit that slows down the jog has priority. The controller still reports this limit after the jog
+    // has ended there.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
         for (const Kind& kind : kinds) {
@@ -73,12 +73,13 @@ bool isCollision(control::LimiterKind kind) {
     return kind == LimiterKind::SelfCollision || kind == LimiterKind::Obstacle || kind == LimiterKind::Border;
 }
 
-/// Bodies at or near the safety distance; while they slow a jog down, with the remaining speed in percent.
+/// Bodies at or near the safety distance. While they slow down a jog, the text includes the remaining speed
+/// in percent.
 LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
-    constexpr double kWarnBeyond = 0.010;  // [m] added to the safety distance
+    constexpr double kWarnBeyond = 0.010;  // added to the safety distance [m]
     const std::optional<NearestBodies> nearest = nearestBodies(state, kWarnBeyond);
     const control::Limiter& limiter = state.limiter;
-    // After the end of the jog the arm may have been moved by another program.
+    // After the jog has ended, another program may have moved the arm.
     const bool slowed =
         state.check != nullptr && state.motionActive && isCollision(limiter.kind) && limiter.scale < 0.98;
     if (!nearest && !slowed) {
@@ -133,7 +134,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
                         LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::ElbowSpeed:
                 return {LimiterAdviceText::tr("Elbow at the speed cap of %1").arg(percent),
-                        LimiterAdviceText::tr("move less sideways")};
+                        LimiterAdviceText::tr("reduce sideways motion")};
             case control::LimiterKind::RotationSpeed:
                 return {LimiterAdviceText::tr("Rotation at its cap of %1").arg(percent),
                         LimiterAdviceText::tr("change the cap in Settings")};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Names the limit that currently affects the arm, and the key that leads away from it.
+// Text for the limit that currently affects the arm, and the jog button that moves the arm away from it.
 
 #include <QString>
 
@@ -9,7 +9,7 @@
 
 namespace tiller {
 
-/// The limit and the suggested action; both empty if there is none.
+/// The limit and the suggested action. Both are empty if there is no limit.
 struct LimiterAdvice {
     QString what;
     QString advice;
@@ -17,7 +17,7 @@ struct LimiterAdvice {
 
 /// The nearest relevant limit: a joint within 15 deg of its range, or a nearby singularity.
 /// Threads  any
-/// R_base_frame  axes of the keys of the pad, for the suggested key
+/// R_base_frame  axes of the jog pad, for the suggested button
 LimiterAdvice nearestLimiter(const SessionState& state,
                              const Eigen::Matrix3d& R_base_frame = Eigen::Matrix3d::Identity());
 

@@ -9,10 +9,10 @@
 namespace tiller {
 namespace {
 
-/// Tolerance for having reached the start of the trail [rad].
+/// Distance from the start of the trail below which the start counts as reached [rad].
 constexpr double kThere = 0.001;
-/// A position counts as reached this long before the arm arrives, because the reported positions are delayed
-/// by some hundredths of a second [s].
+/// A position counts as reached this time before the arm arrives, because the reported positions are delayed
+/// by a few hundredths of a second [s].
 constexpr double kAhead = 0.08;
 /// Deceleration at the end of the trail [rad/s per rad].
 constexpr double kApproach = 4.0;
@@ -60,7 +60,7 @@ Result<control::JogTarget> RetracePath::next() {
     const double left = trail_.empty() ? 0 : apart(trail_.back(), now_);
     if (left < kThere) {
         return Error{ErrorCode::Rejected,
-                     QCoreApplication::translate("RetracePath", "back: no recorded motion left"),
+                     QCoreApplication::translate("RetracePath", "back: no recorded motion left to retrace"),
                      {}};
     }
     const double speed = speed_(now_, trail_.back());
@@ -75,14 +75,15 @@ std::optional<JointPositions> RetracePath::nextPlace() const {
     if (isEmpty()) {
         return std::nullopt;
     }
-    // The newest position may be the current one.
+    // The newest position may equal the current one.
     const auto place = std::find_if(trail_.rbegin(), trail_.rend(), [this](const JointPositions& q) {
         return apart(q, now_) >= kSpacing / 2;
     });
     return place == trail_.rend() ? trail_.front() : *place;
 }
 
-/// The cell may have changed since the arm moved there: a jog would then end in front of an obstacle.
+/// The cell may have changed since the arm moved along the trail. A jog would then end in front of an
+/// obstacle.
 Result<void> RetracePath::permits() const {
     return port_.permitsPath ? port_.permitsPath(std::vector<JointPositions>(trail_.rbegin(), trail_.rend()))
                              : Result<void>();
@@ -94,7 +95,7 @@ double RetracePath::speed() const {
 }
 
 HoldBounds RetracePath::bounds() const {
-    // The permitted speed varies along the trail; evaluating it at thousands of positions would take too
+    // The permitted speed varies along the trail, but evaluating it at thousands of positions would take too
     // long.
     constexpr std::size_t kAsked = 32;
     const std::size_t stride = trail_.size() / kAsked + 1;
@@ -136,7 +137,7 @@ HoldMotion RetracePath::motion() {
                     port_.endMotion(id, control::StopCause::Completed);
                     return false;
                 }
-                // Any end of the jog counts as a stop, and a stop is final.
+                // Every end of the jog counts as a stop, after which the motion cannot continue.
                 if (!port_.holdWith(id, *target)) {
                     going_ = 0;
                 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The past path of the arm as joint positions, and the motion back along it while a key is held: the only
-// path out of a narrow space that is known to be free.
+// The recorded trail of the arm as joint positions, and the motion back along it while a button is held. In a
+// narrow space, the trail is the only path out that is known to be free.
 
 #include <cstdint>
 #include <deque>
@@ -16,38 +16,38 @@ namespace tiller {
 
 class RetracePath {
 public:
-    /// Speed of the fastest joint between two positions [rad/s].
+    /// Returns the speed of the fastest joint between two positions [rad/s].
     using Speed = std::function<double(const JointPositions& from, const JointPositions& to)>;
 
     /// port   moves the arm
-    /// speed  on the way back, queried for each segment
+    /// speed  of the motion back; called for each segment
     RetracePath(const MotionPort& port, Speed speed);
 
-    /// Adds the position of the arm, except while it moves back. After a jump the path in between is unknown,
-    /// so the trail is restarted.
+    /// Adds the position of the arm, except while the arm moves back. After a jump the path in between is
+    /// unknown, so the trail is restarted.
     void record(const JointPositions& q);
-    /// The arm was moved by another program, or the connection has changed: the trail is invalid.
+    /// Discards the trail. Call when another program has moved the arm, or when the connection has changed.
     void clear();
     bool isEmpty() const;
-    /// The speed of a press now; 0 if no trail is left.
+    /// Speed of the motion if the button were pressed now; 0 if no trail is left.
     double speed() const;
-    /// Target of the next segment; nothing if no trail is left.
+    /// Target of the next segment; empty if no trail is left.
     std::optional<JointPositions> nextPlace() const;
     int size() const { return static_cast<int>(trail_.size()); }
-    /// Positions of the trail, the oldest first, which is the final target.
+    /// Positions of the trail. The first one is the oldest and the final target.
     const std::deque<JointPositions>& places() const { return trail_; }
-    /// Changes whenever the positions change.
+    /// Changes with every change of the positions.
     std::uint64_t revision() const { return revision_; }
 
-    /// The motion for the key: a joint jog between the positions of the trail, with the heartbeat timeout,
-    /// limits and stops of a jog. It ends at the start of the trail; a stop ends it earlier, and the rest of
-    /// the trail is kept.
+    /// The motion for the button: a joint jog between the positions of the trail, with the heartbeat timeout,
+    /// limits and stops of a jog. It ends at the start of the trail. A stop ends it earlier, and the
+    /// remaining trail is kept.
     HoldMotion motion();
 
     /// Positions closer than this to the previous one are not recorded [rad].
     static constexpr double kSpacing = 0.0087;
     static constexpr int kCapacity = 4000;
-    /// A larger change between two reported positions is a jump [rad].
+    /// A larger change between two reported positions counts as a jump [rad].
     static constexpr double kJump = 0.15;
 
 private:
@@ -60,7 +60,7 @@ private:
     std::deque<JointPositions> trail_;
     JointPositions now_;
     std::uint64_t revision_ = 0;
-    HoldMotion::Id going_ = 0;  ///< the current jog; 0: none
+    HoldMotion::Id going_ = 0;  ///< the current jog; 0: no jog
 };
 
 }  // namespace tiller

@@ -12,7 +12,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPadKeys = 12;
-/// Minimum remaining travel of a key that leads out of a limit.
+/// Minimum remaining travel of a button that moves the arm away from a limit.
 constexpr double kMinTravel = 0.030;      ///< [m]
 constexpr double kMinTravelAngle = 0.10;  ///< [rad]
 
@@ -34,7 +34,7 @@ bool hasTravelLeft(const SessionState& state, const Vector6& direction, int key)
     return jogFollowed(state, direction, room).distance >= room;
 }
 
-/// The key with the largest gain above `least` and sufficient travel.
+/// The button with the largest gain above `least` and sufficient travel.
 /// gain  of a joint velocity [1/s]
 int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, double least,
             const std::function<double(const Vector6& qd)>& gain) {
@@ -45,7 +45,7 @@ int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, doub
     int best = -1;
     for (int key = 0; key < kPadKeys; ++key) {
         const Vector6 twist = twistOf(key, R_base_frame);
-        // A metre and a radian are weighted equally: either takes about one second of jogging.
+        // A metre and a radian are weighted equally, because each takes about one second of jogging.
         const double gained = gain(solver.solve(twist));
         if (gained > least && hasTravelLeft(state, twist, key)) {
             least = gained;
@@ -79,7 +79,7 @@ std::optional<NearestBodies> nearestBodies(const SessionState& state, double bey
 
 int escapeKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint) {
     const double away = state.q[joint] > 0 ? -1.0 : 1.0;
-    constexpr double kMinValue = 0.05;  // [rad/m] smaller gains are ignored
+    constexpr double kMinValue = 0.05;  // smaller gains are ignored [rad/m]
     return bestKey(state, R_base_frame, kMinValue, [&](const Vector6& qd) { return away * qd[joint]; });
 }
 
@@ -87,7 +87,7 @@ int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame
                   const collision::CollisionCheck::Pair& pair) {
     const collision::CollisionCheck& check = *state.check;
     const double here = check.distance(pair, check.place(state.q));
-    constexpr double kMinValue = 0.1;  // [m/m] smaller gains are ignored
+    constexpr double kMinValue = 0.1;  // smaller gains are ignored [m/m]
     return bestKey(state, R_base_frame, kMinValue, [&](const Vector6& qd) {
         constexpr double kMoment = 1e-3;  // [s]
         const JointPositions next(Vector6(state.q.values + kMoment * qd));
@@ -102,7 +102,7 @@ int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame
                : singularity == Singularity::Elbow ? near.elbow
                                                    : near.shoulder;
     };
-    constexpr double kJump = 0.5;  // of a joint: a different configuration [rad]
+    constexpr double kJump = 0.5;  // joint change that indicates a different configuration [rad]
     const double here = measure(state.q);
     const Pose start = kinematics::forwardTcp(state.dh, state.q, state.tcpOffset);
     int best = -1;

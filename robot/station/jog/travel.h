@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Remaining travel of a jog in each direction of the pad, and the key that leads out of a limit.
+// Remaining travel of a jog in each direction of the jog pad, and the button that moves the arm away from a
+// limit.
 
 #include <QString>
 #include <optional>
@@ -16,7 +17,7 @@ namespace tiller {
 inline constexpr double kTravelSeen = 1.0;       ///< [m]
 inline constexpr double kTurnSeen = 3.14159265;  ///< [rad]
 
-/// Remaining travel of a key of the pad from the position of the arm.
+/// Remaining travel for a button of the jog pad from the current position of the arm.
 /// direction  unit twist in the base frame, as control::jogReach
 /// Threads    any. Takes about a millisecond
 control::JogReach travelLeft(const SessionState& state, const Vector6& direction);
@@ -29,19 +30,19 @@ struct NearestBodies {
 /// Returns nothing if no pair is closer than its safety distance plus `beyond` [m].
 std::optional<NearestBodies> nearestBodies(const SessionState& state, double beyond);
 
-// The key of the twelve (X-, X+, Y-, Y+, ... Rz-, Rz+) that leads out of a limit fastest with sufficient
-// remaining travel; -1 if none.
-// R_base_frame  the axes of the keys
+// These functions return the one of the twelve buttons (X-, X+, Y-, Y+, ... Rz-, Rz+) that moves the arm away
+// from a limit fastest and has sufficient remaining travel, or -1.
+// R_base_frame  the axes of the buttons
 
 /// Moves this joint away from its limit.
 int escapeKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);
-/// Leads out of a singularity.
+/// Moves the arm away from a singularity.
 enum class Singularity { Wrist, Elbow, Shoulder };
 int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame, Singularity singularity);
 /// Separates this pair of bodies.
 int escapeKeyFrom(const SessionState& state, const Eigen::Matrix3d& R_base_frame,
                   const collision::CollisionCheck::Pair& pair);
-/// Label of a key by its number: "Z\u2212".
+/// Label of a button by its number, e.g. "Z\u2212".
 QString travelKeyName(int key);
 
 }  // namespace tiller

@@ -16,12 +16,13 @@ struct GripperChoice {
 
     Kind kind = Kind::None;
     Model model = Model::TwoF85;
-    /// Outputs by their bit numbers. On closes; with two outputs, the other one is off meanwhile.
+    /// Bit numbers of the outputs. Switching `closeOutput` on closes the gripper. With two outputs,
+    /// `openOutput` is then switched off, and vice versa.
     int closeOutput = io::kFirstTool;
     int openOutput = io::kFirstTool + 1;
 
     bool usesOutputs() const { return kind == Kind::OneOutput || kind == Kind::TwoOutputs; }
-    /// Bit mask of its outputs.
+    /// Bit mask of the outputs used.
     std::uint32_t outputs() const {
         return 1U << closeOutput | (kind == Kind::TwoOutputs ? 1U << openOutput : 0U);
     }
@@ -29,9 +30,9 @@ struct GripperChoice {
     std::uint32_t outputsTo(bool close) const {
         return close ? 1U << closeOutput : kind == Kind::TwoOutputs ? 1U << openOutput : 0U;
     }
-    /// "robotiq|2F-85", "outputs|16|17"; empty: none
+    /// Text for the settings, e.g. "robotiq|2F-85", "outputs|16|17"; empty if there is no gripper.
     QString toText() const;
-    /// Invalid text gives no gripper.
+    /// Returns a choice without gripper if the text is invalid.
     static GripperChoice fromText(const QString& text);
     friend bool operator==(const GripperChoice&, const GripperChoice&) = default;
 };
@@ -39,11 +40,11 @@ struct GripperChoice {
 /// Capabilities of a Robotiq model. Source: the instruction manuals of the manufacturer.
 struct RobotiqRange {
     const char* name;
-    double stroke;      ///< between the fingers wide open [m]
-    double leastForce;  ///< [N], at 0 %
-    double mostForce;   ///< [N], at 100 %
-    double leastSpeed;  ///< [m/s], at 0 %
-    double mostSpeed;   ///< [m/s], at 100 %
+    double stroke;      ///< distance between the open fingers [m]
+    double leastForce;  ///< at 0 % [N]
+    double mostForce;   ///< at 100 % [N]
+    double leastSpeed;  ///< at 0 % [m/s]
+    double mostSpeed;   ///< at 100 % [m/s]
 };
 const RobotiqRange& robotiqRange(GripperChoice::Model model);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The gripper of the robot for panels other than its own: its type, opening and closing.
+// Access to the gripper for all panels except the gripper panel: its type, opening and closing.
 
 #include <functional>
 #include <optional>
@@ -13,17 +13,17 @@
 namespace tiller {
 
 struct GripperPort {
-    /// The choice of the operator. The caller sets the outputs of an output gripper itself.
+    /// Returns the gripper chosen by the operator. For an output gripper, the caller sets the outputs.
     std::function<GripperChoice()> choice = [] { return GripperChoice(); };
-    /// Robotiq: the reason why it cannot be moved now, as a sentence; empty if it can.
+    /// Robotiq only: reason why the gripper cannot be moved now, as a sentence; empty if it can.
     std::function<QString()> obstacle = {};
-    /// Robotiq: opens or closes it completely, with the speed and force of its panel.
-    /// token  cancelled: the command is no longer sent; a sent command needs stop()
+    /// Robotiq only: opens or closes the gripper completely, with the speed and force set in its panel.
+    /// token  if cancelled, the command is not sent; a command already sent needs stop()
     std::function<void(bool close, const CancelToken& token)> move = {};
-    /// Robotiq: stops the fingers; a held object stays held.
+    /// Robotiq only: stops the fingers. A held object remains gripped.
     std::function<void()> stop = {};
-    /// Robotiq: nothing while it moves towards the target of `close`, then the result. Holding an object is
-    /// also a result.
+    /// Robotiq only: returns nothing while the gripper moves towards the target of `close`, then the result.
+    /// Gripping an object counts as success.
     std::function<std::optional<Result<void>>(bool close)> outcome = {};
 };
 

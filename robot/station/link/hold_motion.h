@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A motion that runs only while an operator holds a key: its start, refresh, end and maximum duration.
+// A motion that runs only while an operator holds a button: its start, refresh, end and maximum duration.
 
 #include <cstdint>
 #include <functional>
@@ -16,36 +16,40 @@ namespace tiller {
 struct HoldBounds {
     static constexpr std::int64_t kMinHoldTimeoutNs = 100 * kNsPerMs;
     static constexpr std::int64_t kMaxHoldTimeoutNs = 2 * kNsPerSecond;
-    /// Maximum distance the arm may move while a finger or stick that holds it reports no event.
+    /// Maximum distance that the arm may move without an event from the touch contact or joystick that holds
+    /// the button.
     static constexpr double kUnconfirmedLength = 0.025;            ///< [m]
     static constexpr double kUnconfirmedAngle = 0.26179938779915;  ///< [rad] 15 deg
 
-    /// Maximum duration of the motion [ns]; 0: no own limit, HoldPolicy::longestNs applies.
+    /// Maximum duration of the motion [ns]. If 0, HoldPolicy::longestNs applies.
     std::int64_t longestNs = 0;
-    /// Maximum time without an event from a finger or a stick [ns].
+    /// Maximum time without an event from the touch contact or joystick [ns].
     std::int64_t holdTimeoutNs = kMinHoldTimeoutNs;
 
-    /// For a motion with a known duration: its duration plus 5 s.
+    /// Maximum duration of a motion with a known duration: the duration plus 5 s.
     static std::int64_t longestOf(double seconds);
-    /// The time in which the arm moves kUnconfirmedLength and kUnconfirmedAngle at most, limited to kMinHoldTimeoutNs ...
-    /// kMaxHoldTimeoutNs [ns].
+    /// Time in which the arm moves at most by kUnconfirmedLength and kUnconfirmedAngle, limited to
+    /// kMinHoldTimeoutNs ... kMaxHoldTimeoutNs [ns].
     /// linear, angular  speeds [m/s, rad/s]; a speed of 0 is ignored
     static std::int64_t holdTimeoutAt(double linear, double angular);
 };
 
-/// The motion of one held key: its start, refresh and end, and its limits. Created from MotionPort, which
-/// knows jogs, moves and freedrive but no keys; HoldGuard, which monitors the key, knows no robot.
+/// The motion of one held button: its start, refresh and end, and its limits. Created from MotionPort, which
+/// provides jogs, moves and freedrive independently of buttons. HoldGuard monitors the button independently
+/// of the robot.
 struct HoldMotion {
     using Id = std::uint64_t;
-    /// Starts the motion or returns the reason of a refusal.
+    /// Starts the motion, or returns the reason why it is refused.
     std::function<Result<Id>()> begin;
-    /// Keeps it alive. Returns false when it has been stopped or has arrived.
+    /// Keeps the motion active. Returns false if the motion has been stopped or has reached its target.
     std::function<bool(Id)> hold;
     std::function<void(Id, control::StopCause)> end;
-    /// Queried at the press: true for a short limited step, which runs to its end after the key is released.
-    /// All other stop conditions still apply. May be empty: then releasing the key ends the motion.
+    /// Called when the button is pressed. Returns true for a short limited step, which runs to its end after
+    /// the button is released. All other stop conditions still apply. If empty, releasing the button ends the
+    /// motion.
     std::function<bool()> runsToEnd;
-    /// Queried after the start: limits of the hold. May be empty: no duration limit of the motion itself.
+    /// Called after the start. Returns the limits of the hold. If empty, the motion itself has no duration
+    /// limit.
     std::function<HoldBounds()> bounds = {};
 };
 

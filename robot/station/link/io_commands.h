@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Commands for inputs, outputs and registers of the robot, and the other clients that may occupy them.
+// Commands for inputs, outputs and registers of the robot, and the other clients that may use them.
 
 #include <QString>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace tiller {
 
-/// A general purpose input register and the value that a program on the robot is to read from it. The control
-/// program and this interface's own channels reserve integers 24-33 and numbers 24-41.
+/// A general purpose input register and the value to be read from it by a program on the robot. Integers
+/// 24-33 and doubles 24-41 are reserved for the control program and other channels of this interface.
 struct RegisterValue {
     enum class Kind { Int, Double, Bit };
     Kind kind = Kind::Int;
@@ -22,11 +22,11 @@ struct RegisterValue {
     static constexpr int last(Kind kind) { return kind == Kind::Bit ? 127 : 47; }
 };
 
-/// "DI 0", "CO 3", "TO 1": the labels printed next to the controller's terminals.
+/// Label printed next to the terminal of the controller, e.g. "DI 0", "CO 3", "TO 1".
 /// channel  0-7 standard, 8-15 configurable, 16-17 tool
 QString ioTerminal(bool output, int channel);
 
-/// The reason why outputs cannot be set, by group; empty if they can. Known after connecting.
+/// Reason why outputs cannot be set, by group; empty if they can. Valid after connecting.
 struct OutputHolders {
     QString standard;
     QString configurable;

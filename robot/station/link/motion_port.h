@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The interface through which all panels move the arm, so that each can be tested without a robot. HoldMotion
-// (hold_motion.h) describes the motion of a single held key.
+// The interface through which all panels move the arm, so that each panel can be tested without a robot.
+// HoldMotion (hold_motion.h) describes the motion of a single held button.
 
 #include <cstdint>
 #include <functional>
@@ -20,14 +20,14 @@ struct MotionPort {
 
     std::function<Result<Id>(const control::JogTarget&)> beginJog = {};
     std::function<Result<Id>(const MoveRequest&)> beginMove;
-    /// Keeps a motion alive; false when it has been stopped or has arrived.
+    /// Keeps a motion active. Returns false if the motion has been stopped or has reached its target.
     std::function<bool(Id)> hold;
     std::function<void(Id, control::StopCause)> endMotion;
     std::function<control::MotionLimits()> limits;
     std::function<Result<Id>(const control::Freedrive&)> beginFreedrive = {};
-    /// Keeps a jog alive with another target; false when it has been stopped.
+    /// Keeps a jog active with another target. Returns false if the jog has been stopped.
     std::function<bool(Id, const control::JogTarget&)> holdWith = {};
-    /// As in RobotSession: for several motions of one press.
+    /// See RobotSession. For several motions of one button press.
     std::function<Result<Id>(std::vector<control::PathEntry>, std::uint64_t stops)> beginPath = {};
     std::function<std::uint64_t()> stops = {};
     std::function<Result<control::MotionProgress>(Id)> progress = {};

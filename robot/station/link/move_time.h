@@ -7,16 +7,16 @@
 
 namespace tiller {
 
-/// Duration of a move from the position of the arm at the current speed slider [s].
+/// Duration of a move from the current position of the arm at the current speed slider [s].
 double moveSeconds(const MoveRequest& request, const SessionState& state);
 
-/// Maximum speed of such a move at the current speed slider: of TCP and elbow ("50 mm/s"), or of the rotation
-/// if they hardly move ("15 °/s"). Empty if there is no motion.
+/// Maximum speed of such a move at the current speed slider. The value refers to TCP and elbow ("50 mm/s"),
+/// or to the rotation if they hardly move ("15 °/s"). Empty if there is no motion.
 QString moveSpeedText(const MoveRequest& request, const SessionState& state);
 
-/// Maximum speed of a hold-to-run motion, as selected next to the jog keys.
+/// Maximum speed of a hold-to-run motion, as selected next to the jog buttons.
 struct HeldSpeed {
-    double tcp = std::numeric_limits<double>::infinity();       ///< of TCP and elbow [m/s]
+    double tcp = std::numeric_limits<double>::infinity();       ///< maximum speed of TCP and elbow [m/s]
     double rotation = std::numeric_limits<double>::infinity();  ///< [rad/s]
     double joint = std::numeric_limits<double>::infinity();     ///< [rad/s]
 };

@@ -8,7 +8,7 @@
 namespace tiller {
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct ReasonsText {
     Q_DECLARE_TR_FUNCTIONS(Reasons)
 };

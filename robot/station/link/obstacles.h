@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The reason why the robot cannot do something in its present state, as a sentence that ends with the suggested
-// action.
+// Reasons why the robot cannot perform an action in its current state, each as a sentence that ends with the
+// suggested action.
 
 #include <QString>
 
@@ -10,16 +10,17 @@
 
 namespace tiller {
 
-/// The reason given by the session, or one derived from link and modes; empty exactly if state.canMove().
+/// The reason reported by the session, or one derived from connection and modes. Empty only if
+/// state.canMove().
 QString cannotMoveReason(const SessionState& state);
 
-/// The stop cause to use when the arm can no longer be moved.
+/// The cause to report when the arm can no longer be moved.
 control::StopCause stopCauseFor(const SessionState& state);
 
-/// The reason why this robot accepts no commands for power, recovery and programs over the network; empty if
-/// it does.
+/// Reason why this robot accepts no commands for power, recovery and programs over the network; empty if it
+/// does.
 QString serviceObstacle(const SessionState& state);
-/// The same for one command, because some robots do not support all of them.
+/// Like serviceObstacle() above, for one command, because some robots do not support all commands.
 QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command);
 
 }  // namespace tiller

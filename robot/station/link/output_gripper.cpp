@@ -6,7 +6,7 @@
 namespace tiller {
 namespace {
 
-/// Without confirmation by the robot, a command is shown as "pending" no longer than this.
+/// Maximum time for which an unconfirmed command is shown as "pending".
 constexpr std::int64_t kGripperConfirmNs = 2 * kNsPerSecond;
 
 bool isOn(const SessionState& state, int output) {

@@ -2,8 +2,8 @@
 #pragma once
 
 // A gripper on one or two digital outputs: its reported state, the output levels for closing and opening, and
-// the reasons that prevent them. With one output, on closes; with two, one closes and the other opens, never
-// both.
+// the reasons that prevent them. With one output, the level "on" closes the gripper. With two, one output
+// closes and the other opens; both are never on at the same time.
 
 #include <QCoreApplication>
 #include <QString>
@@ -23,22 +23,22 @@ public:
     struct Command {
         std::uint32_t mask = 0;
         std::uint32_t values = 0;
-        QString what;  ///< for the log
+        QString what;  ///< text for the log
     };
 
     void choose(const GripperChoice& choice);
-    /// Updates the state from the robot. Commands without confirmation after two seconds are no longer
+    /// Updates the state from the robot. A command that is not confirmed within two seconds is no longer
     /// pending.
     void follow(const SessionState& state, std::int64_t nowNs);
     /// Returns the outputs for closing or opening, and marks the command as pending until the robot reports
     /// them.
     Command command(bool close, std::int64_t nowNs);
 
-    /// "close requested", "pending…", "unknown"
+    /// Examples: "close requested", "pending…", "unknown".
     QString text() const;
-    /// The reason why its outputs prevent closing or opening; empty if none.
+    /// Reason why the outputs cannot be used to close or open the gripper; empty if they can.
     QString obstacle(const OutputHolders& holders) const;
-    /// If the robot did not confirm the newest command, a sentence about it; otherwise empty.
+    /// A sentence if the robot did not confirm the newest command; otherwise empty.
     const QString& complaint() const { return complaint_; }
 
 private:

@@ -14,7 +14,7 @@ namespace tiller {
 
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct RecordingChoiceText {
     Q_DECLARE_TR_FUNCTIONS(RecordingChoice)
 };
@@ -53,7 +53,7 @@ QString nameOf(const QString& pattern, const QString& robot, const QDateTime& no
 }
 
 /// All entries of the folder, including hidden and broken ones, in lower case because some file systems
-/// ignore case. Listing once is faster on a network drive than testing each file name.
+/// ignore case. On a network drive, listing the folder once is faster than testing each file name.
 QSet<QString> namesIn(const QDir& folder) {
     QSet<QString> names;
     const QStringList entries =

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recording settings of the operator: folder and file name, recorded signals, and the number of packets per
-// row.
+// Recording settings chosen by the operator: folder, file name, recorded signals, and the number of packets
+// per row.
 
 #include <QDateTime>
 #include <QString>
@@ -24,7 +24,7 @@ struct RecordingChoice {
     static constexpr int kMaxKeptFree = 100'000;  ///< [MB]
     static QString defaultPattern() { return QStringLiteral("{date}_{time}"); }
 
-    /// Returns the nearest valid choice.
+    /// Returns the settings with invalid values replaced by the nearest valid ones.
     RecordingChoice sane() const;
 
     friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
@@ -42,12 +42,12 @@ struct RecordingFormatWords {
 RecordingFormatWords recordingFormatWords(const recording::FileFormat& format);
 /// Fields that every robot can record.
 QStringList recordableFields();
-/// "Tiller" in the user's documents folder.
+/// The folder "Tiller" in the user's documents folder.
 QString recordingFolder();
-/// The error of a pattern, as a sentence; empty if it is valid.
+/// The error in a pattern, as a sentence; empty if the pattern is valid.
 QString patternProblem(const QString& pattern);
-/// The path of a new file: {date}, {time} and {robot} of the pattern are replaced, and {number} continues
-/// after the existing files. Never the path of an existing file.
+/// The path of a new file: {date}, {time} and {robot} in the pattern are replaced, and {number} is the next
+/// number after those of the existing files. Never returns the path of an existing file.
 QString recordingPath(const RecordingChoice& choice, const QString& robot, const QDateTime& now);
 
 }  // namespace tiller

@@ -10,16 +10,16 @@
 namespace tiller {
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct RecoveryGuideText {
     Q_DECLARE_TR_FUNCTIONS(RecoveryGuide)
 };
 
-/// After the safety system is back to normal: the usual steps to power on.
+/// The usual steps to power on, after the safety system has returned to normal.
 RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
     RecoveryGuide guide;
     guide.step = next;
-    guide.title = RecoveryGuideText::tr("Safety is normal again");
+    guide.title = RecoveryGuideText::tr("Safety mode is Normal again");
     const ModeWords mode = robotModeWords(state.robotMode);
     guide.what = mode.advice;
     switch (next) {
@@ -32,8 +32,8 @@ RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
                 state.monitorOnly ? texts::monitorOnlyObstacle()
                 : !guide.takesControl
                     ? RecoveryGuideText::tr(
-                          "The arm can be moved. Motions from before the stop do not resume: every motion "
-                          "needs a new press.")
+                          "The arm can be moved. Motions interrupted by the stop do not resume: each motion "
+                          "requires a new press.")
                     : RecoveryGuideText::tr(
                           "The arm is ready. Take control to move it, or continue on the teach pendant.");
             if (state.control == ControlState::Taking) {
@@ -69,7 +69,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
         case RecoveryStep::Unlock: {
             guide.checks = {
                 RecoveryGuideText::tr("I inspected the arm: no one is touching it and nothing is trapped."),
-                RecoveryGuideText::tr("The cause of the stop is known and removed."),
+                RecoveryGuideText::tr("The cause of the stop is known and has been removed."),
                 RecoveryGuideText::tr("Payload and TCP match the mounted tool.")};
             const double left = dashboard::kUnlockAfter - sinceStop;
             if (left > 0) {
@@ -81,7 +81,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
         case RecoveryStep::RestartSafety:
             guide.checks = {
                 RecoveryGuideText::tr("I inspected the arm and the robot's log: the cause is known."),
-                RecoveryGuideText::tr("The cause is removed, and no one is within reach of the arm.")};
+                RecoveryGuideText::tr("The cause has been removed, and no one is within reach of the arm.")};
             break;
         default:
             guide.waiting =

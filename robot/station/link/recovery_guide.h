@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts for the recovery from a safety stop: a checklist and one button. The steps follow
-// robot/dashboard/recovery.h; widgets/status/recovery_page.h shows them.
+// Texts for the recovery from a safety stop: a checklist and one button. The steps are those of
+// robot/dashboard/recovery.h. They are shown by widgets/status/recovery_page.h.
 
 #include <QStringList>
 
@@ -14,20 +14,20 @@ namespace tiller {
 using dashboard::RecoveryStep;
 
 struct RecoveryGuide {
-    QString title;  ///< "Protective stop"
+    QString title;  ///< e.g. "Protective stop"
     QString what;   ///< meaning and suggested action, as sentences
     /// Checks that the operator must confirm before `step` can be executed; empty if nothing is unlocked.
     QStringList checks;
-    RecoveryStep step = RecoveryStep::Look;  ///< the next step; its button is labelled keyText()
-    bool takesControl = false;               ///< Completed by the robot: take control next
-    QString waiting;  ///< why the step is not possible yet although all checks are confirmed; empty if it is
-    int countdown = 0;  ///< [s] remaining lock time of the controller, rounded up
+    RecoveryStep step = RecoveryStep::Look;  ///< next step; keyText() is the label of its button
+    bool takesControl = false;  ///< the robot has completed the recovery; the next action is to take control
+    QString waiting;            ///< why the step is not possible yet with all checks confirmed; may be empty
+    int countdown = 0;          ///< remaining lock time of the controller, rounded up [s]
 
-    /// "Unlock", the label of the button; empty if the PC cannot help.
+    /// The label of the button, e.g. "Unlock"; empty if the PC cannot perform the step.
     QString keyText() const;
 };
 
-/// sinceStop  by the controller's clock [s]
+/// sinceStop  on the controller's clock [s]
 RecoveryGuide recoveryGuide(const SessionState& state, double sinceStop);
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Requests of the operator to the controller apart from motion: power, safety, programs. A command is sent once;
-// its result is shown in SessionState and by a message.
+// Commands from the operator to the controller other than motion: power, safety, programs. A command is sent
+// once. Its result is shown in SessionState and by a message.
 
 #include <QString>
 
@@ -12,12 +12,12 @@ namespace tiller {
 
 using dashboard::RobotCommand;
 
-/// "Power on", the label of the button and the name in the log.
+/// The label of the button and the name in the log, e.g. "Power on".
 QString commandText(RobotCommand command);
 
-/// Confirmation by the operator that the arm has been inspected. Only the page that asks for it can create
-/// one, so that no other part of the program can unlock a protective stop: the manufacturer forbids automatic
-/// reset.
+/// Confirmation by the operator that the arm has been inspected. Only RecoveryPage, which asks for the
+/// confirmation, can create this object, so no other part of the program can unlock a protective stop. The
+/// manufacturer forbids automatic reset.
 class UnlockConsent {
     friend class RecoveryPage;
     UnlockConsent() = default;

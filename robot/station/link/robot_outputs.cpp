@@ -21,11 +21,11 @@ using std::chrono::milliseconds;
 constexpr milliseconds kConfirmTime{2000};
 constexpr milliseconds kQuickTime{500};
 constexpr milliseconds kConnectTime{3000};
-/// If a pulse is longer than requested by more than this, the robot has failed to end it.
+/// If a pulse exceeds the requested duration by more than this, the robot has failed to end it.
 constexpr milliseconds kPulseGrace{300};
 
 QString holderOf(const Result<void>& can) {
-    // An unconnected state does not count as an obstacle, because setting an output connects automatically.
+    // A missing connection is not an obstacle, because setting an output connects automatically.
     return can || can.error().code == ErrorCode::NotConnected ? QString() : can.error().context;
 }
 
@@ -41,16 +41,16 @@ struct PulseLevels {
     std::uint32_t after;
 };
 
-/// Shared objects that keep a pulse running safely while the link is closed.
+/// Shared objects that allow a pulse to complete safely while the connection is being closed.
 struct PulseLink {
     std::shared_ptr<control::Controller> controller;
     std::shared_ptr<receive::Receiver> receiver;
     std::shared_ptr<io::Outputs> outputs;
 };
 
-/// Starts a pulse and waits until the robot ends it. Ends it early when the key is released, and restores the
-/// outputs over RTDE if the robot did not.
-/// leaving  the connection is being closed, so the remaining steps must be quick
+/// Starts a pulse and waits until the robot ends it. Ends the pulse early when the button is released, and
+/// restores the outputs over RTDE if the robot did not restore them.
+/// leaving  the connection is being closed, so the remaining steps must be fast
 /// ended    the order was cancelled, or `leaving`
 Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, const OutputOrder::Pulse& pulse,
                           const Clock& clock, const CancelToken& leaving, const CancelToken& ended) {
@@ -60,7 +60,7 @@ Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, cons
     const Result<void> begun = pulses.begin(levels.mask, levels.during, length, control::Holding::Held,
                                             Deadline::after(kConfirmTime, ended));
     if (!begun && begun.error().code != ErrorCode::Cancelled && begun.error().code != ErrorCode::Timeout) {
-        return begun;  // rejected
+        return begun;  // rejected by the robot
     }
     bool isOver = false;
     if (begun) {
@@ -120,7 +120,7 @@ const OutputHolders& RobotOutputs::holders() const {
 
 void RobotOutputs::connect() {
     if (d_.monitorOnly) {
-        // Another client may need the inputs that an open connection occupies.
+        // Another client may need the inputs that an open connection reserves.
         d_.worker.post(&session_, [outputs = d_.link->outputs](const CancelToken&) {
             outputs->disconnect();
             return std::function<void()>();
@@ -163,7 +163,7 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
 }
 
 void RobotOutputs::writeDigitalOutput(int output, bool on) {
-    // A manually set output is no longer a pulse.
+    // An output that is set manually is no longer tracked as a pulse.
     std::erase_if(pulses_, [output](const RunningPulse& pulse) { return pulse.output == output; });
     const QString done =
         tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));
@@ -219,7 +219,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
                             link = PulseLink{d_.link->controller, d_.link->receiver, d_.link->outputs}](
                                const CancelToken& token) {
         Result<void> result = Error{ErrorCode::Cancelled, done, {}};
-        // Not sent if it is cancelled while connecting.
+        // Not sent if the command is cancelled while connecting.
         const CancelToken either(
             [token, own = order.token] { return token.isCancelled() || own.isCancelled(); });
         if (!either.isCancelled()) {
@@ -242,7 +242,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
 QString RobotOutputs::pulseObstacle() const {
     return d_.link && d_.state.control == ControlState::InControl
                ? QString()
-               : tr("Pulses are timed by the robot and need control. Take control first, or switch the "
+               : tr("Pulses are timed by the robot and require control. Take control first, or switch the "
                     "output on and off.");
 }
 
@@ -321,7 +321,7 @@ void RobotOutputs::setRegister(const RegisterValue& value) {
     if (session_.refusesCommand(tr("Input register %1").arg(value.number)) || !d_.link) {
         return;
     }
-    // A temporary connection, so that the register is not blocked for other clients.
+    // Use a temporary connection, so that the register is not reserved permanently.
     io::InputRegistersOptions options;
     options.host = d_.address.host;
     options.port = static_cast<std::uint16_t>(rtde::kPort + d_.address.portOffset);
@@ -387,7 +387,7 @@ void RobotOutputs::setSpeedSlider(double fraction) {
     });
 }
 
-// Logs slider changes of any client, but only after the slider has come to rest.
+// Logs slider changes by any client, but only after the slider has stopped moving.
 void RobotOutputs::reportSlider() {
     constexpr std::int64_t kRestNs = 500 * kNsPerMs;
     constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // time for a requested value to take effect

@@ -17,13 +17,13 @@ using dashboard::ServiceKind;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kReplyTime{3000};
-/// The Robot API may answer only after the command has been completed.
+/// The Robot API might reply only after the command has been completed.
 constexpr milliseconds kDoneTime{10'000};
-/// A switch to Local is to be detected within one second, so the state is queried every half second.
+/// A change to Local must be detected within one second, so the state is queried every half second.
 constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;
 
-/// Sends one command and reports a refusal.
-/// after  receives whether the command was executed
+/// Sends one command and reports a rejection.
+/// after  called with true if the command was executed
 template <class Call>
 void send(
     RobotSession& session, const std::unique_ptr<RobotLink>& link, const QString& what, Call call,
@@ -129,7 +129,7 @@ void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) 
 
 void RobotServices::stopOnEveryRoute(control::StopCause cause) {
     unconfirmed_.reset();
-    // Cancel taking control first, so that the stop also applies to anything it still sends.
+    // Cancel taking control first, so that the stop also applies to everything it still sends.
     d_.taking.cancel();
     d_.link->foreignStop->request(cause, *d_.link->receiver);
 }
@@ -165,7 +165,8 @@ void RobotServices::followForeignStop(const SampleBatch& batch) {
 
 void RobotServices::ask() {
     const std::int64_t now = d_.clock->nowNs();
-    // When the controller leaves Remote it closes its script connections, which is the earliest sign.
+    // When the controller leaves Remote, it closes its script connections. This is the earliest indication of
+    // the change.
     const bool primary = d_.link->primary->isConnected();
     const bool sign = std::exchange(primarySeen_, primary) && !primary;
     if (d_.state.link != LinkState::Live || reportAsked_ || (now - reportAskedNs_ < kAskEveryNs && !sign)) {
@@ -180,7 +181,7 @@ void RobotServices::ask() {
                                  return;
                              }
                              reportAsked_ = false;
-                             // The kind of service remains known while it does not answer.
+                             // The kind of service remains known while the service does not respond.
                              dashboard::ServiceReport silent;
                              silent.kind = d_.report.kind;
                              d_.report = result ? *result : silent;
@@ -193,14 +194,15 @@ void RobotServices::followReport(const dashboard::ServiceReport& report) {
     if (!report.remoteControl) {
         return;
     }
-    // A robot that was never in Remote has remote control disabled, and can be controlled as it is.
+    // If a robot was never in Remote, remote control is assumed to be disabled, and the robot accepts
+    // commands in Local.
     const bool was = std::exchange(remoteSeen_, *report.remoteControl);
     if (was && !remoteSeen_) {
         leaveForLocal();
     } else if (!was && remoteSeen_) {
         d_.localRefuses = true;
         if (d_.state.control == ControlState::Refused) {
-            d_.refusal.clear();  // the cause is gone, or reappears at the next attempt
+            d_.refusal.clear();  // the cause is resolved, or is reported again by the next attempt
         }
         d_.link->foreignStop->reconnect();
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Requests of the session to the controller: power, recovery and programs, stopping external programs, and
-// the values that RTDE does not report: control mode, operational mode and loaded program. Results are
-// reported by messages and shown in the next state.
+// Requests from the session to the controller: power, recovery and programs, and stopping external programs.
+// Also queries the values that RTDE does not report: control mode, operational mode and loaded program.
+// Results are reported by messages and shown in the next state.
 
 #include <QCoreApplication>
 #include <QString>
@@ -29,20 +29,21 @@ class RobotServices {
 public:
     RobotServices(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
-    /// confirmed  the operator knows that the command ends a program of another client: without it, PowerOff while such
-    ///            a program runs emits RobotSession::powerOffQuestion() and does nothing else
+    /// confirmed  the operator agrees that the command ends a program of another client. Without this
+    ///            confirmation, PowerOff while such a program runs only emits
+    ///            RobotSession::powerOffQuestion().
     void perform(RobotCommand command, bool confirmed = false);
-    /// Only on the operator's explicit confirmation.
+    /// Requires the operator's explicit confirmation.
     void unlockProtectiveStop(const UnlockConsent& consent);
     /// name  relative to the controller's programs folder
     void loadProgram(const QString& name);
 
     // Used by the session.
-    /// Handles a stop by STOP, Esc or Space: stops external programs, and our own program on all routes
-    /// unless a confirmation arrives that the control program has obeyed.
-    /// epoch  of the stop: Controller::stop()
+    /// Handles a stop by STOP, Esc or Space. Stops external programs. Also stops Tiller's own program on all
+    /// routes unless a confirmation arrives that the control program has stopped.
+    /// epoch  of the stop, see Controller::stop()
     void stopPrograms(control::StopCause cause, std::uint64_t epoch);
-    /// True if such a stop could be sent at once because its connection is open.
+    /// True if such a stop could be sent immediately because its connection is open.
     bool stopsForeignProgramsAtOnce() const;
     void followForeignStop(const SampleBatch& batch);
     /// Queries the values not available over RTDE about twice a second.
@@ -58,7 +59,7 @@ private:
 
     RobotSession& session_;
     SessionBackend& d_;
-    /// A stop while in control that has not been confirmed yet.
+    /// A stop during control that has not been confirmed yet.
     struct Unconfirmed {
         control::StopCause cause;
         control::StopConfirmation confirmation;
@@ -67,7 +68,7 @@ private:
     std::int64_t reportAskedNs_ = 0;
     bool reportAsked_ = false;
     bool remoteSeen_ = false;   ///< the robot was in Remote control at the last query
-    bool primarySeen_ = false;  ///< its primary interface was connected in the last frame
+    bool primarySeen_ = false;  ///< the primary interface was connected in the last frame
 };
 
 }  // namespace tiller

@@ -28,7 +28,7 @@ QString stopSentence(const control::StopMeasurement& stop) {
         .arg(format::length(stop.distanceMm / 1e3, 1));
 }
 
-/// "C157A1 Collision detected by a joint (elbow)"
+/// Example: "C157A1 Collision detected by a joint (elbow)".
 QString codeTitle(const script::ControllerMessage& message, const CodeWords& words) {
     const QString name = message.codeName() + QLatin1Char(' ');
     if (message.text.isEmpty()) {
@@ -38,7 +38,7 @@ QString codeTitle(const script::ControllerMessage& message, const CodeWords& wor
                        : name + message.text;
 }
 
-/// True for stops caused by the operator: releasing the key, a stop key, or STOP.
+/// True for stops caused by the operator: a released button, a stop key, or STOP.
 bool isOperatorStop(control::StopCause cause) {
     using control::StopCause;
     return cause == StopCause::Released || cause == StopCause::PointerLeft || cause == StopCause::Escape ||
@@ -113,7 +113,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     receiverOptions.clock = d_->clock;
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
     link->stream = link->receiver->subscribe();
-    static_cast<void>(link->receiver->start());  // failures are in its lastError(), which readLink() shows
+    static_cast<void>(link->receiver->start());  // failures are stored in lastError(), which readLink() shows
 
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address.host;
@@ -164,7 +164,7 @@ void RobotSession::disconnectFromRobot() {
     ++d_->generation;
     d_->controlling.cancelAll();
     d_->worker.cancelAll();
-    // Joining the threads of the link takes some tenths of a second, so the worker does it.
+    // Joining the threads of the link takes a few tenths of a second, so this is done by the worker.
     d_->worker.postCleanup([link = std::shared_ptr<RobotLink>(std::move(d_->link))]() mutable {
         link->controller->release();
         link->outputs->disconnect();
@@ -220,7 +220,7 @@ void RobotSession::setMonitorOnly(bool on) {
         return;
     }
     if (on) {
-        outputs_.endPulses();  // the control program that times them is ended
+        outputs_.endPulses();  // ends the control program that times the pulses
         stop(control::StopCause::ControlLost);
         releaseControl();
     }
@@ -421,7 +421,7 @@ void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath
 
 namespace {
 
-/// Starts the path once it has been sent, if it is still held, and then keeps it alive.
+/// Starts the path after it has been sent, if the button is still held, and then keeps it active.
 bool holdPath(RobotLink& link) {
     PathStart& path = link.path;
     if (path.phase == PathStart::Phase::Ready) {
@@ -513,7 +513,7 @@ void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
         link.controller->end(motion, cause);
     } else if (motion == link.path.ticket &&
                (link.path.phase == PathStart::Phase::Sending || link.path.phase == PathStart::Phase::Ready)) {
-        // A path without motion number can only be prevented by a stop.
+        // A path without a motion number can only be prevented by a stop.
         link.controller->stop(cause);
         link.path.phase = PathStart::Phase::Failed;
         link.path.error = {ErrorCode::Stopped, QStringLiteral("start a path"), {}};
@@ -534,7 +534,7 @@ void RobotSession::stop(control::StopCause cause) {
 // -----------------------------------------------------------------------------------------------------
 
 void RobotSession::refresh() {
-    // Moved out of the member for this frame, because a connected slot may process events and so start
+    // Moved out of the member for this frame, because a connected slot may process events and thereby start
     // another frame.
     std::vector<receive::Sample> room = std::move(d_->room);
     const std::uint64_t connection = d_->sample.connection;
@@ -590,7 +590,7 @@ void RobotSession::reportChanges() {
         d_->safetySeen = state.safety();
         const QString obstacle = texts::safetyModeObstacle(state.safety());
         Q_EMIT message(obstacle.isEmpty() ? Severity::Info : Severity::Error,
-                       obstacle.isEmpty() ? tr("Safety is normal again") : obstacle, Origin::Robot);
+                       obstacle.isEmpty() ? tr("Safety mode is Normal again") : obstacle, Origin::Robot);
     }
     if (state.link == LinkState::Live) {
         outputs_.reportSlider();
@@ -644,7 +644,7 @@ void RobotSession::reportControllerMessages() {
             case MessageKind::RequestValue:
                 Q_EMIT message(
                     Severity::Warning,
-                    tr("The program on the robot is waiting for an answer on the teach pendant: %1")
+                    tr("The program on the robot is waiting for a response on the teach pendant: %1")
                         .arg(m.text),
                     Origin::Robot);
                 break;

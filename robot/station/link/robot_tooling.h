@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets TCP and payload of the tool on the robot. The robot must be under control; the next state shows whether it
-// has accepted them. The result is reported by a message.
+// Sets TCP and payload of the tool on the robot. The robot must be under control. The next state shows
+// whether the robot has accepted them. The result is reported by a message.
 
 #include <QCoreApplication>
 #include <QString>
@@ -27,15 +27,15 @@ public:
 
     struct Load {
         double mass = 0;                                   ///< [kg]
-        Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of gravity, from the flange [m]
+        Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of gravity, from the flange [m]
         std::optional<std::array<double, 6>> inertia;      ///< Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2]
     };
 
-    /// Refused while the arm moves, because its speed would refer to a different point.
+    /// Rejected while the arm moves, because its speed would refer to a different point.
     /// tcp   T_flange_tcp [m, rad]
     /// name  for the log
     void setTcp(const Pose& tcp, const QString& name);
-    /// Refused while the arm moves, as setTcp(), because the arm would sag.
+    /// Rejected while the arm moves, because the arm would sag.
     void setPayload(const Load& load, const QString& name);
 
 private:

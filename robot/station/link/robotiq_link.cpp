@@ -22,7 +22,7 @@ constexpr milliseconds kGripperReplyTime{2000};
 constexpr milliseconds kCommandTime{4000};
 constexpr int kActivationMs = 15'000;
 constexpr int kLookEveryMs = 100;
-/// Answers older than this are not used.
+/// Replies that are older than this are not used.
 constexpr int kFreshMs = 1000;
 constexpr std::array kRetryMs = {500, 1000, 2000, 5000};
 
@@ -112,7 +112,7 @@ void RobotiqLink::look() {
             const Result<void> connected = client->isConnected() ? Result<void>() : client->connect(deadline);
             const Look found = connected ? client->look(deadline) : Look(connected.error());
             if (!found) {
-                client->close();  // its replies may be out of order
+                client->close();  // later replies could belong to earlier requests
             }
             return std::function<void()>([this, afterCommand, generation, found] {
                 if (generation == generation_) {
@@ -132,7 +132,7 @@ void RobotiqLink::take(const Look& found, bool afterCommand) {
                "cable at the wrist."));
     } else {
         if (failures_ > 0) {
-            Q_EMIT session_.message(Severity::Info, tr("The gripper answers again"), Origin::Robot);
+            Q_EMIT session_.message(Severity::Info, tr("The gripper responds again"), Origin::Robot);
         }
         failures_ = 0;
         reason_.clear();
@@ -153,11 +153,11 @@ void RobotiqLink::take(const Look& found, bool afterCommand) {
 void RobotiqLink::lose(const QString& reason) {
     state_.reset();
     busy_ = false;
-    next_.reset();  // no earlier command moves the fingers after a reconnection
+    next_.reset();  // earlier commands must not move the fingers after reconnecting
     activating_.reset();
     held_ = false;
     ++failures_;
-    // Logged once per reason; further attempts with the same reason are not repeated.
+    // Each reason is logged once. Further attempts with the same reason are not logged.
     if (reason != reason_) {
         reason_ = reason;
         Q_EMIT session_.message(Severity::Warning, reason);
@@ -173,7 +173,7 @@ void RobotiqLink::note(const io::RobotiqState& now) {
         }
     }
     if (busy_) {
-        return;  // read before the command was sent
+        return;  // the state was read before the command was sent
     }
     if (activating_ && now.activation == RobotiqActivation::Active) {
         activating_.reset();
@@ -194,7 +194,7 @@ void RobotiqLink::note(const io::RobotiqState& now) {
     held_ = now.holds();
 }
 
-// Learns the end positions of the fingers from a full stroke without an object.
+// Determines the end positions of the fingers from a full stroke without an object.
 void RobotiqLink::learnEnds(const io::RobotiqState& now) {
     constexpr int kOpenAtMost = 40;
     constexpr int kClosedAtLeast = 180;
@@ -253,7 +253,7 @@ void RobotiqLink::post(const Command& command) {
     busy_ = true;
     carriedOut_ = false;
     held_ = false;
-    // Not while the command is queued, because another one may replace it.
+    // Not set while the command is queued, because another command may replace it.
     if (command.activates) {
         activating_.emplace().start();
     }
@@ -261,7 +261,7 @@ void RobotiqLink::post(const Command& command) {
         const CancelToken either(
             [token, own = command.token] { return token.isCancelled() || own.isCancelled(); });
         const Deadline deadline = Deadline::after(kCommandTime, either);
-        // Never over a new connection, because the state at the time of the command may have changed.
+        // Do not reconnect to send a command, because the state may have changed since the command was given.
         const Result<void> result = command.token.isCancelled()
                                         ? Error{ErrorCode::Cancelled, command.what, {}}
                                         : command.call(*client, deadline);
@@ -293,13 +293,13 @@ void RobotiqLink::post(const Command& command) {
 QString RobotiqLink::errorText(const Error& error) const {
     switch (error.code) {
         case ErrorCode::ConnectionRefused:
-            return tr("No gripper service answers at %1:%2. Install Robotiq's URCap on the robot and select "
+            return tr("No gripper service responds at %1:%2. Install Robotiq's URCap on the robot and select "
                       "the gripper in its Installation.")
                 .arg(host_)
                 .arg(port_);
         case ErrorCode::Timeout:
             return tr(
-                "The gripper does not answer. Check its cable at the wrist and its page in the robot's "
+                "The gripper does not respond. Check its cable at the wrist and its page in the robot's "
                 "Installation; restart the robot if the problem persists.");
         case ErrorCode::ConnectionClosed:
         case ErrorCode::NotConnected:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The connection of the window to a Robotiq gripper. Its state is queried several times a second, and
-// commands are sent, in a separate thread, so that an unresponsive gripper delays neither the window nor an
-// output. Values that it does not report are shown as unknown, with the reason. Every command and its result
-// is logged.
+// The connection of the window to a Robotiq gripper. A separate thread queries its state several times a
+// second and sends commands, so that an unresponsive gripper delays neither the window nor an output. Values
+// that the gripper does not report are shown as unknown, with the reason. Every command and its result is
+// logged.
 //
-// The gripper is not part of the arm's motion: a stop of the arm does not affect it, and it keeps holding. A
-// gripper command started by a held key is ended with the key, by stop().
+// The gripper is not part of the arm's motion. A stop of the arm does not affect the gripper, which keeps its
+// grip. A gripper command started by a held button is ended by stop() when the button is released.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -33,19 +33,19 @@ public:
     explicit RobotiqLink(RobotSession& session, QObject* parent = nullptr);
     ~RobotiqLink() override;
 
-    /// Connects to the gripper of this controller, and reconnects after a loss. Never blocks.
+    /// Connects to the gripper of this controller, and reconnects after a lost connection. Never blocks.
     void follow(const QString& host, int port, GripperChoice::Model model);
     void leave();
     /// True during the first connection attempt.
     bool isConnecting() const { return client_ != nullptr && !state_ && failures_ == 0; }
 
-    /// Empty while unknown.
+    /// Empty if the state is unknown.
     std::optional<io::RobotiqState> state() const;
-    /// The reason why the state is unknown and the suggested action, as sentences; empty if it is known.
+    /// Reason why the state is unknown and the suggested action, as sentences; empty if it is known.
     QString reason() const;
-    /// The fault with the suggested action; empty without a fault.
+    /// The fault with the suggested action; empty if there is no fault.
     QString faultText() const;
-    /// True while commands have been sent and their effect has not been read back.
+    /// True while the effect of a sent command has not been read back.
     bool isBusy() const { return busy_; }
     /// Converts a position of the gripper to the distance between the fingers [m], and back.
     double opening(int position) const;
@@ -53,12 +53,13 @@ public:
 
     /// Activates the gripper: the fingers open and close once, and a held object is released.
     void activate();
+    /// While a command is being executed, one further command is queued. A later command replaces the queued
+    /// one.
     /// position, speed, force  0 ... 255
-    /// what  for the log: "Gripper: close"
-    /// While a command is being executed, one further command is queued; a newer one replaces it.
-    /// token  cancelled: the command is not sent any more
+    /// what   for the log, e.g. "Gripper: close"
+    /// token  if cancelled, the command is not sent
     void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
-    /// Stops the fingers and discards queued commands; opens a new connection if it was lost.
+    /// Stops the fingers and discards queued commands. Reconnects if the connection was lost.
     void stop(const QString& what);
 
 Q_SIGNALS:
@@ -90,27 +91,27 @@ private:
     QString host_;
     int port_ = 0;
     GripperChoice::Model model_ = GripperChoice::Model::TwoF85;
-    std::uint64_t generation_ = 0;  ///< answers to an older follow() are dropped
+    std::uint64_t generation_ = 0;  ///< replies to an older follow() are ignored
     QTimer lookTimer_;
     bool looking_ = false;
     bool busy_ = false;
-    bool carriedOut_ = false;  ///< the newest command; only a later query shows its effect
+    bool carriedOut_ = false;  ///< the newest command was executed; only a later query shows its effect
     std::optional<Command> next_;
-    int failures_ = 0;  ///< consecutive
+    int failures_ = 0;  ///< number of consecutive failures
     std::optional<io::RobotiqState> state_;
     QElapsedTimer answered_;
     QString reason_;
-    bool held_ = false;  ///< as shown in the log
+    bool held_ = false;  ///< an object is held, as last logged
     io::RobotiqFault logged_ = io::RobotiqFault::None;
-    std::optional<QElapsedTimer> activating_;  ///< since the gripper was commanded
-    // End positions of the fingers in positions of the gripper: typical values until the fingers have reached
-    // the ends.
+    std::optional<QElapsedTimer> activating_;  ///< time since the activation command
+    // End positions of the fingers in units of the gripper. Typical values are used until the fingers have
+    // reached the ends.
     static constexpr int kUsuallyOpen = 3;
     static constexpr int kUsuallyClosed = 230;
     int open_ = kUsuallyOpen;
     int closed_ = kUsuallyClosed;
 
-    SerialExecutor worker_;  // last member: its jobs use the members above
+    SerialExecutor worker_;  // last member, because its jobs use the members above
 };
 
 }  // namespace tiller

@@ -2,7 +2,7 @@
 #pragma once
 
 // All packets that the frame timer fetched from the receiver since the previous frame, for plots and other
-// clients that need the full rate. SessionState is created from the last one, so that all parts of the window
+// clients that need the full rate. SessionState is created from the last packet, so all parts of the window
 // show the same sample.
 
 #include <QMetaType>
@@ -15,7 +15,7 @@ namespace tiller {
 
 struct SampleBatch {
     std::span<const receive::Sample> samples;  ///< oldest first; valid only during the signal
-    std::uint64_t lost = 0;                    ///< lost because the ring buffer was full
+    std::uint64_t lost = 0;                    ///< samples lost because the ring buffer was full
 };
 
 }  // namespace tiller

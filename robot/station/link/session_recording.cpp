@@ -64,7 +64,7 @@ void SessionRecording::start(const RecordingOrder& order) {
             }
         }
     }
-    // File access may be slow, so the file worker opens and closes the file. Meanwhile, samples are kept in
+    // File access may be slow, so the file worker opens and closes the file. Until then, samples are kept in
     // the subscription.
     d_.files.post(&session_, [this, options, extras, &format, robot = d_.address,
                               isCb3 = receiver.version().isCb3(), stream = receiver.subscribe(),

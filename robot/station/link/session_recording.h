@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Records the data of the robot in a file, one row per packet or per n-th packet. All calls return at once; results
-// are shown in SessionState::recording and by messages.
+// Records the robot data in a file, with one row per packet or per n-th packet. All calls return immediately.
+// Results are shown in SessionState::recording and by messages.
 
 #include <QByteArray>
 #include <QCoreApplication>
@@ -35,11 +35,12 @@ public:
     SessionRecording(RobotSession& session, SessionBackend& backend);
 
     void start(const RecordingOrder& order);
-    /// Starts a recording as CSV.
+    /// Starts a recording in CSV format.
     void start(const QString& path, const QStringList& fields = {}) {
         start(RecordingOrder{.path = path, .fields = fields});
     }
-    /// Project stored inside files of formats that support it, from the next recording on; none without a name.
+    /// Sets the project stored in files of formats that support it, from the next recording on. An empty name
+    /// stores no project.
     void setProject(const QString& name, const QByteArray& content);
     void stop();
 
@@ -47,7 +48,7 @@ public:
     void reportFailure();
 
 private:
-    /// Adds a line to the running recording, if any.
+    /// Adds an entry to the current recording, if any.
     void keep(const recording::RecordedNote& note);
 
     RobotSession& session_;

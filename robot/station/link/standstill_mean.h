@@ -2,7 +2,7 @@
 #pragma once
 
 // Mean reading of the force sensor over one second at rest, because a single sample is too noisy. Any
-// movement invalidates it.
+// movement invalidates the result.
 
 #include <optional>
 
@@ -21,11 +21,11 @@ public:
     void begin() { *this = {}; }
     /// Adds the next state.
     Outcome add(const SessionState& state);
-    /// 0 ... 1
+    /// Fraction of the samples collected so far: 0 ... 1.
     double progress() const { return static_cast<double>(count_) / kSamples; }
 
-    /// After Done: the reading at the flange including everything mounted on it, also if the software does
-    /// not report the raw value.
+    /// After Done: the reading at the flange, including everything mounted on it. Also available if the
+    /// software does not report the raw value.
     kinematics::PayloadReading reading() const { return reading_; }
     /// After Done: the remaining force at the TCP after subtracting the payload set on the robot, in the base
     /// frame.

@@ -32,7 +32,7 @@ const QSet<QString>& valueWords() {
     return words;
 }
 
-/// Converts "DI3" to a function call; empty when it is not a terminal label.
+/// Converts "DI3" to a function call. Empty if the text is not a terminal label.
 QString terminalCall(const QString& word) {
     static const QRegularExpression label(QStringLiteral("^([DCT])([IO])([0-7])$|^A([IO])([01])$"));
     const QRegularExpressionMatch match = label.match(word);

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Expressions in steps are one-line URScript, with terminals written by their labels: "DI3 and count < 4",
-// "AI0 > 2.5".
+// Expressions in steps are one-line URScript in which terminals are written by their labels, e.g. "DI3 and
+// count < 4", "AI0 > 2.5".
 
 #include <QString>
 
 namespace tiller::program {
 
 struct Expression {
-    QString script;  ///< URScript; empty when there is an error
-    QString error;   ///< translated; empty: none
+    QString script;  ///< URScript; empty if there is an error
+    QString error;   ///< translated; empty if there is no error
 };
 
-/// Checks brackets, quotes and keywords. Whether the names exist is checked when the script is compiled.
+/// Checks brackets, quotes and keywords. The names are checked when the script is compiled.
 Expression parseExpression(const QString& text);
 
-/// Returns whether each block of a multi-line script has its own `end`, so that the lines can be part of a
+/// Returns whether each block of a multi-line script is closed by `end`, so the lines can be part of a
 /// program.
 bool hasWholeBlocks(const QString& script);
 
-/// Returns whether the name is valid for a variable; `why` is translated. Names that begin with "tiller_" are
-/// reserved.
+/// Returns whether the name is valid for a variable. Names that begin with "tiller_" are reserved.
+/// why  receives the translated reason
 bool isVariableName(const QString& name, QString* why = nullptr);
 
-/// Quotes a text as a URScript string. Line breaks become spaces.
+/// Converts a string to a quoted URScript string. Line breaks become spaces.
 QString scriptString(const QString& text);
-/// Converts a text for a URScript comment: one line of ASCII.
+/// Converts a string for a URScript comment: one line of ASCII.
 QString scriptComment(const QString& text);
-/// Converts any text to ASCII letters, digits and '_', not beginning with a digit.
+/// Converts any string to ASCII letters, digits and '_', not beginning with a digit.
 QString scriptName(const QString& text);
 
 }  // namespace tiller::program

@@ -12,9 +12,9 @@ namespace tiller::program {
 struct ProgramProblem {
     QUuid program;
     QUuid step;      ///< null: the program as a whole
-    int number = 0;  ///< number in the step register; 0: none
+    int number = 0;  ///< number in the step register; 0: no step
     QString field;   ///< key of the field; empty: the step as a whole
-    QString text;    ///< translated, a sentence
+    QString text;    ///< a translated sentence
     friend bool operator==(const ProgramProblem&, const ProgramProblem&) = default;
 };
 

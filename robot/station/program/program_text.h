@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The translation context of all texts about programs.
+// Translation context of all texts about programs.
 
 #include <QCoreApplication>
 

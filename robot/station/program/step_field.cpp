@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "robot/core/typed_number.h"
 #include "robot/station/program/program_text.h"
 
 namespace tiller::program {
@@ -22,19 +24,13 @@ FieldInput fieldInput(const StepField& field, const QString& text) {
     if (field.type != FieldType::Number && field.type != FieldType::Whole) {
         return {text, {}};
     }
-    // Both signs are decimal signs, as in every other field; digits are not grouped.
-    const QString typed =
-        text.trimmed().replace(QChar(0x2212), QLatin1Char('-')).replace(QLatin1Char(','), QLatin1Char('.'));
-    if (typed.isEmpty() && field.optional) {
+    if (text.trimmed().isEmpty() && field.optional) {
         return {};
     }
-    bool isNumber = false;
-    QLocale plain = QLocale::c();
-    plain.setNumberOptions(QLocale::RejectGroupSeparator);
-    double number = plain.toDouble(typed, &isNumber);
-    number /= screenFactor(field.unit);
+    const std::optional<double> typed = typedNumber(text);
+    const double number = typed.value_or(0) / screenFactor(field.unit);
     constexpr double kRounding = 1e-9;
-    if (!isNumber || !(number >= field.minimum - kRounding && number <= field.maximum + kRounding) ||
+    if (!typed || !(number >= field.minimum - kRounding && number <= field.maximum + kRounding) ||
         (field.type == FieldType::Whole && number != std::floor(number))) {
         return {QJsonValue::Undefined, ProgramText::tr("“%1” must be between %2 and %3.")
                                            .arg(field.label, numberText(field.minimum, field.unit),

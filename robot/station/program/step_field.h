@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One field of a step kind: its type, range and unit, and its initial value. The file stores the value under
-// `key`: numbers in SI units, references as ids, channels and choices as words.
+// One field of a step kind: its type, range, unit and initial value. The file stores the value under `key`:
+// numbers in SI units, references as ids, channels and choices as text.
 
 #include <QJsonValue>
 #include <QString>
@@ -20,8 +20,8 @@ enum class FieldType {
     Expression,     ///< URScript, see expression.h
     Variable,       ///< name of a variable set by the step
     DigitalInput,   ///< 0-7 standard, 8-15 configurable, 16-17 tool
-    DigitalOutput,  ///< likewise
-    Group,          ///< of waypoints, by its name
+    DigitalOutput,  ///< 0-7 standard, 8-15 configurable, 16-17 tool
+    Group,          ///< name of a group of waypoints
     // Ids of entities of the project:
     Waypoint,
     Pattern,
@@ -53,31 +53,31 @@ struct StepField {
     const char* key = "";
     QString label;
     FieldType type = FieldType::Text;
-    QJsonValue initial = {};  ///< in a new step, and if missing in the file
-    bool optional = false;    ///< may be omitted, and then has no value
+    QJsonValue initial = {};  ///< value in a new step, and if missing in the file
+    bool optional = false;    ///< the field may be omitted, and then has no value
     Unit unit = Unit::None;
     double minimum = 0;
     double maximum = 0;
     std::vector<Choice> choices = {};
 };
 
-/// A typed text as a value of a field.
+/// Typed text, converted to the value of a field.
 struct FieldInput {
-    QJsonValue value = QJsonValue::Undefined;  ///< undefined: no value
-    QString refusal;                           ///< translated, with the permitted range; empty: accepted
+    QJsonValue value = QJsonValue::Undefined;  ///< undefined if there is no value
+    QString refusal;                           ///< translated, with the permitted range; empty if accepted
 };
-/// For number, text, expression and variable fields. Numbers are in the unit of the screen, with the decimal separator of
-/// the language or a point.
+/// Converts the text of number, text, expression and variable fields. Numbers are in the display unit, with
+/// the decimal separator of the language or a point.
 FieldInput fieldInput(const StepField& field, const QString& text);
-/// The text for an editor: the value in the unit of the screen, without the unit. Empty without a value.
+/// Text for an editor: the value in the display unit, without the unit. Empty if there is no value.
 QString editText(const StepField& field, const QJsonValue& value);
 
-/// "DI 3", "CI 0", "TI 1"; with `output` "DO 3".
+/// Label of a channel, e.g. "DI 3", "CI 0", "TI 1" or, if `output` is true, "DO 3".
 QString channelName(int channel, bool output);
 
 double screenFactor(Unit unit);  ///< Converts an SI value to the display unit.
-QString unitText(Unit unit);     ///< "mm/s"; empty for a dimensionless number.
-/// A number in the display unit: "50 mm/s".
+QString unitText(Unit unit);     ///< e.g. "mm/s"; empty for a dimensionless number
+/// A number with the display unit, e.g. "50 mm/s".
 QString numberText(double value, Unit unit);
 
 }  // namespace tiller::program

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The kinds of steps. Each kind is a file in steps/ and an entry of the table in step_kind.cpp.
+// The kinds of steps. Each kind has a file in steps/ and an entry in the table in step_kind.cpp.
 
 #include <QString>
 #include <span>
@@ -18,29 +18,28 @@ enum class StepGroup { Motion, InputsOutputs, Wait, Tooling, Flow, Variables, Op
 QString groupName(StepGroup group);  ///< Translated.
 
 struct StepKind {
-    const char* id = "";  ///< in the file
+    const char* id = "";  ///< name in the file
     StepGroup group = StepGroup::Structure;
     QString (*name)() = nullptr;  ///< translated
     std::vector<StepField> (*fields)() = nullptr;
-    /// Writes the script of the step and reports problems beyond those of its fields, which are checked
-    /// before.
+    /// Writes the script of the step and reports problems. Its fields are checked beforehand.
     void (*write)(StepWriter& writer) = nullptr;
     bool isSection = false;  ///< contains other steps
     bool moves = false;      ///< moves the arm, so it must not run in parallel
-    bool takesTime = false;  ///< at least one control period
+    bool takesTime = false;  ///< takes at least one control period
     bool isMarker = false;   ///< has no effect on its own: comment, else, case
-    /// Kinds of which one must come directly before it; empty: any.
+    /// Kinds of steps that may directly precede this one; empty: any.
     std::vector<const char*> follows = {};
-    const char* inside = "";  ///< the kind of section that must contain it; empty: any
+    const char* inside = "";  ///< kind of section that must contain this step; empty: any
 };
 
 std::span<const StepKind* const> stepKinds();     ///< All kinds, in the order of the palette.
-const StepKind* findStepKind(const QString& id);  ///< Null for a kind from a newer version.
+const StepKind* findStepKind(const QString& id);  ///< Returns null for a kind of a newer version.
 
-/// Returns a step of that kind with a new id and initial field values.
+/// Returns a step of this kind with a new id and initial field values.
 project::ProgramStep newStep(const StepKind& kind);
 
-/// The value of a field, or its initial value if not set.
+/// The value of a field, or its initial value if it is not set.
 QJsonValue fieldValue(const project::ProgramStep& step, const StepField& field);
 
 }  // namespace tiller::program

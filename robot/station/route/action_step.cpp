@@ -12,9 +12,9 @@ namespace {
 
 using ActionKind = project::WaypointAction::Kind;
 
-/// Robot data older than this are not used [ms].
+/// Robot data that are older than this are not used [ms].
 constexpr double kOldest = 100;
-/// A gripper that takes longer than this has failed [s].
+/// Maximum duration of a gripper motion; a longer motion has failed [s].
 constexpr double kMaxGripTime = 15;
 /// Maximum time until the robot reports a new output level [s].
 constexpr double kMaxConfirmation = 3;
@@ -122,9 +122,8 @@ Result<SequenceStep::State> ActionStep::holdInput() const {
     }
     const QString seconds = QString::number(longestOf(action_), 'g', 6);
     return sentence(
-        (action_.value
-             ? tr("%1 did not switch on within %2 s. Check the connected device, then press again.")
-             : tr("%1 did not switch off within %2 s. Check the connected device, then press again."))
+        (action_.value ? tr("%1 did not switch on within %2 s. Check the connected device, then try again.")
+                       : tr("%1 did not switch off within %2 s. Check the connected device, then try again."))
             .arg(ActionWords::terminal(action_), seconds));
 }
 

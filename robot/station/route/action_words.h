@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Describes the actions at a waypoint in words.
+// Texts for the actions at a waypoint.
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -14,12 +14,13 @@ class ActionWords {
     Q_DECLARE_TR_FUNCTIONS(ActionWords)
 
 public:
-    /// "DO 3 on", "CO 0 on for 0.5 s", "Wait for DI 2 off, at most 10 s", "Wait 2 s", "Close the gripper"
+    /// Examples: "DO 3 on", "CO 0 on for 0.5 s", "Wait for DI 2 off, at most 10 s", "Wait 2 s", "Close the
+    /// gripper".
     static QString of(const project::WaypointAction& action);
     static QStringList of(const project::WaypointActions& actions);
-    /// "Set an output" ...; one entry per kind, in their order.
+    /// One text per kind of action, in the order of the kinds, e.g. "Set an output".
     static QStringList kinds();
-    /// "DO 3", "TI 1": an input if the action waits for one, otherwise an output.
+    /// Label of the terminal, e.g. "DO 3", "TI 1": an input if the action waits for one, otherwise an output.
     static QString terminal(const project::WaypointAction& action);
 };
 

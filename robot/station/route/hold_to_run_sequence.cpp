@@ -58,7 +58,7 @@ bool HoldToRunSequence::hold(HoldMotion::Id id) {
     if (id != id_ || step_ == nullptr) {
         return false;
     }
-    // A stop ends the sequence even between two moves, when there is no motion to stop.
+    // A stop also ends the sequence between two moves, when there is no motion to stop.
     if (stops_() != stopsBefore_) {
         end(id, StopCause::ApiCall);
         return false;
@@ -76,7 +76,7 @@ bool HoldToRunSequence::hold(HoldMotion::Id id) {
     } else {
         step_.reset();
     }
-    // A previous stop is not a failure.
+    // An earlier stop is not a failure.
     if (!goesOn && goesOn.error().code != ErrorCode::Stopped) {
         failed_(goesOn.error());
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A sequence of moves and actions that runs while one key is held. Releasing the key, or any other end of the
-// hold, ends the current step and starts no other. No step starts after a stop, whatever its cause.
+// A sequence of moves and actions that runs while a button is held. When the button is released or the hold
+// ends for any other reason, the current step ends and no further step starts. No step starts after a stop,
+// regardless of its cause.
 
 #include <cstdint>
 #include <functional>
@@ -13,7 +14,7 @@
 
 namespace tiller {
 
-/// One step of a sequence. The object exists from its start to its end.
+/// One step of a sequence. The object exists only while the step runs.
 class SequenceStep {
 public:
     enum class State {
@@ -23,27 +24,27 @@ public:
     };
 
     virtual ~SequenceStep() = default;
-    /// stops  MotionPort::stops at the time of the press
+    /// stops  MotionPort::stops when the button was pressed
     virtual Result<void> begin(std::uint64_t stops) = 0;
-    /// Keeps the step alive; call at least every 100 ms.
+    /// Keeps the step active. Call at least every 100 ms.
     virtual Result<State> hold() = 0;
-    /// Ends the step early: nothing of it continues afterwards.
+    /// Ends the step early. No part of the step continues afterwards.
     virtual void end(control::StopCause cause) = 0;
 };
 
 class HoldToRunSequence {
 public:
-    /// Returns the next step; null after the last. An error ends the sequence.
+    /// Returns the next step, or null after the last. An error ends the sequence.
     using Next = std::function<Result<std::unique_ptr<SequenceStep>>()>;
     /// Receives the error when the sequence ends early, except after a stop.
     using Failed = std::function<void(const Error&)>;
 
-    /// stops  number of stops so far: MotionPort::stops
+    /// stops  returns the number of stops so far, as MotionPort::stops
     HoldToRunSequence(std::function<std::uint64_t()> stops, Next next, Failed failed);
     ~HoldToRunSequence();
 
-    /// The motion for the key.
-    /// bounds  queried after the first step has started
+    /// The motion for the button.
+    /// bounds  called after the first step has started
     HoldMotion motion(std::function<HoldBounds()> bounds);
     bool isActive() const { return step_ != nullptr; }
 
@@ -51,7 +52,7 @@ private:
     Result<HoldMotion::Id> begin();
     bool hold(HoldMotion::Id id);
     void end(HoldMotion::Id id, control::StopCause cause);
-    /// Returns  false when there is no next step, or it could not start
+    /// Returns false if there is no next step or it could not start.
     Result<bool> beginNext();
 
     std::function<std::uint64_t()> stops_;
@@ -62,10 +63,10 @@ private:
     std::uint64_t stopsBefore_ = 0;
 };
 
-/// A motion: one move, or several blended into each other.
+/// A motion that consists of one move, or of several moves blended into each other.
 class MoveStep : public SequenceStep {
 public:
-    /// told  receives the index of the current move, from 0, whenever it changes
+    /// told  called with the index of the current move, from 0, whenever the index changes
     MoveStep(const MotionPort& port, MoveRequest move, std::function<void(int)> told);
     MoveStep(const MotionPort& port, control::MotionPath path, std::function<void(int)> told);
 

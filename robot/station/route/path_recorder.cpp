@@ -19,7 +19,7 @@
 namespace tiller {
 namespace {
 
-/// A pause during teaching must not create a waypoint with a very low speed [rad/s].
+/// Minimum speed, so that a pause during teaching does not create a waypoint with a very low speed [rad/s].
 const double kSlowest = toRadians(2);
 
 /// Smaller changes count as standstill [rad].
@@ -107,7 +107,7 @@ void PathRecorder::take(const SampleBatch& batch) {
     lost_ += batch.lost;
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
-        // After a restart of the controller its clock starts again, so this is a new motion.
+        // After a restart, the clock of the controller starts again, so this is a new motion.
         if (shown_.size() > 0 && robot.timestamp() <= shown_.times.back()) {
             if (robot.timestamp() < shown_.times.back() - 1) {
                 Q_EMIT ended();
@@ -143,7 +143,7 @@ void PathRecorder::stop(int afterRow) {
 
 void PathRecorder::importFrom(const QString& path, int afterRow) {
     if (recording_ || busy_) {
-        Q_EMIT refused(tr("Import refused: a path is being recorded. Stop that recording first."), {});
+        Q_EMIT refused(tr("Import refused: a path is being recorded. Stop recording first."), {});
         return;
     }
     busy_ = true;
@@ -260,7 +260,7 @@ Result<void> PathRecorder::exportTo(const QString& path, const QList<int>& rows)
                                                  kinematics::forwardTcp(dh, q, point.tcpOffset)) /
                           point.toolSpeed;
             }
-            // Equal positions still need increasing times.
+            // The times must increase even if two positions are equal.
             time = places.back().time + std::max(seconds, kExportPeriod);
         }
         places.push_back({time, q});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "Record path": records the motion of the arm, guided by hand or jogged, between two presses of the button,
-// and reduces it to waypoints within a given tolerance. Recording does not move the arm. Also imports and
-// exports demonstrations.
+// Implements "Record path": records the motion of the arm, guided by hand or jogged, between two presses of
+// the button, and reduces it to waypoints within a given tolerance. Recording does not move the arm. Also
+// imports and exports demonstrations.
 
 #include <QObject>
 #include <memory>
@@ -28,13 +28,13 @@ public:
     bool isRecording() const { return recording_; }
     /// Duration of the current recording [s].
     double seconds() const;
-    /// True while a recording or imported file is being reduced.
+    /// True while a recording or an imported file is being reduced.
     bool isBusy() const { return busy_; }
 
     const project::PathTolerance& tolerance() const { return tolerance_; }
     void setTolerance(const project::PathTolerance& tolerance) { tolerance_ = tolerance; }
 
-    /// Without data, emits refused() with the reason.
+    /// Starts a recording. Emits refused() with the reason if there are no data from the robot.
     void start();
     /// Adds the recorded path after this row (-1: at the end).
     void stop(int afterRow);
@@ -42,8 +42,9 @@ public:
     void abandon();
     /// Imports a demonstration and adds it after this row.
     void importFrom(const QString& path, int afterRow);
-    /// Exports the path through these rows as a demonstration: linear in joint space, with their speeds.
-    /// Errors  InvalidArgument (fewer than two rows, an unreachable one), FileNotWritable, DiskFull
+    /// Exports the path through these rows as a demonstration: linear in joint space, at the speeds of the
+    /// waypoints.
+    /// Errors  InvalidArgument (fewer than two rows, or an unreachable waypoint), FileNotWritable, DiskFull
     Result<void> exportTo(const QString& path, const QList<int>& rows) const;
 
     /// Maximum duration of a recording [s].
@@ -52,13 +53,14 @@ public:
     static constexpr double kExportPeriod = 0.008;
 
 Q_SIGNALS:
-    /// isRecording(), seconds() or isBusy() has changed.
+    /// Emitted when isRecording(), seconds() or isBusy() has changed.
     void changed();
-    /// The recording ended: no more data, or maximum duration. Call stop() to keep it.
+    /// The recording ended because there are no more data or the maximum duration was reached. Call stop() to
+    /// keep it.
     void ended();
-    /// A path was added; `text` describes the recording and the result.
+    /// A path was added. `summary` describes the recording and the result.
     void kept(const QString& summary);
-    /// No path was added; carries the reason.
+    /// No path was added, for the given reason.
     void refused(const QString& reason, const QString& details);
 
 private:
@@ -76,7 +78,7 @@ private:
     bool busy_ = false;
     std::uint64_t lost_ = 0;
     int shownSecond_ = -1;
-    SerialExecutor worker_;  // last member: its jobs use the members above
+    SerialExecutor worker_;  // last member, because its jobs use the members above
 };
 
 }  // namespace tiller

@@ -25,14 +25,14 @@ PathWatch::PathWatch(const ProjectDocument& document, Permits permits, QObject* 
 }
 
 void PathWatch::setState(const SessionState& state) {
-    // Without data there is no position and no check.
+    // Without data, the position is unknown and nothing can be checked.
     const auto check = state.hasData() ? state.check : nullptr;
     if (check != lookedWith_ || (state.q.values - lookedFrom_.values).cwiseAbs().maxCoeff() > kSamePosition) {
         lookedWith_ = check;
         lookedFrom_ = state.q;
         isOutdated_ = true;
     }
-    // While the arm moves, results would be outdated immediately.
+    // While the arm moves, the results would be outdated immediately.
     if (isOutdated_ && !state.moving) {
         isOutdated_ = false;
         lookAgain();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks for each waypoint whether the arm may move to it from its current position, a few waypoints per
-// frame, so that no frame has to wait for all of them.
+// Checks for each waypoint whether the arm may move to it from its current position. Only a few waypoints are
+// checked per frame, so that the check does not delay a frame.
 
 #include <QObject>
 #include <QTimer>
@@ -21,16 +21,16 @@ class PathWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// Returns an error if Go to would be refused for this row.
+    /// Returns an error if "Go to" would be refused for this row.
     using Permits = std::function<Result<void>(int row)>;
-    /// Both must outlive the object.
+    /// Both arguments must outlive the object.
     PathWatch(const ProjectDocument& document, Permits permits, QObject* parent = nullptr);
 
     void setState(const SessionState& state);
 
 Q_SIGNALS:
     /// A waypoint was checked.
-    /// limit  the reason why the move would be refused, as a sentence; empty if it is allowed
+    /// limit  reason why the move would be refused, as a sentence; empty if the move is allowed
     void looked(const QUuid& waypoint, const QString& limit);
 
 private:
@@ -43,7 +43,7 @@ private:
     JointPositions lookedFrom_;
     std::shared_ptr<const collision::CollisionCheck> lookedWith_;
     bool isOutdated_ = false;
-    int next_ = 0;  ///< the next row
+    int next_ = 0;  ///< row to check next
     int left_ = 0;  ///< number of rows still to check
 };
 

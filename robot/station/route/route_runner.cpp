@@ -13,7 +13,7 @@
 namespace tiller {
 namespace {
 
-/// Two blends must not overlap: each ends before the middle of the segment [fraction].
+/// Two blends must not overlap, so each blend ends before the middle of the segment [fraction].
 constexpr double kBlendShare = 0.49;
 /// Smaller blends are ignored [m].
 constexpr double kMinBlend = 1e-4;
@@ -76,7 +76,7 @@ HoldMotion RouteRunner::motion(Way way) {
         }
         return begin();
     };
-    // When the motion ends for any reason, no action is active.
+    // No action is active after the motion has ended for any reason.
     motion.hold = [this, hold = std::move(motion.hold)](HoldMotion::Id id) {
         const bool alive = hold(id);
         if (!alive) {
@@ -163,9 +163,9 @@ QString RouteRunner::obstacle(Way way) const {
     }
     if (way == Way::Through && route_.isLoop() && route_.size() == 1 && rowOf(0) >= 0 &&
         document_.waypoints().at(rowOf(0)).actions.empty()) {
-        return tr("A loop needs at least two waypoints. Select more waypoints, or turn the loop off.");
+        return tr("A loop requires at least two waypoints. Select more waypoints, or turn the loop off.");
     }
-    // A route that cannot be completed is not started.
+    // Do not start a route that cannot be completed.
     const bool whole = way == Way::Through && route_.isLoop();
     for (int place = whole ? 0 : *first; place <= lastPlace(way); ++place) {
         const int row = rowOf(place);
@@ -183,7 +183,7 @@ int RouteRunner::lastPlace(Way way) const {
     return way == Way::Through ? route_.size() - 1 : firstPlace(way).value_or(-1);
 }
 
-/// The gripper may change at any time, so it is checked only at the press.
+/// The gripper may change at any time, so it is only checked when the button is pressed.
 QString RouteRunner::actionObstacle(Way way) const {
     if (way == Way::StepBack) {
         return {};
@@ -200,8 +200,8 @@ QString RouteRunner::actionObstacle(Way way) const {
     return {};
 }
 
-/// A route that leads into a collision is not started. Moves beyond those examined here are checked when they
-/// start.
+/// Prevents the start of a route that leads to a collision. Moves beyond those examined here are checked when
+/// they start.
 Result<void> RouteRunner::permits(Way way) const {
     std::vector<MoveRequest> moves;
     SessionState from = state_;
@@ -217,7 +217,7 @@ Result<void> RouteRunner::permits(Way way) const {
     return port_.permits ? port_.permits(moves) : Result<void>();
 }
 
-/// The waypoints from `place` on that are passed without a stop.
+/// The waypoints from `place` on that the arm passes without stopping.
 QVector<int> RouteRunner::legFrom(int place, Way way) const {
     QVector<int> leg{place};
     while (way == Way::Through && leg.last() + 1 < route_.size() &&
@@ -331,10 +331,10 @@ void RouteRunner::finishStep(Way way) {
     Q_EMIT routeChanged();
 }
 
-/// The next action of the waypoint that the arm has reached; null when all are done.
+/// The next action of the waypoint that the arm has reached, or null if all actions are done.
 const project::WaypointAction* RouteRunner::nextAction() {
     const project::WaypointActions& all = document_.waypoints().at(rowOf(*route_.coming())).actions;
-    // After an edit of the actions, all of them are executed again.
+    // If the actions were edited, all of them are executed again.
     if (done_.size() > all.size() || !std::equal(done_.begin(), done_.end(), all.begin())) {
         done_.clear();
     }
@@ -412,7 +412,7 @@ HoldBounds RouteRunner::bounds(Way way) const {
     bounds.holdTimeoutNs = HoldBounds::holdTimeoutAt(linear, angular);
     // A loop has no maximum duration.
     if (way != Way::Through || !route_.isLoop()) {
-        // The remaining moves may take up to twice as long as the examined ones.
+        // The remaining moves may take up to twice as long as the examined moves.
         const int others = std::max(0, last - *first + 1 - looked);
         bounds.longestNs = HoldBounds::longestOf(
             acting + (looked == 0 ? 0 : seconds * (1 + 2.0 * static_cast<double>(others) / looked)));

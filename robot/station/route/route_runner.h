@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// "Run route": moves through the waypoints of a route while a button is held, each with its move type, its speed
-// (limited by the selected one), and its blend. Releasing the button pauses: the next press continues to the next
-// waypoint, and two more buttons move one waypoint forward or back. Waypoints with a blend are combined into one
-// path of the controller; where the arm stops anyway or an action is executed, each segment is a separate move.
+// Implements "Run route": moves through the waypoints of a route while a button is held. Each move has the
+// move type, the speed (limited by the selected one), and the blend of its waypoint. Releasing the button
+// pauses the route, and the next press continues to the next waypoint. Two more buttons move one waypoint
+// forward or back. Waypoints with a blend are combined into one path of the controller. At waypoints where
+// the arm stops or an action is executed, a separate move begins.
 //
-// Actions of a waypoint are executed on arrival in forward direction, not backwards. If the button is released
-// during an action, the next press moves the arm back to the waypoint if necessary, and restarts the incomplete
+// Actions of a waypoint are executed on arrival in forward direction only. If the button is released during
+// an action, the next press moves the arm back to the waypoint if necessary, and restarts the incomplete
 // action.
 
 #include <QObject>
@@ -32,8 +33,8 @@ public:
     enum class Way { Through, StepOn, StepBack };
 
     /// All references must outlive the object.
-    /// state      the current state of the arm
-    /// heldSpeed  maximum speed of every move, queried for each
+    /// state      must always contain the current state of the arm
+    /// heldSpeed  returns the maximum speed; called for every move
     RouteRunner(const MotionPort& port, const ActionPort& actions, const ProjectDocument& document,
                 const SessionState& state, const std::function<HeldSpeed()>& heldSpeed,
                 QObject* parent = nullptr);
@@ -41,25 +42,25 @@ public:
 
     /// Sets the waypoint rows to run and restarts the route.
     void setRows(const QVector<int>& rows);
-    /// After an edit of the document: sets the rows and keeps the next waypoint.
+    /// Call after an edit of the document. Sets the rows and keeps the next waypoint.
     void followRows(const QVector<int>& rows);
     void setLoop(bool loop);
     const WaypointRoute& route() const { return route_; }
     /// True from the first step until a restart.
     bool isUnderWay() const { return route_.isUnderWay(); }
-    /// Row of the next waypoint; -1 after the last.
+    /// Row of the next waypoint; -1 after the last one.
     int comingRow() const;
-    /// The action being executed; null for none.
+    /// The action being executed, or null.
     const project::WaypointAction* acting() const;
 
-    /// The motion for a button.
+    /// The hold-to-run motion for the button of this direction.
     HoldMotion motion(Way way);
-    /// The reason why the route does not allow this direction, as a sentence; empty if it does. Independent of the
-    /// robot.
+    /// Reason why the route does not allow this direction, as a sentence; empty if it does. Does not depend
+    /// on the robot.
     QString obstacle(Way way) const;
     /// Text for an error at the start or during the motion.
     static QString whyNot(const Error& error);
-    /// The move that a press would start, or the current one.
+    /// The move that a button press would start, or the current one.
     Result<MoveRequest> firstMove(Way way) const;
 
 Q_SIGNALS:
@@ -88,7 +89,7 @@ private:
     control::MotionPath pathOf(const QVector<int>& leg, const std::vector<MoveRequest>& moves) const;
     HoldBounds bounds(Way way) const;
     void headFor(int place, Way way);
-    /// -1 if it was removed.
+    /// Returns -1 if the waypoint was removed.
     int rowOf(int place) const;
     QVector<QUuid> idsOf(const QVector<int>& rows) const;
 
@@ -98,10 +99,10 @@ private:
     const SessionState& state_;
     const std::function<HeldSpeed()>& heldSpeed_;
     WaypointRoute route_;
-    QVector<int> rows_;              ///< of the waypoints of the route
+    QVector<int> rows_;              ///< rows of the waypoints of the route
     QVector<int> leg_;               ///< the waypoints of the current segment
-    int legs_ = 0;                   ///< segments started since the press
-    QUuid actingAt_;                 ///< the reached waypoint, while its actions are incomplete
+    int legs_ = 0;                   ///< segments started since the button was pressed
+    QUuid actingAt_;                 ///< last reached waypoint while its actions are incomplete
     project::WaypointActions done_;  ///< completed actions
     std::optional<project::WaypointAction> acting_;
     HoldToRunSequence through_;

@@ -10,7 +10,7 @@ namespace tiller {
 
 /// from       current position of the arm
 /// tcpOffset  of the active TCP
-/// limits     TCP and elbow not faster than tcpSpeed, no joint faster than jointSpeed
+/// limits     maximum speeds: tcpSpeed for TCP and elbow, jointSpeed for all joints
 /// Errors     NoSolution, as text for the operator
 Result<MoveRequest> moveRequestFor(const RobotModel& model, const project::Waypoint& waypoint,
                                    const project::FrameList& frames, const JointPositions& from,

@@ -56,7 +56,7 @@ std::optional<int> WaypointRoute::previous(int place) const {
     if (place > 0) {
         return place - 1;
     }
-    // Before the first round of a loop, no waypoint has been passed.
+    // In the first round of a loop, no waypoint precedes the first one.
     return loop_ && cameRound_ ? std::optional(size() - 1) : std::nullopt;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The waypoints of "Run route" in their order, and the progress along them: the next waypoint forward and
-// the next one back. Indices count from 0. This class only keeps the state; it moves nothing.
+// The waypoints of "Run route" in their order, and the progress along them: the next waypoint forward and the
+// next one back. Indices count from 0. This class only keeps the state and does not move the arm.
 
 #include <QUuid>
 #include <QVector>
@@ -12,29 +12,30 @@ namespace tiller {
 
 class WaypointRoute {
 public:
-    /// Restarts before the first waypoint.
+    /// Sets the waypoints and restarts before the first one.
     void setWaypoints(const QVector<QUuid>& ids);
-    /// After an edit of the list: keeps the next waypoint; restarts the route if it was removed.
+    /// Call after an edit of the list. Keeps the next waypoint, or restarts the route if this waypoint was
+    /// removed.
     void follow(const QVector<QUuid>& ids);
-    /// The first waypoint follows the last one.
+    /// If true, the first waypoint follows the last one.
     void setLoop(bool loop);
     bool isLoop() const { return loop_; }
 
     int size() const { return static_cast<int>(ids_.size()); }
     QUuid at(int place) const { return ids_.value(place); }
-    /// Target of a step forward; nothing after the last.
+    /// Target of a step forward; empty after the last waypoint.
     std::optional<int> coming() const;
-    /// Target of a step back; nothing before the first.
+    /// Target of a step back; empty before the first waypoint.
     std::optional<int> before() const;
-    /// True after a waypoint was passed, until the restart.
+    /// True from the first passed waypoint until a restart.
     bool isUnderWay() const { return underWay_; }
     /// True after the last waypoint.
     bool isDone() const { return underWay_ && !coming(); }
 
-    /// The arm is on its way to the waypoint.
+    /// Call when the arm starts to move to the waypoint.
     void headOnTo(int place);
     void headBackTo(int place);
-    /// The arm has reached the waypoint.
+    /// Call when the arm has reached the waypoint.
     void reach(int place);
     void restartRoute();
 
@@ -45,7 +46,7 @@ private:
     QVector<QUuid> ids_;
     bool loop_ = false;
     bool underWay_ = false;
-    bool cameRound_ = false;  ///< passed from the last waypoint to the first at least once
+    bool cameRound_ = false;  ///< moved from the last waypoint to the first at least once
     std::optional<int> on_;
     std::optional<int> back_;
 };

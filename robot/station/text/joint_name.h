@@ -5,7 +5,7 @@
 
 namespace tiller {
 
-/// "Shoulder", in the operator's language.
+/// Name of a joint in the operator's language, e.g. "Shoulder".
 /// joint    0 (base) ... 5 (wrist 3)
 /// Threads  any
 QString jointName(int joint);

@@ -14,7 +14,7 @@ struct Row {
     const char* advice;
 };
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct ModeWordsText {
     Q_DECLARE_TR_FUNCTIONS(ModeWords)
 };
@@ -41,18 +41,19 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::PowerOff, QT_TRANSLATE_NOOP("ModeWords", "Power off"),
      QT_TRANSLATE_NOOP("ModeWords", "The arm is powered off. Power it on.")},
     {RobotMode::PowerOn, QT_TRANSLATE_NOOP("ModeWords", "Power on"),
-     QT_TRANSLATE_NOOP("ModeWords", "The arm is powered and initializing. Wait a moment.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The arm is powered on and initializing. Wait a moment.")},
     {RobotMode::Idle, QT_TRANSLATE_NOOP("ModeWords", "Idle"),
      QT_TRANSLATE_NOOP("ModeWords", "The brakes are on. Release them.")},
     {RobotMode::Backdrive, QT_TRANSLATE_NOOP("ModeWords", "Backdrive"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "The arm is being moved by hand with brakes released. Release the Freedrive button.")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords",
+         "The arm is being moved by hand with its brakes released. Release the Freedrive button.")},
     {RobotMode::Running, QT_TRANSLATE_NOOP("ModeWords", "Running"),
      QT_TRANSLATE_NOOP("ModeWords", "Brakes are released. The arm is at standstill.")},
     {RobotMode::UpdatingFirmware, QT_TRANSLATE_NOOP("ModeWords", "Updating firmware"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The joints' firmware is being updated. Keep the power on until the update is complete.")},
+         "The joints' firmware is being updated. Do not switch off the power until the update is complete.")},
 });
 
 constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
@@ -61,8 +62,9 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::Reduced, QT_TRANSLATE_NOOP("ModeWords", "Reduced"),
      QT_TRANSLATE_NOOP("ModeWords", "The reduced safety limits are active.")},
     {SafetyMode::ProtectiveStop, QT_TRANSLATE_NOOP("ModeWords", "Protective stop"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "The controller stopped the arm. Find out what stopped it, then unlock (after 5 s).")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords",
+         "The controller stopped the arm. Find out what stopped it, then unlock it (after 5 s).")},
     {SafetyMode::Recovery, QT_TRANSLATE_NOOP("ModeWords", "Recovery"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -101,7 +103,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
      QT_TRANSLATE_NOOP("ModeWords", "The enabling device is not held. Hold it in its middle position.")},
     {SafetyMode::TpThreePositionEnablingStop, QT_TRANSLATE_NOOP("ModeWords", "Pendant enabling stop"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "The pendant's enabling key is not held. Hold it in its middle position.")},
+                       "The pendant's enabling button is not held. Hold it in its middle position.")},
     {SafetyMode::ImmiEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "IMMI emergency stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -117,19 +119,20 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
      QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe automatic stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The PROFIsafe controller holds the safeguard of automatic mode open. Close it there.")},
+         "The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.")},
     {SafetyMode::ProfisafeSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe safeguard stop"),
-     QT_TRANSLATE_NOOP("ModeWords", "The PROFIsafe controller holds a safeguard open. Close it there.")},
+     QT_TRANSLATE_NOOP("ModeWords",
+                       "The PROFIsafe controller requests a safeguard stop. Clear the request there.")},
     {SafetyMode::ProfisafeEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe emergency stop"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "The PROFIsafe controller requests an emergency stop. Release it there, then power on "
-                       "and release the brakes.")},
+                       "The PROFIsafe controller requests an emergency stop. Clear the request there, then "
+                       "power on and release the brakes.")},
     {SafetyMode::SafetyApiSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Safety API stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords", "A program stops the arm through the safety interface. End the stop in that program.")},
     {kIoPlaneStop, QT_TRANSLATE_NOOP("ModeWords", "I/O plane stop"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "The tool crossed a safety plane that is enabled by an input. Move it out with the "
+                       "The tool crossed a safety plane that is enabled by an input. Move it back with the "
                        "teach pendant, or switch the input off.")},
 });
 
@@ -137,14 +140,14 @@ constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
     {RuntimeState::Stopping, QT_TRANSLATE_NOOP("ModeWords", "Program stopping"),
      QT_TRANSLATE_NOOP("ModeWords", "The program on the robot is ending.")},
     {RuntimeState::Stopped, QT_TRANSLATE_NOOP("ModeWords", "No program"),
-     QT_TRANSLATE_NOOP("ModeWords", "No program runs on the robot.")},
+     QT_TRANSLATE_NOOP("ModeWords", "No program is running on the robot.")},
     {RuntimeState::Playing, QT_TRANSLATE_NOOP("ModeWords", "Program running"),
-     QT_TRANSLATE_NOOP("ModeWords", "A program runs on the robot and may move the arm.")},
+     QT_TRANSLATE_NOOP("ModeWords", "A program is running on the robot and may move the arm.")},
     {RuntimeState::Pausing, QT_TRANSLATE_NOOP("ModeWords", "Program pausing"),
      QT_TRANSLATE_NOOP("ModeWords", "The program is pausing.")},
     {RuntimeState::Paused, QT_TRANSLATE_NOOP("ModeWords", "Program paused"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "Play continues the interrupted motion. Stop the program to discard it.")},
+                       "Press Play to continue the interrupted motion, or stop the program to discard it.")},
     {RuntimeState::Resuming, QT_TRANSLATE_NOOP("ModeWords", "Program resuming"),
      QT_TRANSLATE_NOOP("ModeWords", "The program is resuming: the arm may move.")},
 });
@@ -179,7 +182,7 @@ ModeWords runtimeWords(RuntimeState state) {
 
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status) {
     if (status == SafetyMode::Undefined) {
-        return mode;  // not available in software before 3.10 and 5.4
+        return mode;  // `status` is not available in software before 3.10 and 5.4
     }
     return allowsMotion(status) && !allowsMotion(mode) ? mode : status;
 }

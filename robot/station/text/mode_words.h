@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Names of the controller modes on screen, and the suggested action: one table per enumeration, so that every
-// mode has a text and no two share one.
+// Display names of the controller modes, and the suggested actions. There is one table per enumeration, so
+// every mode has its own text.
 
 #include <QString>
 
@@ -11,7 +11,7 @@
 namespace tiller {
 
 struct ModeWords {
-    QString text;    ///< a few words: "Protective stop"
+    QString text;    ///< a short name, e.g. "Protective stop"
     QString advice;  ///< meaning and next step, as sentences
 };
 
@@ -19,8 +19,8 @@ ModeWords robotModeWords(RobotMode mode);
 ModeWords safetyWords(SafetyStatus status);
 ModeWords runtimeWords(RuntimeState state);
 
-/// Selects which of the two safety values of a controller to show. The status distinguishes causes; if the
-/// two disagree about whether the arm may move, the one that forbids motion takes precedence.
+/// Selects which of the two safety values of a controller to show. The status distinguishes causes. If only
+/// one of the two values permits motion, the one that forbids it takes precedence.
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status);
 
 }  // namespace tiller

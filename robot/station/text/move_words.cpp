@@ -22,8 +22,8 @@ public:
         const QString share = format::percent(limit.share);
         if (limit.isInside) {
             return limit.contact.distance <= collision::kTouching
-                       ? tr("%1 is in contact with %2, and the move brings it closer").arg(part, other)
-                       : tr("%1 is only %2 from %3, and the move brings it closer")
+                       ? tr("%1 is in contact with %2, and the move reduces the distance").arg(part, other)
+                       : tr("%1 is only %2 from %3, and the move reduces the distance")
                              .arg(part, format::shortLength(contact.distance), other);
         }
         return contact.distance <= collision::kTouching
@@ -57,13 +57,13 @@ public:
         switch (limit.singular) {
             case Singular::Wrist:
                 return ends ? tr("The path enters the wrist singularity after %1 of its length").arg(share)
-                            : tr("Slow near the wrist singularity at %1 of the path").arg(share);
+                            : tr("Slows down near the wrist singularity at %1 of the path").arg(share);
             case Singular::Elbow:
                 return ends ? tr("The path enters the elbow singularity after %1 of its length").arg(share)
-                            : tr("Slow near the elbow singularity at %1 of the path").arg(share);
+                            : tr("Slows down near the elbow singularity at %1 of the path").arg(share);
             case Singular::Shoulder:
                 return ends ? tr("The path enters the shoulder singularity after %1 of its length").arg(share)
-                            : tr("Slow near the shoulder singularity at %1 of the path").arg(share);
+                            : tr("Slows down near the shoulder singularity at %1 of the path").arg(share);
             case Singular::None:
                 break;
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Formats lengths, speeds and rotations in the units chosen by the operator. All values are SI internally;
-// only this file applies the choice.
+// Formats lengths, speeds and rotations in the units chosen by the operator. All internal values are in SI
+// units; the choice is only applied in this file.
 
 #include <Eigen/Core>
 #include <QString>
@@ -24,7 +24,7 @@ struct Notation {
     LengthUnit length = LengthUnit::Millimetres;
     RotationNotation rotation = RotationNotation::RollPitchYaw;
 
-    /// The notation set last.
+    /// The notation passed to the last setNotation().
     /// Threads  GUI
     static Notation current();
     friend bool operator==(const Notation&, const Notation&) = default;
@@ -36,38 +36,39 @@ void setNotation(QCoreApplication& application, const Notation& notation);
 
 namespace format {
 
-/// metres -> "200.00 mm" or "7.874 in"
-/// digits  of the millimetres; inches get one more
+/// Example: "200.00 mm" or "7.874 in" for 0.2.
+/// digits  for millimetres; inches have one more
 QString length(double metres, int digits = 2);
-/// As above without the unit, optionally with a plus sign.
+/// Like length(), without the unit and optionally with a plus sign.
 QString lengthNumber(double metres, int digits, bool withSign);
-/// With as few digits as needed: "10 mm", "0.05 mm", "0.39 in".
+/// Like length(), with as few digits as possible: "10 mm", "0.05 mm", "0.39 in".
 QString shortLength(double metres);
 QString shortLengthNumber(double metres);
-/// "mm", "in"
+/// "mm" or "in".
 QString lengthUnit();
-/// One displayed unit of length [m]: 0.001 or 0.0254. Entered value times this is metres.
+/// Length of one display unit [m]: 0.001 or 0.0254. Multiply an entered value by this factor to convert it to
+/// metres.
 double metresPerUnit();
 
-/// metres per second -> "250 mm/s" or "9.84 in/s"
+/// Example: "250 mm/s" or "9.84 in/s" for 0.25.
 QString speed(double metresPerSecond);
 QString speedNumber(double metresPerSecond);
-/// "mm/s", "in/s"
+/// "mm/s" or "in/s".
 QString speedUnit();
 
 /// rotationVector  [rad]
-/// Returns         three numbers with unit: "179.94°" or "3.1406"
+/// Returns         three numbers with unit, e.g. "179.94°" or "3.1406"
 std::array<QString, 3> rotation(const Eigen::Vector3d& rotationVector);
-/// As rotation(), with the unit after the last number only.
+/// Like rotation(), with the unit after the last number only.
 std::array<QString, 3> rotationNumbers(const Eigen::Vector3d& rotationVector);
 
-/// "X 120.00 Y 80.00 Z 150.00 mm"
+/// Example: "X 120.00 Y 80.00 Z 150.00 mm".
 QString position(const Eigen::Vector3d& metres);
-/// "X 120.00 Y 80.00 Z 150.00 mm RX 180.00 RY 0.00 RZ 0.00°"
+/// Example: "X 120.00 Y 80.00 Z 150.00 mm RX 180.00 RY 0.00 RZ 0.00°".
 QString pose(const Pose& pose);
-/// Distance between two poses: "61.2 mm, 4.1°"
+/// Distance between two poses, e.g. "61.2 mm, 4.1°".
 QString difference(double metres, double radians);
-/// Difference between two positions: "ΔX +1.20 ΔY 0.00 ΔZ −3.00 mm"
+/// Difference between two positions, e.g. "ΔX +1.20 ΔY 0.00 ΔZ −3.00 mm".
 QString shift(const Eigen::Vector3d& metres);
 
 }  // namespace format

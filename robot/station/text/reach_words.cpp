@@ -6,7 +6,7 @@
 namespace tiller {
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct WaypointModelText {
     Q_DECLARE_TR_FUNCTIONS(tiller::WaypointModel)
 };

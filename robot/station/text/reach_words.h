@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The reason why the arm cannot reach a waypoint, as a short label and as a sentence.
+// Texts that explain why the arm cannot reach a waypoint, as a short label and as a sentence.
 
 #include <QString>
 
@@ -9,7 +9,7 @@
 
 namespace tiller {
 
-/// "✓", "✕ reach", "✕ joint", "✕ frame", "✕ line", "✕ arm".
+/// Short label: "✓", "✕ reach", "✕ joint", "✕ frame", "✕ line" or "✕ arm".
 QString reachText(const project::Reach& reach);
 /// A sentence that ends with the suggested action; empty if the waypoint can be reached.
 QString reachAdvice(const project::Reach& reach);

@@ -8,7 +8,7 @@
 namespace tiller::texts {
 namespace {
 
-/// Translation context of this file, found by lupdate.
+/// Translation context of this file for lupdate.
 struct TextsText {
     Q_DECLARE_TR_FUNCTIONS(Texts)
 };
@@ -31,7 +31,7 @@ QString advice(ErrorCode code) {
                 "The robot closed the connection: it may be restarting, or it was switched between Local and "
                 "Remote.");
         case ErrorCode::Timeout:
-            return TextsText::tr("The robot does not answer. Check the cable and the address.");
+            return TextsText::tr("The robot does not respond. Check the cable and the address.");
         case ErrorCode::LinkLost:
             return TextsText::tr(
                 "No more data received. Check the cable. Tiller reconnects automatically; motion does not "
@@ -39,7 +39,7 @@ QString advice(ErrorCode code) {
         case ErrorCode::ProtocolError:
             return TextsText::tr("The response violates the RTDE protocol. Check address and port.");
         case ErrorCode::VersionUnsupported:
-            return TextsText::tr("The robot's software is too old for this.");
+            return TextsText::tr("The robot's software is too old for this function.");
         case ErrorCode::FieldUnknown:
             return TextsText::tr("The robot's software does not provide this value.");
         case ErrorCode::RegisterInUse:
@@ -51,16 +51,16 @@ QString advice(ErrorCode code) {
         case ErrorCode::NotInControl:
             return TextsText::tr("Take control first.");
         case ErrorCode::UnsafeState:
-            return TextsText::tr("Bring the robot to Running and its safety to Normal first.");
+            return TextsText::tr("First bring the robot to mode Running and safety mode Normal.");
         case ErrorCode::RemoteControlRequired:
             return TextsText::tr("Switch the robot to Remote control at the top right of the teach pendant.");
         case ErrorCode::LimitExceeded:
-            return TextsText::tr("Choose a target within the range of the arm and a speed within the cap.");
+            return TextsText::tr("Choose a target within the range of the arm and a speed below the cap.");
         case ErrorCode::NoSolution:
             return TextsText::tr("The arm cannot reach this pose: move the point closer or rotate the tool.");
         case ErrorCode::ScriptError:
             return TextsText::tr(
-                "The robot could not run the program. See the log for the message of the controller.");
+                "The robot could not run the program. See the log for the controller's message.");
         case ErrorCode::FileNotReadable:
             return TextsText::tr("Check that the file exists and that you have permission to read it.");
         case ErrorCode::FileNotWritable:
@@ -166,7 +166,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::Released:
             return TextsText::tr("released");
         case StopCause::PointerLeft:
-            return TextsText::tr("pointer left the key");
+            return TextsText::tr("pointer left the button");
         case StopCause::FocusLost:
             return TextsText::tr("focus lost");
         case StopCause::WindowDeactivated:
@@ -261,7 +261,7 @@ QString controlLossText(control::ControlLoss loss) {
         case ControlLoss::DataStale:
             return TextsText::tr("The control connection does not respond.");
         case ControlLoss::OwnScript:
-            return TextsText::tr("Your script is running. Control returns when it ends.");
+            return TextsText::tr("Your script is running. Tiller regains control when it ends.");
     }
     return {};
 }

@@ -29,8 +29,7 @@ const auto never = [](const RegisterState&) { return false; };
 const auto isPlaying = [](const RegisterState& state) { return state.isPlaying(); };
 const auto hasEnded = [](const RegisterState& state) { return state.hasEnded(); };
 
-// Returns whether it is a complete user program; the built-in program is only the text between `def` and
-// `end`.
+// Returns true for a complete user program. The built-in program is only the text between `def` and `end`.
 bool isWhole(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
@@ -61,7 +60,7 @@ std::vector<double> numbered(const RecipeCommand& command) {
 const RecipeCommand kStopBeforeLeaving{CommandId::StopJ, 20, {4.0, 1.0}};
 constexpr milliseconds kLastWords(160);
 
-// Value of the result register after the watchdog thread has ended the program.
+// Result register value after the watchdog thread has ended the program.
 constexpr int kHeartbeatExpired = 100'004;
 
 script::Heartbeat heartbeatOf(const RegisterLink& link) {
@@ -72,7 +71,7 @@ script::Heartbeat heartbeatOf(const RegisterLink& link) {
     return heartbeat;
 }
 
-// Removes a command of an earlier client or program, which must not start later.
+// Clears a command of an earlier client or program, because it must not start later.
 void clearUnlessStopping(RegisterLink& link) {
     if (!link.isCommandAlone()) {
         link.clear();
@@ -116,7 +115,7 @@ void CustomControl::disconnect(control::Supervision supervision) {
         }
         current->close();
     }
-    // Time for waiting calls to return.
+    // Leaves time for waiting calls to return.
     if (const std::unique_lock turn(turn_, milliseconds(100)); turn.owns_lock()) {
         scripts_.reset();
     }
@@ -144,7 +143,7 @@ SoftwareVersion CustomControl::version() const {
 }
 
 control::JointLimits CustomControl::jointLimits() const {
-    return check::anyArm();  // no connection to query
+    return check::anyArm();  // there is no connection to query
 }
 
 std::string CustomControl::lastError() const {
@@ -191,8 +190,8 @@ void CustomControl::startProgram(RegisterLink& link) {
         }
         if (!upload(link, {}) || !awaitProgram(link, kProgramStart)) {
             throw std::logic_error(
-                "The program does not run within 5 s: is the robot switched on, are its brakes released, and "
-                "may scripts be sent to it?");
+                "The program did not start within 5 s. Check that the robot is switched on, its brakes are "
+                "released, and it accepts scripts.");
         }
         return;
     }
@@ -226,7 +225,7 @@ std::string CustomControl::program(RegisterLink& link, const std::string& pathCo
                                  std::to_string(link.heartbeatRegister()) + ", which the heartbeat needs");
     }
     if (bare) {
-        // In a program with the URCap, the header is executed long before its node.
+        // In a program with the URCap, the header runs long before the URCap's node.
         const std::size_t header = text.find(kHeaderEnd);
         const std::size_t begin = header == std::string::npos ? 0 : text.find('\n', header) + 1;
         return text.insert(begin, script::watchdogScript(heartbeatOf(link), version).toStdString());
@@ -238,12 +237,12 @@ std::string CustomControl::program(RegisterLink& link, const std::string& pathCo
 bool CustomControl::upload(RegisterLink& link, const std::string& pathCode) {
     playedBefore_ = link.state().played;
     if (scriptFile_.empty()) {
-        return false;  // another program, which only its owner can start
+        return false;  // only the owner of the other program can start it
     }
     const std::string text = program(link, pathCode, server_ != nullptr);
     if (server_ != nullptr) {
         server_->setProgram(text);
-        pendant_.play();  // the program with the URCap's node requests the text when it starts
+        pendant_.play();  // the program that contains the URCap's node requests the text when it starts
         return true;
     }
     return sendScript(link, text);
@@ -262,14 +261,14 @@ bool CustomControl::sendScript(const RegisterLink& link, const std::string& text
 
 bool CustomControl::awaitProgram(RegisterLink& link, milliseconds atMost,
                                  const std::function<bool(const RegisterState&)>& giveUp) {
-    // A user program that was sent may have ended already.
+    // A user program may have ended already.
     const auto ready = [&](const RegisterState& state) {
         return playedBefore_ ? state.played != *playedBefore_ : state.isPlaying();
     };
     return link.wait(ready, giveUp ? giveUp : never, atMost);
 }
 
-// First by command; then by the dashboard for programs that do not respond.
+// First send a command, then use the dashboard for programs that do not respond.
 bool CustomControl::endProgram(RegisterLink& link) {
     link.send(4, {static_cast<double>(CommandId::StopScript)});
     bool ended = link.wait(hasEnded, never, milliseconds(500));
@@ -292,8 +291,8 @@ bool CustomControl::reupload() {
     if (!endProgram(*current) || !upload(*current, {})) {
         return false;
     }
-    // During a stop no program runs; handing it over is sufficient. A stop that was just unlocked may still be
-    // reported in the next packages.
+    // No program runs during a protective or emergency stop, so handing over the program is sufficient. A
+    // stop that was just unlocked may still be reported in the next packages.
     const std::uint64_t settled = current->state().sequence + 50;
     bool stopped = false;
     const auto isStopped = [&](const RegisterState& state) {
@@ -334,8 +333,9 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         text = script::supervised(QString::fromStdString(program), heartbeatOf(*current), current->version())
                    .text.toStdString();
     }
-    // The program may end before this thread checks, so packages with a running program are counted. It may even
-    // end before any package reports it; then the final state of programs written for ur_rtde is used.
+    // Packages with a running program are counted, because the program may end before this thread checks. The
+    // program may even end before any package reports it. In that case, the final state of programs written
+    // for ur_rtde is used.
     const RegisterState before = current->state();
     const auto hasBegun = [&before](const RegisterState& state) {
         return state.played != before.played || (before.answer != 2 && state.answer == 2);
@@ -359,7 +359,7 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
         ran = sendScript(*current, text) && current->wait(hasBegun, isUnwanted, kProgramStart) &&
               current->wait(hasEnded, isUnwanted, kEver) && current->wait(isOver, never, kProgramEnd);
     } catch (const Interrupted&) {
-        // No caller waits for the motion any more, so it must not continue.
+        // No caller is waiting for the motion, so it must not continue.
         end();
         throw;
     }
@@ -369,7 +369,7 @@ bool CustomControl::runCustom(const std::string& program, control::Supervision s
     }
     if (!ran && stopsWaiting_ > 0) {
         end();
-        // It may not have started yet.
+        // The motion may not have started yet.
         current->wait(hasBegun, never, milliseconds(500));
         current->wait(isOver, never, kProgramEnd);
     }
@@ -386,7 +386,7 @@ bool CustomControl::follow(const ur_rtde::Path& path, bool asynchronous) {
     return performInTurn({CommandId::MovePath, 15, {asynchronous ? 1.0 : 0.0}}, true).has_value();
 }
 
-// ---- commands: wait for the lock and for the program to be ready, send, wait for the answer ---------------
+// ---- commands: wait for the lock and for the program to be ready, send, wait for the reply ----------------
 
 CustomControl::TurnLock CustomControl::takeTurn() {
     TurnLock turn(turn_, std::defer_lock);
@@ -406,7 +406,8 @@ CustomControl::TurnLock CustomControl::takeTurnToStop() {
 }
 
 bool CustomControl::isReady(RegisterLink& link, const std::function<bool(const RegisterState&)>& giveUp) {
-    // A stop without a waiting caller is complete at standstill. Other programs may not report it.
+    // A stop without a waiting caller is complete at standstill, but other programs may not report
+    // standstill.
     const auto isFree = [&link](const RegisterState&) { return !link.isCommandAlone(); };
     if (!link.wait(isFree, giveUp, kReadyTime)) {
         if (!link.isAlive() || giveUp(link.state()) || !link.state().isPlaying()) {
@@ -417,9 +418,9 @@ bool CustomControl::isReady(RegisterLink& link, const std::function<bool(const R
     return link.wait([](const RegisterState& state) { return state.answer == 1; }, giveUp, kReadyTime);
 }
 
-// "Ready" only means completion after the program has seen the command.
+// "Ready" means completion only after the program has read the command.
 void CustomControl::untilSeen(RegisterLink& link, std::uint64_t sent, milliseconds atMost) {
-    constexpr int kPackages = 3;  // for other programs, which may always report ready
+    constexpr int kPackages = 3;  // for other programs, which may always report "ready"
     link.wait([&](const RegisterState& s) { return s.answer != 1 || s.sequence > sent + kPackages; },
               [this](const RegisterState& s) { return s.isStopped() || s.hasEnded() || disconnecting_; },
               atMost);
@@ -437,18 +438,18 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         return std::nullopt;
     }
     RegisterLink& robot = *current;
-    // Two reasons to end the wait, apart from a broken connection.
+    // Reasons to end the wait, apart from a broken connection.
     const auto hopeless = [&](const RegisterState& state) {
         return state.isStopped() || (!mayBeStopped && !state.isPlaying()) ||
                (mayBeStopped && stopsWaiting_ > 0) || disconnecting_;
     };
-    // Other programs may never answer a stop, which must not block the next one. An interrupted stop replaces the
-    // current command.
+    // Other programs may never reply to a stop, which must not block the next one. An interrupted stop
+    // replaces the current command.
     const auto pointless = [&](const RegisterState& state) {
         return hopeless(state) || stopsWaiting_ > 0 || !robot.holds(command.id);
     };
     if (hopeless(robot.state())) {
-        say("the robot is stopped, or the control program does not run");
+        say("the robot is stopped, or the control program is not running");
         clearUnlessStopping(robot);
         return std::nullopt;
     }
@@ -464,7 +465,7 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         const bool done = robot.wait(
             [&](const RegisterState& state) {
                 answer = state;
-                // Other programs answer some queries only with "ready", a few packages later.
+                // Other programs reply to some queries only with "ready", a few packages later.
                 const bool quick =
                     command.id >= CommandId::ToolContact && command.id <= CommandId::JointPositionsHistory;
                 readySince = readySince == 0 ? state.sequence : readySince;
@@ -477,13 +478,13 @@ std::optional<RegisterState> CustomControl::performInTurn(const RecipeCommand& c
         }
         const RegisterState now = robot.state();
         if (!done && !mayBeStopped && now.answer == 1 && !now.isPlaying() && !now.hasEnded()) {
-            sendStop(robot, command);  // paused before it was seen: executed when the program continues
+            sendStop(robot, command);  // the paused program has not read the command and would run it later
         } else {
             robot.clear(command.id);
         }
         return done ? std::optional(answer) : std::nullopt;
     } catch (const Interrupted&) {
-        // No caller waits for the motion any more, so it must not continue.
+        // No caller is waiting for the motion, so it must not continue.
         const Uninterrupted stopping;
         untilSeen(robot, sent, milliseconds(50));
         robot.clear(command.id);
@@ -519,7 +520,7 @@ bool CustomControl::stop(const RecipeCommand& command, bool wait) {
         if (ready && wait) {
             return performInTurn(command, false).has_value();
         }
-        // A program that is paused or does not respond stops when it continues.
+        // A program that is paused or does not respond executes the stop when it resumes.
         return sendStop(robot, command) && ready;
     } catch (const Interrupted&) {
         if (current && !tried) {
@@ -558,7 +559,7 @@ bool CustomControl::protectiveStop() {
         current && current->wait(
                        isStopped, [](const RegisterState&) { return false; }, milliseconds(1000));
     if (current && !stopped) {
-        current->clear(CommandId::ProtectiveStop);  // must not take effect later
+        current->clear(CommandId::ProtectiveStop);  // the command must not take effect later
     }
     return stopped;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Executes the commands of RTDEControlInterface through a user program with ur_rtde's registers. A program sent
-// from here contains the heartbeat watchdog; other ends of a motion, and all behaviour of a program started
-// elsewhere, depend on that program.
+// Executes the commands of RTDEControlInterface through a user program with ur_rtde's registers. Only
+// programs sent by this class contain the heartbeat watchdog. All other ends of a motion, and the entire
+// behaviour of a program started elsewhere, depend on the program.
 
 #include "robot/ur_rtde/custom/register_link.h"
 #include "robot/ur_rtde/detail/control_session.h"
@@ -15,9 +15,9 @@ namespace tiller::urrtde {
 
 class CustomControl final : public ControlBackend {
 public:
-    /// Connects, and sends the file or waits for a program that is started by other means. Throws as
-    /// RTDEControlInterface.
-    /// file  empty: none is sent
+    /// Connects, and sends the file or waits for a program that is started by other means. Throws the same
+    /// exceptions as RTDEControlInterface.
+    /// file  program to send; empty: none
     CustomControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server, std::string file);
     ~CustomControl() override;
 
@@ -62,9 +62,9 @@ private:
     Pendant& pendant_;
     ProgramServer* server_;
     const std::string scriptFile_;
-    std::optional<std::uint64_t> playedBefore_;  ///< packages before the last upload; empty: not sent
+    std::optional<std::uint64_t> playedBefore_;  ///< package count before the last upload; empty: not sent
     Turn turn_;                                  ///< serializes commands
-    std::atomic<int> stopsWaiting_{0};           ///< number of threads that request a stop
+    std::atomic<int> stopsWaiting_{0};           ///< number of threads requesting a stop
     std::atomic<bool> disconnecting_{false};
     mutable std::mutex linkMutex_;  ///< protects the following members
     std::shared_ptr<RegisterLink> link_;

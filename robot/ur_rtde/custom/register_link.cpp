@@ -14,14 +14,14 @@ using rtde::Direction;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kLookEvery(20);
-constexpr milliseconds kSilenceLimit(2500);  // time without data after which the connection counts as broken
+constexpr milliseconds kSilenceLimit(2500);  // the connection counts as broken after this time without data
 constexpr int kClearRecipe = 4;
 constexpr int kKickRecipe = 11;
 
-// After the registers of all recipes and those set by RTDEIOInterface.
+// Follows the registers of all recipes and those set by RTDEIOInterface.
 constexpr int kHeartbeatRegister = 23;
 
-/// integer registers from 0, then double registers from 0, then one more field.
+/// Layout: integer registers from 0, then double registers from 0, then one more field.
 struct RecipeShape {
     int ints;
     int doubles;
@@ -52,7 +52,7 @@ std::vector<rtde::InputRequest> inputRequests(int offset) {
             request.names.push_back(rtde::intRegisterName(Direction::Input, offset + 1));
         } else if (shape.last != nullptr) {
             request.names.emplace_back(shape.last);
-            request.required = false;  // the sensor may be used by another client
+            request.required = false;  // another client may use the sensor
         }
         requests.push_back(std::move(request));
     }
@@ -83,7 +83,7 @@ Result<std::unique_ptr<RegisterLink>> RegisterLink::open(const RegisterLinkOptio
     wanted.request.outputs = outputNames(options.offset);
     wanted.request.frequency = options.frequency;
     wanted.request.inputs = inputRequests(options.offset);
-    // A controller may reserve the registers of an ended connection a little longer.
+    // A controller may keep the registers of a closed connection reserved for some time.
     auto opened = rtde::Connection::open(wanted, deadline);
     waitUntil(
         Deadline::after(milliseconds(1000)),
@@ -101,7 +101,7 @@ Result<std::unique_ptr<RegisterLink>> RegisterLink::open(const RegisterLinkOptio
     if (auto found = link->findFields(); !found) {
         return found.error();
     }
-    // Remove commands of an earlier client.
+    // Clears the commands of an earlier client.
     link->clear();
     link->thread_ = std::thread([self = link.get()] { self->run(); });
     return link;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The RTDE connection to a user program with ur_rtde's registers: its state, and the recipes for commands. Private
-// to robot/ur_rtde.
+// The RTDE connection to a user program with ur_rtde's registers: the state of the program, and the recipes
+// for commands. Private to robot/ur_rtde.
 
 #include <QString>
 #include <array>
@@ -24,19 +24,19 @@ namespace tiller::urrtde {
 struct RegisterLinkOptions {
     QString host;
     double frequency = 0;  ///< 0: default of the controller
-    int offset = 0;        ///< of the registers: 0 or 24
+    int offset = 0;        ///< first register of the range: 0 or 24
     int priority = 0;
 };
 
-/// Values of one package of the robot.
+/// Values of one package from the robot.
 struct RegisterState {
-    std::uint64_t sequence = 0;  ///< 0: none yet
-    std::uint64_t played = 0;    ///< number of packages with a running program
+    std::uint64_t sequence = 0;  ///< 0: no package yet
+    std::uint64_t played = 0;    ///< number of packages that reported a running program
     std::uint32_t robotStatus = 0;
     std::uint32_t safetyStatus = 0;
     RuntimeState runtime = RuntimeState::Stopped;
-    int answer = 0;    ///< state of the program: 0 busy, 1 ready, 2 done
-    int answered = 0;  ///< the completed command; 0: not reported
+    int answer = 0;    ///< program state: 0 busy, 1 ready, 2 done
+    int answered = 0;  ///< number of the completed command; 0: not reported
     int result = 0;    ///< result of the command
     int progress = 0;  ///< see AsyncOperationStatus
     std::array<double, 6> values{};
@@ -48,11 +48,11 @@ struct RegisterState {
     bool isStopped() const { return (safetyStatus & ((1U << 2) | (1U << 7))) != 0; }
 };
 
-/// Owns one thread, "ur_rtde-control", with the priority in the options; started by open(), ended by close() and
-/// the destructor within 50 ms. It reads the packages and notifies waiting threads.
+/// Owns one thread, "ur_rtde-control", with the priority in the options. open() starts it; close() and the
+/// destructor end it within 50 ms. The thread reads the packages and notifies waiting threads.
 class RegisterLink {
 public:
-    /// Errors   as rtde::Connection::open; FieldUnknown if the robot does not have these registers
+    /// Errors   as rtde::Connection::open(); FieldUnknown if the robot does not have these registers
     static Result<std::unique_ptr<RegisterLink>> open(const RegisterLinkOptions& options,
                                                       const Deadline& deadline);
     ~RegisterLink();
@@ -66,7 +66,7 @@ public:
     SoftwareVersion version() const { return version_; }
     RegisterState state() const;
     /// Waits for a package for which `done` returns true, or until `giveUp` returns true. Several packages
-    /// may be evaluated together, so that short events need a counter in the state.
+    /// may be evaluated together, so the state needs a counter for short events.
     /// Returns  the last result of `done`
     bool wait(const std::function<bool(const RegisterState&)>& done,
               const std::function<bool(const RegisterState&)>& giveUp, std::chrono::milliseconds atMost);
@@ -75,20 +75,21 @@ public:
 
     /// recipe  1 ... 20
     /// values  in order of the recipe, starting with the command
-    /// Returns  false if the robot cannot receive it
+    /// Returns  false if the command cannot be sent to the robot
     bool send(int recipe, const std::vector<double>& values);
     /// Sends "no command".
     bool clear();
-    /// As clear(), unless another command was sent meanwhile.
+    /// As clear(), unless another command has been sent since.
     bool clear(CommandId command);
-    /// Returns whether this is the last command sent.
+    /// Returns true if this is the last command sent.
     bool holds(CommandId command) const { return command_ == static_cast<int>(command); }
-    /// Sends a command without a waiting caller, and "no command" when it is done or the program has ended.
+    /// Sends a command for which no caller waits. Sends "no command" when it is done or the program has
+    /// ended.
     bool sendAlone(int recipe, const std::vector<double>& values);
-    /// Returns whether such a command is active. Another command replaces it.
+    /// Returns true if a command without a waiting caller is active. Another command replaces it.
     bool isCommandAlone() const { return alone_ != 0; }
     void forgetCommandAlone() { alone_ = 0; }
-    /// Sends a heartbeat at least every 20 ms from now on, while the connection exists.
+    /// Starts sending a heartbeat at least every 20 ms while the connection exists.
     /// Returns  false if another client uses the register
     bool beginHeartbeat();
     void endHeartbeat() { beats_ = false; }
@@ -116,7 +117,7 @@ private:
     std::atomic<bool> quit_{false};
     std::atomic<bool> beats_{false};
     std::int32_t beat_ = 0;      ///< protected by `sending_`
-    std::atomic<int> alone_{0};  ///< the command without a waiting caller; 0: none
+    std::atomic<int> alone_{0};  ///< command without a waiting caller; 0: none
     std::mutex sending_;
     std::atomic<int> command_{0};  ///< value of the command register
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The interface between RTDEControlInterface and the implementations of its commands: Tiller's control program
+// Interface between RTDEControlInterface and the implementations of its commands: Tiller's control program
 // (NativeControl), or a user program with ur_rtde's registers (custom/). Private to robot/ur_rtde.
 
 #include <array>
@@ -77,16 +77,16 @@ enum class CommandId : int {
     StopScript = 255,
 };
 
-/// The register values of a command in ur_rtde.
+/// The register values of a command, as in ur_rtde.
 struct RecipeCommand {
     CommandId id;
-    int recipe;                  ///< 1 ... 20: its register layout in ur_rtde
-    std::vector<double> values;  ///< in register order, without the command
+    int recipe;                  ///< number of the register layout in ur_rtde, 1 ... 20
+    std::vector<double> values;  ///< in register order, without the command register
 };
 
-/// The answer to a command.
+/// Reply to a command.
 struct CommandResult {
-    int result = 0;  ///< result register; 0: not possible
+    int result = 0;  ///< content of the result register; 0: not possible
     std::array<double, 6> values{};
 };
 
@@ -95,20 +95,21 @@ class ControlBackend {
 public:
     virtual ~ControlBackend() = default;
 
-    /// Ends the active motion; the program keeps running. Unattended: moves and paths continue to their target.
+    /// Ends the active motion. The program keeps running. Unattended: moves and paths continue to their
+    /// target.
     virtual void disconnect(control::Supervision supervision) = 0;
     virtual bool isConnected() const = 0;
     virtual SoftwareVersion version() const = 0;
     virtual control::JointLimits jointLimits() const = 0;
     virtual std::uint32_t robotStatus() const = 0;
     virtual int progress() const = 0;  ///< see AsyncOperationStatus
-    /// The reason of the last failure; empty if unknown.
+    /// Reason for the last failure; empty if unknown.
     virtual std::string lastError() const = 0;
 
     /// Executes a command and waits for its completion.
-    /// Returns  empty if it failed, or was stopped by another thread
+    /// Returns  empty if the command failed or another thread stopped it
     virtual std::optional<CommandResult> perform(const RecipeCommand& command) = 0;
-    /// Cancels the wait of another thread instead of waiting for it.
+    /// Sends the command immediately and cancels the wait of another thread.
     /// wait  false: return after sending
     virtual bool stop(const RecipeCommand& command, bool wait = true) = 0;
     /// Sends one set point of a stream.
@@ -119,7 +120,7 @@ public:
 
     virtual bool reupload() = 0;
     virtual void stopProgram() = 0;
-    /// Runs a user program, then the control program again.
+    /// Runs a user program, then restarts the control program.
     virtual bool runCustom(const std::string& program, control::Supervision supervision) = 0;
 };
 

@@ -17,8 +17,8 @@ using Face = ur_rtde::RTDEControlInterface;
 
 constexpr int kDashboardPort = 29999;
 
-// Addresses of controllers that accept commands even in Local: the controller itself, and the vendor's virtual
-// machine.
+// Addresses of controllers that accept commands even in local control: the controller itself, and the
+// vendor's virtual machine.
 bool isExempt(const std::string& host) {
     return host == "localhost" || host == "127.0.0.1" || host == "192.168.56.101";
 }
@@ -61,7 +61,7 @@ void Pendant::connect() {
 }
 
 void Pendant::disconnect() {
-    // An outstanding call to an unresponsive dashboard keeps its socket a little longer.
+    // A pending call to an unresponsive dashboard server keeps its socket open for some time.
     if (const std::unique_lock lock(mutex_, std::try_to_lock); lock.owns_lock()) {
         client_.reset();
     }
@@ -86,8 +86,7 @@ bool Pendant::allowsRemoteControl() {
         int minor = 0;
         char dot = 0;
         version >> major >> dot >> minor;
-        remote =
-            major != 5 || minor <= 5 || dashboard.isInRemoteControl();  // not available in other versions
+        remote = major != 5 || minor <= 5 || dashboard.isInRemoteControl();  // missing in other versions
     });
     return remote;
 }
@@ -165,8 +164,8 @@ std::shared_ptr<ControlBackend> ControlSession::open() {
     if (uploads || server_) {
         return openNative(false);
     }
-    // True for any running program: ours, that of an earlier client, or one with ur_rtde's registers, now or
-    // later.
+    // True for any running program: Tiller's, one of an earlier client, or one with ur_rtde's registers, now
+    // or later.
     std::shared_ptr<ControlBackend> ours;
     if (!options_.has(Face::FLAG_CUSTOM_SCRIPT)) {
         ours = openNative(true);
@@ -197,7 +196,7 @@ std::string ControlSession::lastError() const {
     return backend()->lastError();
 }
 
-// Printed on standard error, as in ur_rtde.
+// Printed to standard error, as in ur_rtde.
 void ControlSession::keepError(const std::string& text) {
     std::cerr << "RTDEControlInterface: " << text << std::endl;
     const std::lock_guard lock(mutex_);

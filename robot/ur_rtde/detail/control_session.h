@@ -23,10 +23,10 @@ struct SessionOptions {
 
     bool has(ur_rtde::RTDEControlInterface::Flags flag) const { return (flags & flag) != 0; }
     int offset() const { return has(ur_rtde::RTDEControlInterface::FLAG_UPPER_RANGE_REGISTERS) ? 24 : 0; }
-    void say(const std::string& text) const;  ///< with FLAG_VERBOSE
+    void say(const std::string& text) const;  ///< true with FLAG_VERBOSE
 };
 
-/// The dashboard server of a robot, if it has one (PolyScope X has none).
+/// The dashboard server of a robot. PolyScope X has none.
 /// Threads  any; calls are serialized
 class Pendant {
 public:
@@ -36,15 +36,15 @@ public:
     bool isConnected();
     /// Empty if unknown.
     std::string serialNumber();
-    /// Returns  true also if unknown
+    /// True if the robot accepts remote control, or if this is unknown.
     bool allowsRemoteControl();
     void stop();
     void play();
-    /// Throws std::runtime_error without a dashboard server.
+    /// Throws std::runtime_error if there is no dashboard server.
     void unlockProtectiveStop();
 
 private:
-    /// Ignores errors of the server.
+    /// Errors of the server are ignored.
     template <class Call>
     void tryTo(Call call);
 
@@ -56,22 +56,22 @@ private:
 /// Threads  any
 class ControlSession {
 public:
-    /// Connects and starts or finds a program. Throws as RTDEControlInterface.
+    /// Connects, and starts or finds a program. Throws the same exceptions as RTDEControlInterface.
     explicit ControlSession(const SessionOptions& options);
     ~ControlSession();
 
     void disconnect(control::Supervision supervision = control::Supervision::Heartbeat);
     void reconnect();
-    /// Executes the commands; never null.
+    /// Backend that executes the commands; never null.
     std::shared_ptr<ControlBackend> backend() const;
     bool isConnected() const { return backend()->isConnected(); }
-    /// Whether a user program is running, which may support fewer commands than Tiller's.
+    /// True if a user program is running. It may support fewer commands than Tiller's program.
     bool isForeign() const;
-    /// The reason of the last failure; empty if there was none or it is unknown.
+    /// Reason for the last failure; empty if there was none or it is unknown.
     std::string lastError() const;
     void keepError(const std::string& text);
     bool reupload();
-    /// Replaces the running program by this file, now and in later uploads.
+    /// Replaces the running program with this file, now and in later uploads.
     void useScriptFile(const std::string& file);
     void unlockProtectiveStop() { pendant_.unlockProtectiveStop(); }
 
@@ -92,11 +92,11 @@ private:
     Pendant pendant_{options_};
     Identity identity_;
     std::unique_ptr<ProgramServer> server_;
-    std::mutex changing_;  ///< serializes connecting, starting and ending of programs
+    std::mutex changing_;  ///< serializes connecting, and starting and ending programs
     std::string scriptFile_;
     mutable std::mutex mutex_;  ///< protects the pointer
     std::shared_ptr<ControlBackend> backend_;
-    std::string error_;  ///< of connecting
+    std::string error_;  ///< time of connecting
 };
 
 }  // namespace tiller::urrtde

@@ -22,9 +22,9 @@ constexpr milliseconds kManualStart(60000);
 constexpr milliseconds kProgramTime(5000);
 constexpr milliseconds kAnswerTime(3000);
 constexpr milliseconds kJoinTime(500);
-// Time without data after which the connection counts as broken. The robot has ended all motions long before.
+// The connection counts as broken after this time without data. The robot has then already ended all motions.
 constexpr milliseconds kDataTimeout(2500);
-// Lower values than the defaults of the controller, as in ur_rtde.
+// Lower than the defaults of the controller, as in ur_rtde.
 constexpr control::ForceSettings kCalmForce{0.025, 0.5};
 constexpr double kGentlestBrake = 0.1;  ///< minimum of robot/control
 constexpr double kUsualBrake = 10.0;    ///< [m/s2] for calls without a deceleration argument
@@ -97,7 +97,7 @@ control::PathEntry entryOf(const ur_rtde::PathEntry& entry) {
     return out;
 }
 
-// The ExternalControl URCap inserts the text into its own program: remove the definition around it.
+// The ExternalControl URCap inserts the text into a program, so the enclosing definition is removed.
 std::string insideOf(const QString& program) {
     const qsizetype begin = program.indexOf(QLatin1Char('\n')) + 1;
     const qsizetype end = program.lastIndexOf(QLatin1String("end"));
@@ -106,7 +106,7 @@ std::string insideOf(const QString& program) {
     return inside.replace(QLatin1String(kIndent), QLatin1String("\n")).toStdString();
 }
 
-// Distinguishes connection errors from errors due to the state of the robot.
+// Distinguishes connection errors from errors caused by the state of the robot.
 [[noreturn]] void raiseUnconnected(const Error& error, bool wasReached) {
     switch (error.code) {
         case ErrorCode::Timeout:
@@ -156,7 +156,7 @@ NativeControl::NativeControl(const SessionOptions& options, Pendant& pendant, Pr
                 const bool again = controller_.version().major > 0 && controller_.status().ticks > 0;
                 server_->setProgram(insideOf(program));
                 if (again) {
-                    pendant_.play();  // the program with the URCap's node requests the text when it starts
+                    pendant_.play();  // the program with the URCap's node requests the text at its start
                 }
                 return {};
             };
@@ -207,7 +207,7 @@ std::string NativeControl::lastError() const {
     return error_;
 }
 
-// Printed on standard error, as in ur_rtde; repeated failures in a loop are printed once.
+// Printed to standard error, as in ur_rtde. Repeated failures in a loop are printed once.
 NativeControl::Outcome NativeControl::failed(const Error& error) {
     const std::string text = error.toString().toStdString();
     const std::lock_guard lock(state_);
@@ -228,7 +228,7 @@ NativeControl::Outcome NativeControl::outcome(const Result<void>& done) {
     return failed(done.error());
 }
 
-// A wait is cancelled by its user, or by disconnect().
+// True if the user of this class, and not disconnect(), has cancelled the wait.
 bool NativeControl::isUsersDoing(const Error& error) const {
     return error.code == ErrorCode::Cancelled && !disconnecting_;
 }
@@ -295,7 +295,7 @@ NativeControl::Outcome NativeControl::begin(const Result<control::Motion>& motio
     return outcome(ended);
 }
 
-// No caller waits for the motion any more, so it must not continue.
+// No caller is waiting for the motion, so it must not continue.
 void NativeControl::interrupted() {
     constexpr double kBrake = 4.0;
     (void)motions_.stopJ(kBrake);
@@ -321,7 +321,8 @@ bool NativeControl::stop(const RecipeCommand& command, bool wait) {
         isReady();
         return outcome(compliance_.endForceMode(within(kAnswerTime))).has_value();
     }
-    // The type of stop matches the type of the speed motion; servo and jog motions are stopped along the tool line.
+    // The type of stop matches the type of the speed motion. Servo and jog motions stop along the path of the
+    // tool.
     const bool byJoints =
         command.id == CommandId::StopJ || (command.id == CommandId::SpeedStop && jointSpeed_.isActive());
     ++stopsMade_;
@@ -331,14 +332,14 @@ bool NativeControl::stop(const RecipeCommand& command, bool wait) {
     if (!stopping) {
         return failed(stopping.error()).has_value();
     }
-    // A paused program stops when it continues.
+    // A paused program executes the stop when it resumes.
     return isReady() && (!wait || outcome(stopping->wait(ever())).has_value());
 }
 
 // ---- streams --------------------------------------------------------------------------------------------
 
-// A loop that ignores return values must not restart a stream that was ended by a stop, a timeout or a pause. Any
-// other call shows the intention to continue.
+// A loop that ignores return values must not restart a stream that a stop, a timeout or a pause has ended.
+// Any other call shows the intention to continue.
 bool NativeControl::mayBegin(const control::Motion& before) {
     if (before.id() == control::kNoMotion || streamStart_ != starts_) {
         return true;
@@ -438,7 +439,7 @@ bool NativeControl::stream(const RecipeCommand& command) {
     }
 }
 
-// Often called in every cycle, so unchanged values are not sent again.
+// This function is often called in every cycle, so unchanged values are not sent again.
 bool NativeControl::forceMode(const List& v) {
     isReady();
     {
@@ -451,7 +452,7 @@ bool NativeControl::forceMode(const List& v) {
     control::ForceMode mode;
     mode.type = static_cast<control::ForceMode::Type>(static_cast<int>(v[0]));
     for (std::size_t axis = 0; axis < 6; ++axis) {
-        // A limit of 0 means no motion, but the controller refuses the value.
+        // A limit of 0 means no motion, but the controller refuses 0.
         constexpr double kNext = 1e-6;
         mode.compliant[axis] = v[1 + axis] != 0;
         mode.limits[axis] = std::max(std::abs(v[19 + axis]), kNext);
@@ -602,7 +603,7 @@ NativeControl::Outcome NativeControl::ask(const RecipeCommand& command) {
         }
         case CommandId::JointPositionsHistory: {
             const auto q = arm_.jointPositionsHistory(static_cast<int>(v[0]), soon);
-            // Without a history in the software, the current value is returned.
+            // If the software has no history, the current value is returned.
             if (isUnknown(q) && v[0] == 0 && status.inControl) {
                 return CommandResult{1, status.q};
             }
@@ -690,10 +691,10 @@ bool NativeControl::reupload() {
     auto again = programs_.reupload(within(kProgramTime));
     const auto plays = [this] { return controller_.status().runtimeState == RuntimeState::Playing; };
     if (!again && plays() && !controller_.status().inControl && pendant_.isConnected()) {
-        pendant_.stop();  // a program that does not respond
+        pendant_.stop();  // the program does not respond
         again = programs_.reupload(within(kProgramTime));
     }
-    // During a stop no program runs; the connection is kept for the time after it.
+    // No program runs during a protective or emergency stop. The connection is kept for use afterwards.
     const bool stopped = controller_.isConnected() && !allowsMotion(controller_.status().safetyMode);
     return stopped || outcome(again).has_value();
 }

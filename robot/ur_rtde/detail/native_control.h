@@ -21,15 +21,15 @@ namespace tiller::urrtde {
 
 class NativeControl final : public ControlBackend {
 public:
-    /// server  provides the program to the ExternalControl URCap; null: it is sent
+    /// server  provides the program to the ExternalControl URCap; null: the program is sent
     NativeControl(const SessionOptions& options, Pendant& pendant, ProgramServer* server);
     ~NativeControl() override;
 
-    /// Throws std::runtime_error if the connection fails, std::logic_error if the state of the robot does not allow
-    /// a program.
+    /// Throws std::runtime_error if the connection fails, std::logic_error if the state of the robot does not
+    /// permit a program.
     void connect();
-    /// Takes over the program of a client that has ended.
-    /// Returns  false if no such program is running. Throws as connect()
+    /// Takes over the program of a client that has exited.
+    /// Returns  false if no such program is running. Throws the same exceptions as connect()
     bool join();
 
     void disconnect(control::Supervision supervision) override;
@@ -53,9 +53,9 @@ public:
 private:
     using TurnLock = std::unique_lock<Turn>;
     using Outcome = std::optional<CommandResult>;
-    /// Locks the motions. Not owned if a stop occurred first.
+    /// Locks the motions. The returned lock is not owned if a stop occurred first.
     TurnLock takeTurn();
-    /// Returns whether it is in control; continues with a program that was paused and is running again.
+    /// Returns true if in control. Regains control of a program that was paused and is running again.
     bool isReady();
     Outcome failed(const Error& error);
     Outcome outcome(const Result<void>& done);
@@ -64,7 +64,7 @@ private:
     Outcome move(bool asynchronous, Start start);
     Outcome begin(const Result<control::Motion>& motion, bool asynchronous);
     void remember(const control::Motion& motion);
-    /// Returns whether set points may start a new stream; otherwise prints an error.
+    /// Returns true if set points may start a new stream; otherwise prints an error.
     bool mayBegin(const control::Motion& before);
     template <class Stream, class Target, class Parameters, class Start>
     bool send(Stream& stream, const Target& target, const Parameters& parameters, Start start);
@@ -90,7 +90,7 @@ private:
 
     Turn turn_;  ///< serializes motions; protects the streams below
     std::atomic<int> stopsMade_{0};
-    std::atomic<int> starts_{0};  ///< number of calls that start or end a motion, without set points
+    std::atomic<int> starts_{0};  ///< number of calls that start or end a motion, excluding set points
     int streamStart_ = 0;         ///< value of starts_ at the start of the current stream
     std::atomic<bool> disconnecting_{false};
     control::JointServo jointServo_;
@@ -102,10 +102,10 @@ private:
     mutable std::mutex state_;  ///< protects the following members
     control::Motion motion_;    ///< the last motion
     control::Motion guiding_;
-    std::vector<double> force_;  ///< last parameters of force mode; empty: none
+    std::vector<double> force_;  ///< last force mode parameters; empty: none
     int operation_ = 0;
     mutable int changes_ = 0;
-    mutable int reported_ = 0;  ///< last returned state of running and progress
+    mutable int reported_ = 0;  ///< last returned running state and progress
     std::string error_;
 };
 

@@ -26,7 +26,7 @@ constexpr std::chrono::seconds kSendTimeout(5);
 constexpr const char* kRequest = "request_program";
 
 #ifdef _WIN32
-using Handle = SOCKET;  // not run in this project's CI
+using Handle = SOCKET;  // not run in the project's CI
 #else
 using Handle = int;
 #endif
@@ -45,7 +45,8 @@ ProgramServer::ProgramServer(int port) {
     if (::bind(handle, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
         ::listen(handle, 4) != 0) {
         native_socket::close(listener_);
-        throw std::runtime_error("ur_cap_port " + std::to_string(port) + " cannot be opened: is it in use?");
+        throw std::runtime_error("ur_cap_port " + std::to_string(port) +
+                                 " cannot be opened: check that it is not in use");
     }
     native_socket::prepare(listener_);
     thread_ = std::thread([this] { run(); });
@@ -97,7 +98,7 @@ void ProgramServer::accept(std::vector<Client>& clients) {
     clients.push_back({socket, {}, {}, std::chrono::steady_clock::now()});
 }
 
-// Answers requests until the URCap disconnects. Returns false when the connection has ended.
+// Handles requests until the URCap disconnects. Returns false when the connection has ended.
 bool ProgramServer::serve(Client& client) {
     if (native_socket::waitReadable(client.socket, std::chrono::milliseconds(0)) && !receive(client)) {
         return false;
@@ -134,7 +135,7 @@ bool ProgramServer::receive(Client& client) {
     for (auto end = client.line.find('\n'); end != std::string::npos; end = client.line.find('\n')) {
         const bool asks = client.line.compare(0, end, kRequest) == 0;
         client.line.erase(0, end + 1);
-        // A client that repeats its request without reading gets no second copy.
+        // A client that repeats its request without reading gets only one copy.
         if (asks && client.pending.empty()) {
             const std::lock_guard lock(mutex_);
             client.pending = program_ + "\n";

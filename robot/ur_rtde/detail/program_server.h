@@ -15,9 +15,10 @@
 
 namespace tiller::urrtde {
 
-/// Serves up to kMaxClients connections at a time; a further one replaces the one that has been inactive for
-/// longest. A client that does not read its program for 5 s is disconnected.
-/// Thread: one, normal priority, from the constructor to the destructor, which takes at most 50 ms.
+/// Serves up to kMaxClients connections at a time. Another connection replaces the one that has been inactive
+/// for the longest time. A client that does not read its program for 5 s is disconnected.
+/// Threads  one, with normal priority, from the constructor to the destructor. The destructor takes at most
+///          50 ms
 class ProgramServer {
 public:
     /// Listens on all addresses. Throws std::runtime_error if the port is in use.
@@ -35,8 +36,8 @@ private:
     struct Client {
         native_socket::Descriptor socket = -1;
         std::string line;                                ///< received so far, without line end
-        std::string pending;                             ///< data to be sent
-        std::chrono::steady_clock::time_point lastNews;  ///< time of the last sent or received data
+        std::string pending;                             ///< data to send
+        std::chrono::steady_clock::time_point lastNews;  ///< time when data were last sent or received
     };
 
     void run();

@@ -8,7 +8,7 @@
 
 namespace tiller::urrtde {
 
-/// upper  use the registers from 24 on
+/// upper  use the registers from number 24 on
 std::vector<std::string> receiveFields(bool upper);
 
 }  // namespace tiller::urrtde

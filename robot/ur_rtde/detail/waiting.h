@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Waits of robot/ur_rtde: with a deadline, and interruptible by the host program (Python on Ctrl-C). Private to
-// robot/ur_rtde and robot/python.
+// Waiting functions of robot/ur_rtde, with a deadline and interruptible by the host program (Python on
+// Ctrl-C). Private to robot/ur_rtde and robot/python.
 
 #include <chrono>
 #include <stdexcept>
@@ -12,7 +12,7 @@
 
 namespace tiller::urrtde {
 
-/// Thrown by a waiting call after an interrupt by the host's check.
+/// Thrown by a waiting call that the host's check has interrupted.
 class Interrupted : public std::runtime_error {
 public:
     Interrupted() : std::runtime_error("interrupted") {}
@@ -20,12 +20,12 @@ public:
 
 /// check  called about every 10 ms in the waiting thread; null: never
 void setInterruptCheck(bool (*check)());
-/// Calls the check, no more than once per 10 ms of real time.
+/// Calls the check at most once per 10 ms of real time.
 bool isInterrupted();
 void throwIfInterrupted();
 
-/// Blocks interrupts of its thread during its lifetime, so that actions after an interrupt, in particular a stop,
-/// are completed even if the user interrupts again.
+/// Blocks interrupts of its thread during its lifetime, so that actions after an interrupt, in particular a
+/// stop, are completed even if the user interrupts again.
 class Uninterrupted {
 public:
     Uninterrupted();

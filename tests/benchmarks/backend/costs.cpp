@@ -58,7 +58,7 @@ const std::vector<std::string>& twentyFields() {
     return names;
 }
 
-/// Decodes one package of the recipe. A separate function, so that callgrind can count it.
+/// Decodes one package of the recipe. This is a separate function, so that callgrind can count it.
 [[gnu::noinline]] bool oneDecode(const rtde::ValueLayout& layout, rtde::ByteView wire,
                                  std::span<double> values) {
     return rtde::decodeValues(layout, wire, values);
@@ -82,7 +82,7 @@ private:
     }
 };
 
-/// The robot's side of the loop is one line and is included in the measurement.
+/// The robot's side of the loop is only one line, and the measurement includes it.
 struct Ticking {
     control::Mailbox mailbox;
     control::ControlLoop loop{mailbox, {}};
@@ -114,9 +114,9 @@ struct Ticking {
     }
 };
 
-/// A jog just above a floor: all limits are evaluated in each tick.
+/// A jog just above a floor, so that all limits are evaluated in each tick.
 struct Jogging : Ticking {
-    /// `boxes`: number of nearby boxes; negative for no collision check.
+    /// boxes  number of nearby boxes; negative: no collision check
     explicit Jogging(int boxes) {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         data.q = JointPositions(-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310);
@@ -146,7 +146,8 @@ double nanoseconds(int times, const std::function<void(int)>& work) {
     return static_cast<double>(std::chrono::nanoseconds(SteadyTime::now() - begin).count()) / times;
 }
 
-/// Reads the performance counter of the CPU; empty if not accessible, as in most virtual machines.
+/// Reads the performance counter of the CPU. Empty if the counter is not accessible, as in most virtual
+/// machines.
 std::optional<double> instructions([[maybe_unused]] int times,
                                    [[maybe_unused]] const std::function<void(int)>& work) {
 #ifdef __linux__
@@ -175,7 +176,7 @@ std::optional<double> instructions([[maybe_unused]] int times,
     return {};
 }
 
-/// Counts with callgrind, which runs this program again.
+/// Counts with callgrind, which runs this program as a child process.
 std::optional<double> decodeInstructionsByCallgrind() {
     constexpr int kTimes = 1000;
     const QString valgrind = QStandardPaths::findExecutable(QStringLiteral("valgrind"));
@@ -195,7 +196,7 @@ std::optional<double> decodeInstructionsByCallgrind() {
                : std::nullopt;
 }
 
-/// Accumulated run time of the threads with this name [s].
+/// Returns the accumulated run time of the threads with this name [s].
 double cpuSeconds(const QByteArray& thread) {
     double seconds = 0;
     const QDir tasks(QStringLiteral("/proc/self/task"));
@@ -210,7 +211,7 @@ double cpuSeconds(const QByteArray& thread) {
     return seconds;
 }
 
-/// As many fields of the catalogue as fit into one request.
+/// Returns as many fields of the catalogue as fit into one request.
 std::vector<std::string> allFields() {
     std::vector<std::string> names;
     std::size_t bytes = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Timing of a program written for ur_rtde: regularity of its servo loop, and the time from a stream command to the
-// first package in which the target of the arm moves.
+// Timing of a program written for ur_rtde: the regularity of its servo loop, and the time from a stream
+// command to the first package in which the target of the arm moves.
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <QTextStream>
@@ -27,7 +27,7 @@ double wristTargetSpeed(const receive::Receiver& receiver, receive::Sample& samp
     return sample.field("target_qd")[5];
 }
 
-/// Time from the call to the first package with the requested target speed of the wrist.
+/// Measures the time from the call to the first package with the requested target speed of the wrist.
 template <class Command>
 Spans reactions(const receive::Receiver& receiver, int count, Command command) {
     Spans spans(static_cast<std::size_t>(count));
@@ -35,7 +35,7 @@ Spans reactions(const receive::Receiver& receiver, int count, Command command) {
     for (int i = 0; i < count; ++i) {
         const double wanted = i % 2 == 0 ? kTurn : -kTurn;
         const double before = wristTargetSpeed(receiver, sample);
-        // Starts at a varying time within the robot's period.
+        // Start at a varying time within the robot's period.
         std::this_thread::sleep_for(20ms + std::chrono::microseconds(137 * (i % 29)));
         const std::int64_t begin = SteadyClock::shared().nowNs();
         if (!command(wanted)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The circle with a timer and with the packet-locked loop, and the round trip of the speed slider; with and without
-// real-time priority, idle and under load.
+// The circle with a timer and with the packet-locked loop, and the round trip of the speed slider. With and
+// without real-time priority, idle and under load.
 #include <QTextStream>
 #include <atomic>
 #include <chrono>
@@ -29,10 +29,10 @@ namespace {
 using namespace std::chrono_literals;
 using realtime::Histogram;
 
-constexpr std::int64_t kCycleLimitNs = 2'500'000;      // as in the publication
-constexpr std::int64_t kRoundTripLimitNs = 4'500'000;  // as in the publication
+constexpr std::int64_t kCycleLimitNs = 2'500'000;      // limit of the publication
+constexpr std::int64_t kRoundTripLimitNs = 4'500'000;  // limit of the publication
 
-/// Like `stress`: keeps all cores busy at normal priority.
+/// Keeps all cores busy at normal priority, like the tool `stress`.
 class Load {
 public:
     explicit Load(bool wanted) {
@@ -42,7 +42,7 @@ public:
                 realtime::nameThread("load");
 #ifdef __linux__
                 const sched_param normal{};
-                sched_setscheduler(0, SCHED_OTHER, &normal);  // independent of the parent's priority
+                sched_setscheduler(0, SCHED_OTHER, &normal);  // must not depend on the priority of the parent
 #endif
                 volatile double x = 1;
                 while (!over_) {
@@ -93,7 +93,8 @@ std::size_t cyclesIn(double seconds) {
 struct CircleResult {
     explicit CircleResult(double seconds) : cycles(2 * cyclesIn(seconds)) {}
     Spans cycles;
-    Histogram reaction;  ///< from the package a target is based on to the package it is sent with
+    /// Time from the package that a target is based on to the package with which the target is sent.
+    Histogram reaction;
     double worstOffMm = 0;
     std::uint64_t stale = 0;  ///< cycles without a packet in time
     Error error;
@@ -118,7 +119,7 @@ void timerCircle(control::Controller& controller, double seconds, CircleResult& 
     double time = 0;
     const std::size_t cycles = cyclesIn(seconds);
     std::int64_t usedNs =
-        0;  // the newest package when the target was computed, and the time it was passed on
+        0;  // newest package when the target was computed, and the time when the target was passed on
     std::int64_t handedNs = 0;
     for (std::size_t i = 0; i < cycles; ++i) {
         usedNs = controller.status().dataTimeNs;
@@ -132,7 +133,7 @@ void timerCircle(control::Controller& controller, double seconds, CircleResult& 
         result.cycles.add(previous, now);
         previous = now;
         const auto status = controller.status();
-        // Sent with the answer to the first later package.
+        // The target is sent with the reply to the first later package.
         constexpr std::int64_t kPeriodNs = 2 * kNsPerMs;
         std::int64_t leftNs = status.dataTimeNs;
         while (leftNs - kPeriodNs > handedNs) {
@@ -176,9 +177,9 @@ double p999Ms(const Durations& durations) {
     return static_cast<double>(durations.percentileNs(99.9)) / 1e6;
 }
 
-// Compares the regularity of the loops without concurrent measurements: the machine watch and the idle timer cost
-// one cycle in ten about 20 us, more than the difference. The loops alternate, so that load of the machine affects
-// both.
+// Compares the regularity of the loops without concurrent measurements. In one cycle out of ten, the machine
+// watch and the idle timer cost about 20 us, which is more than the difference. The loops alternate, so that
+// load on the computer affects both.
 void compareLoops(Report& report, control::Controller& controller, double seconds) {
     constexpr double kTurn = 1 / Circle::kFrequency;  // the next revolution starts at the same point
     const int turns = std::max(1, static_cast<int>(seconds / kTurn));
@@ -218,7 +219,7 @@ Spans roundTrips(const receive::Receiver& receiver, const QString& host, int cou
     for (int i = 0; i < count; ++i) {
         const double wanted = i % 2 == 0 ? 0.5 : 1.0;
         const std::int64_t begin = SteadyClock::shared().nowNs();
-        // Sent without waiting for the confirmation of the outputs: the round trip is measured.
+        // Do not wait for the confirmation of the outputs, because the round trip is measured.
         (void)outputs.setSpeedSlider(wanted, Deadline::after(0ms));
         bool seen = false;
         while (!seen && SteadyClock::shared().nowNs() - begin < kNsPerSecond) {
@@ -233,14 +234,14 @@ Spans roundTrips(const receive::Receiver& receiver, const QString& host, int cou
     return trips;
 }
 
-/// CPUs of the threads: the program's on one CPU, as ControllerOptions::cpus recommends; the robot's, which is a
-/// separate computer, on the others.
+/// CPUs of the threads. The threads of the program share one CPU, as ControllerOptions::cpus recommends.
+/// Those of the robot, which is normally a separate computer, use the other CPUs.
 struct Places {
     std::vector<int> program;
     std::vector<int> robot;
 };
 
-/// The last CPU available to this process, and all others; empty if there is only one.
+/// Returns the last CPU available to this process, and all others. Empty if there is only one CPU.
 Places places() {
     std::vector<int> cpus;
 #ifdef __linux__
@@ -305,7 +306,7 @@ void measure(Report& report, const Wishes& wishes, const Condition& condition, c
     }
     const bool required = condition.realtime && condition.load;
     const Load load(condition.load);
-    std::thread worker([&] {  // a separate thread, so that its priority ends with it
+    std::thread worker([&] {  // a separate thread, so that its priority ends with the thread
         if (condition.realtime) {
             const auto granted = realtime::requestRealtime(80, stay.program, true);
             report.add(QStringLiteral("real-time priority refused"), granted.priority.granted ? 0 : 1,

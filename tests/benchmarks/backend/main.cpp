@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Repeats the comparison in section IV of the ur_rtde publication with real sockets and the simulated controller on
-// this machine, and checks the limits of the backend: one table with pass or FAIL, or one JSON object with --json.
-// Exits with 1 if a limit is exceeded. The limits apply to cycles and round trips during which the CPUs were
-// available (machine_watch.h); the values of all are in the table as well. The regularity of the loops is compared
-// by the quieter half of all half seconds, alternating, without the watch. The load ("stress") is generated here:
+// Repeats the comparison in section IV of the ur_rtde publication with real sockets and the simulated
+// controller on this computer, and checks the limits of the backend. Prints one table with pass or FAIL, or
+// one JSON object with --json. Exits with 1 if a limit is exceeded. The limits apply to cycles and round
+// trips during which the CPUs were available (machine_watch.h). The table also contains the values of all
+// cycles and round trips. The regularity of the loops is compared without the watch. The loops alternate, and
+// only the quieter half of all half-second periods is compared. This program generates the load ("stress"):
 // busy threads, one per core plus one.
 //
 //   sudo build/release/bin/benchmarks/backend_performance            everything, about twelve minutes
 //   build/release/bin/benchmarks/backend_performance --seconds 3 --round-trips 100      a quick run
 //
-// Real-time priority requires root, or a line in limits.d; rows that need it fail otherwise.
+// Real-time priority requires root, or an entry in limits.d. Without it, rows that need it fail.
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -41,7 +42,7 @@ int main(int argc, char* argv[]) {
         return !parser.isSet("only") || parser.value("only") == QLatin1String(part);
     };
     Report report;
-    // First: locked memory and priorities would affect it later.
+    // Measure this first, because locked memory and priorities would affect it later.
     if (isWanted("costs")) {
         measureCosts(report);
     }

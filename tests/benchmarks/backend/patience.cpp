@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Accuracy of deadlines and cancels with a robot that does not respond, and the time until connections and objects
-// end.
+// Accuracy of deadlines and cancels with a robot that does not respond, and the time until connections and
+// objects are closed and destroyed.
 #include <QTextStream>
 #include <algorithm>
 #include <chrono>

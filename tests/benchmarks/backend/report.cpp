@@ -77,7 +77,7 @@ Durations Spans::quieterHalf() const {
 
 Durations Spans::whileThere(const MachineWatch& watch) const {
     std::vector<std::int64_t> there;
-    // The cause of a delay may have occurred just before the span.
+    // The cause of a delay may have occurred shortly before the span.
     constexpr std::int64_t kMarginNs = 2'000'000;
     for (const Span& span : spans_) {
         if (!watch.wasAway(span.fromNs - kMarginNs, span.toNs)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robot: one object for data, control, outputs, services and recordings, and its events.
+// The class Robot: one object for data, control, outputs, services and recordings, and its events.
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -23,7 +23,7 @@ Deadline limit() {
     return RobotFixture::limit();
 }
 
-/// A simulated robot in virtual time, a Robot that is connected to it, and the events so far.
+/// A simulated robot in virtual time, a Robot that is connected to it, and the events received so far.
 class Bench {
 public:
     explicit Bench(std::vector<std::string> fields = {}) {
@@ -52,7 +52,7 @@ public:
     void end() {
         bench.whileTimePasses([this] { robot.reset(); });
     }
-    /// A long move that is under way.
+    /// Starts a long move.
     control::Motion move() {
         JointPositions target = bench.robot().truth().q;
         target[0] += 1;
@@ -100,7 +100,7 @@ private Q_SLOTS:
         cell.bench.step(0.1);
         const receive::Sample sample = cell.robot->latest();
         QVERIFY(std::abs(receive::RobotState(sample).q()[5] - target[5]) < 1e-3);
-        // The fields that confirm outputs are received although they were not requested.
+        // The fields that confirm outputs are received even if they were not requested.
         const auto set = cell.bench.whileTimePasses(
             [&] { return cell.robot->outputs().setDigitalOutput(2, true, limit()); });
         QVERIFY2(set.ok(), why(set));
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(cell.isMoving());
         const double begin = cell.bench.robot().truth().timestamp;
         cell.end();
-        // The contract: 250 ms after the last packet.
+        // Limit of the contract: 250 ms after the last packet.
         QVERIFY(cell.bench.stepUntil([&] { return !cell.isMoving(); }, 0.25));
         QVERIFY(cell.bench.robot().truth().timestamp > begin);
         cell.bench.step(1);

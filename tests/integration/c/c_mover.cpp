@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Moves the arm through the C interface until the process ends; a line on the standard input selects an end, see
-// endProcess(). "object" closes the robot and keeps the process: c_mover <host> <motion>
+// Moves the arm through the C interface until the process ends. A line on the standard input selects how it
+// ends (see endProcess()). "object" closes the robot but not the process:
+//     c_mover <host> <motion>
 #include <chrono>
 #include <cstdio>
 #include <iostream>

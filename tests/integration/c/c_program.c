@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Uses every function of the C interface; exits with the line of the first failure: c_program <host> */
+/* Uses every function of the C interface. Exits with the line number of the first failure: c_program <host> */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -38,7 +38,7 @@ bool RegisterClient::connect() {
         if (!digits.match(QString::fromLatin1(dashboard_->ask("get serial number").chopped(1))).hasMatch()) {
             return fail("serial number");
         }
-        // ur_rtde skips the query for 127.0.0.1; here it is always sent, as for a robot on a network.
+        // ur_rtde skips the query for 127.0.0.1. The tests always send it, as for a robot on a network.
         version();
         if (!dashboard_->ask("is in remote control").contains("true")) {
             return fail("remote control");
@@ -80,7 +80,7 @@ bool RegisterClient::connect() {
     return upload();
 }
 
-// The upload sequence at the start and in `reuploadScript`.
+// The upload sequence that is used at the start and in `reuploadScript`.
 bool RegisterClient::upload(const QByteArray& path) {
     if (state_.runtime == kPlaying) {
         if (!stopScript()) {
@@ -120,7 +120,8 @@ void RegisterClient::step(int ticks) {
     }
 }
 
-// Values in the order of the recipe: the first integer is the command, the others follow in recipe order.
+// Sends values in the order of the recipe. The first integer is the command, and the others follow in recipe
+// order.
 bool RegisterClient::send(Recipe recipe, int id, const std::vector<double>& doubles,
                           const std::vector<int>& ints) {
     QByteArray package(1, recipe);
@@ -173,7 +174,7 @@ bool RegisterClient::command(Recipe recipe, int id, std::initializer_list<double
     const bool done = ended && state_.ints[0] == 2 && state_.runtime == kPlaying &&
                       !inMode(kProtectiveStop) && !inMode(kEmergencyStop);
     clear();
-    // The clear is seen before the next command is ready.
+    // The script must detect the clear command before the next command is ready.
     return done || fail("not done");
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A client with the behaviour of ur_rtde 1.5.8: its start-up sequence, its recipes with their trailing commas, its
-// register protocol, its reaction to stops. In virtual time: each wait advances the controller by one period and
-// reads one package.
-// Source: the network traffic of ur_rtde 1.5.8
+// A client that behaves like ur_rtde 1.5.8: its start-up sequence, its recipes with trailing commas, its
+// register protocol, and its reaction to stops. In virtual time: each wait advances the controller by one
+// period and reads one package. Source: the network traffic of ur_rtde 1.5.8
 
 #include <array>
 #include <initializer_list>
@@ -50,14 +49,16 @@ public:
 
     RegisterClient(VirtualRobot& robot, int offset = 0) : SteppedClient(robot), offset_(offset) {}
 
-    /// The start-up, step by step; false, with the step in `trouble`, where ur_rtde would give up.
+    /// Performs the start-up step by step. Where ur_rtde would give up, returns false with the step in
+    /// `trouble`.
     bool connect();
     bool upload(const QByteArray& path = {});
 
-    /// Follows its command function step by step: returns false where it returns false.
+    /// Follows the command function of ur_rtde step by step, and returns false where that function returns
+    /// false.
     bool command(Recipe recipe, int id, std::initializer_list<double> doubles = {},
                  std::initializer_list<int> ints = {});
-    /// A command without waiting.
+    /// Sends a command without waiting.
     bool realtime(Recipe recipe, int id, std::initializer_list<double> doubles = {},
                   std::initializer_list<int> ints = {}) {
         return waitReady() && send(recipe, id, doubles, ints);
@@ -66,7 +67,7 @@ public:
     bool clear() { return send(kNothing, 0, {}, {}); }
     /// Advances by control periods.
     void step(int ticks = 1) override;
-    /// Ends the script as its path and custom-script functions do.
+    /// Ends the script in the same way as the path and custom-script functions of ur_rtde.
     bool stopScript();
     void disconnect();
 

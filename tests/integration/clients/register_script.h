@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A control script similar to the one uploaded by ur_rtde: it reads commands from input registers, answers in
-// output registers, and has servo, speed, force, jog, path and contact threads. Written for these tests; it uses
-// the builtins and language features that the script of ur_rtde 1.5.8 relies on.
+// A control script similar to the one uploaded by ur_rtde. It reads commands from input registers and replies
+// in output registers. It has servo, speed, force, jog, path and contact threads. Written for these tests, it
+// uses the built-in functions and language features that the script of ur_rtde 1.5.8 relies on.
 
 #include <QByteArray>
 
 namespace tiller::test {
 
-/// `offset`: of the registers, 0 or 24. `path`: statements of an inserted path, empty for none.
+/// offset  register offset, 0 or 24
+/// path    statements of an inserted path; empty: none
 inline QByteArray registerScript(int offset = 0, const QByteArray& path = {}) {
     QByteArray text = R"(
 def register_control():

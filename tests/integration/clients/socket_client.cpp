@@ -38,8 +38,8 @@ Six sixAt(const QByteArray& bytes, qsizetype at) {
     return six;
 }
 
-/// All written data have arrived in the other end's buffer, so that script timeouts do not depend on the load of
-/// this machine.
+/// Waits until all written data have arrived in the buffer of the other end, so that script timeouts do not
+/// depend on the load of the computer.
 void waitArrived([[maybe_unused]] QTcpSocket& socket) {
 #ifdef __linux__
     int unacknowledged = 1;
@@ -104,7 +104,7 @@ bool SocketClient::connectRtde() {
     if (!rtde_->start()) {
         return fail("start");
     }
-    // The library reads until it considers the controller booted; only data may arrive.
+    // The library reads until it considers the controller as booted. During that time, only data may arrive.
     int packages = 0;
     do {
         robot_.controller.step();
@@ -292,7 +292,7 @@ void SocketClient::readPackage(const QByteArray& package) {
     }
 }
 
-// Sizes must match exactly.
+// The sizes must match exactly.
 void SocketClient::readState(const QByteArray& package) {
     qsizetype at = 5;
     while (at + 5 <= package.size()) {

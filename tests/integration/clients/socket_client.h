@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A client with the behaviour of Universal Robots' C++ client library 2.14: RTDE with its recipes and its pause in
-// between, the primary interface read package by package, a script sent after "stop program", and three servers to
-// which the script connects. In virtual time, period by period.
-// Source: the network traffic of client library 2.14
+// A client that behaves like Universal Robots' C++ client library 2.14: RTDE with its recipes and a pause in
+// between, the primary interface read package by package, a script sent after "stop program", and three
+// servers to which the script connects. In virtual time, period by period. Source: the network traffic of
+// client library 2.14
 
 #include <QTcpServer>
 #include <array>
@@ -17,22 +17,22 @@
 
 namespace tiller::test {
 
-/// Messages of the primary interface.
+/// Data received from the primary interface.
 struct PrimaryNews {
     bool version = false;
     bool configuration = false;
     bool kinematics = false;
-    bool running = false;  ///< robot mode data: a program is running
+    bool running = false;  ///< from robot mode data: true if a program is running
     bool paused = false;
     bool protectiveStopped = false;
     int robotMode = -1;
     std::vector<QByteArray> texts;
-    std::vector<QByteArray> keys;        ///< title and text
-    std::vector<QByteArray> exceptions;  ///< text of runtime exceptions
+    std::vector<QByteArray> keys;        ///< title and text of key messages
+    std::vector<QByteArray> exceptions;  ///< texts of runtime exceptions
     std::vector<qint32> errorCodes;
     std::vector<int> errorLevels;
     std::vector<int> safetyModes;
-    QByteArray malformed;  ///< the first package that violates the protocol
+    QByteArray malformed;  ///< first package that violates the protocol
 };
 
 class SocketClient : public SteppedClient {
@@ -49,7 +49,7 @@ public:
         kToolContact,
         kTorque
     };
-    /// One RTDE package, as far as needed by the tests.
+    /// The fields of an RTDE package that the tests need.
     struct Data {
         double timestamp = 0;
         Six actualQ{};
@@ -64,16 +64,17 @@ public:
 
     explicit SocketClient(VirtualRobot& robot) : SteppedClient(robot) {}
 
-    /// Connects RTDE, primary, the three servers and the script; false, with the step in `trouble`, where the
-    /// library would throw.
+    /// Connects RTDE, the primary interface, the three servers and the script. Where the library would throw,
+    /// returns false with the step in `trouble`.
     bool connect(const QByteArray& ending = {});
     /// Sends a complete program on the primary socket.
     void sendScript(const QByteArray& text);
 
-    /// Eight integers on the reverse socket: timeout [ms], six values times a million, mode.
+    /// Sends eight integers on the reverse socket: timeout [ms], six values multiplied by one million, and
+    /// the mode.
     bool write(const Six& values, Mode mode, int timeoutMs = 200);
     bool writeRaw(const std::array<qint32, 6>& values, Mode mode, int timeoutMs = 200);
-    /// 21 integers on the trajectory socket.
+    /// A point of a trajectory: 21 integers on the trajectory socket.
     struct Point {
         Six target{};
         Six second{};                   ///< via, velocities, near joints
@@ -85,9 +86,11 @@ public:
     bool writePoint(const Point& point);
     /// Announces and sends a trajectory with these points.
     bool startTrajectory(const std::vector<Point>& points);
-    /// The result sent by the script, if in time: 0 success, 1 canceled, 2 failure.
+    /// Returns the result sent by the script; empty if it did not arrive in time. 0 success, 1 cancelled, 2
+    /// failure.
     std::optional<int> trajectoryResult(double seconds);
-    /// 28 integers on the command socket; values are scaled unless `raw`.
+    /// Sends 28 integers on the command socket. The values are scaled.
+    /// rawFirst  true: the first value is not scaled
     bool writeCommand(int command, const std::vector<double>& values, bool rawFirst = false);
     std::optional<int> commandReply(double seconds);
     bool isReverseConnected();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common parts of the tests of the socket client: for each test function a robot, and a client with its script
-// running.
+// Common parts of the tests of the socket client. For each test function, there is a robot and a client whose
+// script is running.
 
 #include <QTest>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A control script similar to the one uploaded by Universal Robots' C++ client library: it connects to the client
-// with three sockets (trajectory, script commands, reverse), servos, runs trajectories and splines, and executes
-// commands in parallel. Written for these tests; it uses the builtins and language features that the script of
-// library 2.14 relies on.
+// A control script similar to the one uploaded by Universal Robots' C++ client library. It connects to the
+// client with three sockets (trajectory, script commands, reverse), servos, runs trajectories and splines,
+// and executes commands in parallel. Written for these tests, it uses the built-in functions and language
+// features that the script of library 2.14 relies on.
 
 #include <QByteArray>
 
@@ -16,7 +16,7 @@ struct SocketPorts {
     int command = 50004;
 };
 
-/// `ending`: statements after the control loop.
+/// ending  statements after the control loop
 inline QByteArray socketScript(const SocketPorts& ports, const QByteArray& ending = {}) {
     QByteArray text = R"(	def socket_control():
 	# constants; PolyScope puts blanks or tabs before each line

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Two simple types of client: one like Universal Robots' RTDE Python library (an input recipe, an output recipe, a
-// set point program), one like python-urx (single script lines on the secondary interface, the state parsed from
-// its packages, the realtime records).
+// Two simple types of client. One is like Universal Robots' RTDE Python library (an input recipe, an output
+// recipe, a set point program). The other is like python-urx (single script lines on the secondary interface,
+// the state parsed from its packages, the realtime records).
 
 #include <QTest>
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// The RTDE Python library: names and types from the replies, values by name.
+/// Like the RTDE Python library: takes names and types from the replies, and stores values by name.
 class RecipeClient {
 public:
     explicit RecipeClient(VirtualRobot& robot) : robot_(robot), rtde_(robot.rtde()) {}
@@ -53,7 +53,7 @@ public:
         rtde_.sendPackage('U', recipe + values);
         return robot_.controller.waitForInputPackages(before + 1, Deadline::after(std::chrono::seconds(20)));
     }
-    /// Advances one period and reads its package.
+    /// Advances one period and reads the package of that period.
     bool receive() {
         robot_.controller.step();
         const auto package = rtde_.next();
@@ -88,7 +88,7 @@ private:
     std::map<QByteArray, std::vector<double>> values_;
 };
 
-/// python-urx: reads the secondary stream, resynchronizes after an invalid header, uses the state.
+/// Like python-urx: reads the secondary stream, resynchronizes after an invalid header, and uses the state.
 class LineClient {
 public:
     explicit LineClient(VirtualRobot& robot)
@@ -112,7 +112,7 @@ public:
         secondary_.send(line + '\n');
         robot_.controller.drainSockets();
     }
-    /// A tenth of a second, with one state.
+    /// Advances a tenth of a second and reads one state.
     void step() {
         robot_.controller.step(50);
         buffer_ += secondary_.takeAll();
@@ -136,7 +136,7 @@ public:
         }
         return false;
     }
-    /// The library's wait for the end of a move: the program starts, then no program is running.
+    /// Waits for the end of a move like the library: first the program starts, then no program is running.
     bool waitForMove(double seconds) {
         return until([this] { return state_.programRunning; }, 1) &&
                until([this] { return !state_.programRunning; }, seconds);
@@ -211,7 +211,8 @@ class TestLineClients : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The library's control loop example: set points in registers, a watchdog bit, a program that moves.
+    // The control loop example of the library: set points in registers, a watchdog bit, and a program that
+    // moves.
     void aRecipeClientRunsItsControlLoop() {
         VirtualRobot robot;
         RecipeClient client(robot);
@@ -269,7 +270,7 @@ private Q_SLOTS:
                                  goals[static_cast<std::size_t>(round % 2)][i]) < 1e-3);
             }
         }
-        // No more watchdog signals: the watchdog stops the program.
+        // Without further watchdog signals, the watchdog stops the program.
         bool stopped = false;
         for (int n = 0; n < 1000 && !stopped; ++n) {
             QVERIFY(client.receive());
@@ -322,7 +323,7 @@ private Q_SLOTS:
         client.sendLine("movec(p" + list(via) + ", p" + list(pose) + ", a=0.3, v=0.1, r=0)");
         QVERIFY(client.waitForMove(10));
         QVERIFY(std::abs(client.state().pose[2] - pose[2]) < 1e-3);
-        // Several moves as one program, with blends except for the last.
+        // Several moves in one program, with blends except for the last move.
         std::array<double, 6> second = pose;
         second[1] -= 0.1;
         client.sendLine("def myProg():\n\tmovel(p" + list(second) + ",a=0.5,v=0.2,r=0.02)\n\tmovel(p" +

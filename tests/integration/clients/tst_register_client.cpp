@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A client with ur_rtde's start-up and register protocol, and a control script with its features, with the
-// simulated controller.
+// A client with ur_rtde's start-up and register protocol, and a control script with the features of ur_rtde's
+// script, with the simulated controller.
 
 #include <QTest>
 #include <numbers>
@@ -81,7 +81,7 @@ private Q_SLOTS:
     void cleanup() {
         client_->disconnect();
         client_.reset();
-        // Move the arm to the start for the next client.
+        // Move the arm to its initial position for the next client.
         RawPrimary script = robot_.primary();
         script.send(
             "def home():\n  end_freedrive_mode()\n  set_tcp(p[0,0,0,0,0,0])\n  set_payload(0,[0,0,0])\n"
@@ -92,13 +92,13 @@ private Q_SLOTS:
         robot_.controller.changeWorld([](simulator::arm::Environment& world) { world.clearSurfaces(); });
         QVERIFY(robot_.stepUntil([this] { return robot_.programState() == RuntimeState::Playing; }, 1));
         QVERIFY(robot_.stepUntil([this] { return robot_.programState() == RuntimeState::Stopped; }, 5));
-        QTRY_COMPARE(robot_.controller.rtdeClients(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(robot_.controller.rtdeClients(), 0, 60'000);
     }
 
     void theScriptEndsAndStartsAgainAtOnce() {
         QVERIFY(client_->stopScript());
         QCOMPARE(client_->state().runtime, 1U);
-        // Sent as for a path: without pause and dashboard.
+        // Sent as for a path, without pause and dashboard.
         client_->scriptSocket().send(registerScript(0));
         robot_.controller.drainSockets();
         QVERIFY(client_->until([this] { return client_->state().runtime == 2; }, 5));
@@ -109,7 +109,7 @@ private Q_SLOTS:
 
     void aReconnectedClientFindsItsRegistersFree() {
         client_->disconnect();
-        QTRY_COMPARE(robot_.controller.rtdeClients(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(robot_.controller.rtdeClients(), 0, 60'000);
         client_ = std::make_unique<Client>(robot_);
         QVERIFY2(client_->connect(), client_->trouble);
         QVERIFY(client_->command(Client::kNothing, 43));
@@ -118,7 +118,7 @@ private Q_SLOTS:
     void theUpperRangeWorksAlike() {
         QVERIFY(client_->stopScript());
         client_->disconnect();
-        QTRY_COMPARE(robot_.controller.rtdeClients(), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(robot_.controller.rtdeClients(), 0, 60'000);
         client_ = std::make_unique<Client>(robot_, 24);
         QVERIFY2(client_->connect(), client_->trouble);
         QVERIFY(client_->command(Client::kNothing, 43));
@@ -126,7 +126,7 @@ private Q_SLOTS:
     }
 
     void movesReachTheirTargets() {
-        // A move to the current pose completes immediately.
+        // A move to the current pose is complete immediately.
         QVERIFY2(six(Client::kMove, 3, poseNow(), {0.25, 1.2}, {0}), client_->trouble);
         Six q = jointsNow();
         q[0] += 0.3;
@@ -195,8 +195,8 @@ private Q_SLOTS:
         QVERIFY(robot_.controller.truth().qd.values.norm() < 2e-3);
     }
 
-    // The command is answered like an ordinary one but the client does not wait: the next command does not find
-    // "ready" within its three seconds, gives up and clears; the one after it works.
+    // The command is answered like an ordinary command, but the client does not wait. The next command does
+    // not find "ready" within its three seconds, gives up and clears. The command after it works.
     void servoCircularBehavesAsWithTheRealClient() {
         Six pose = poseNow();
         pose[2] += 0.05;
@@ -226,7 +226,7 @@ private Q_SLOTS:
 
     void jogInTheToolFrameAndStop() {
         const Six start = poseNow();
-        // Tool z points down.
+        // The Z axis of the tool points down.
         QVERIFY(six(Client::kJog, 41, {0, 0, -0.05, 0, 0, 0}, {1, 0.5}));
         QVERIFY(client_->until(
             [&] { return robot_.controller.truth().tcpPose.position.z() > start[2] + 0.02; }, 2));
@@ -291,7 +291,7 @@ private Q_SLOTS:
         QVERIFY(close({}, 1e-12));
         QVERIFY(client_->command(Client::kNothing, 28));
         QVERIFY(close(poseNow(), 1e-4));
-        QVERIFY(client_->command(Client::kNothing, 58));  // answered and overwritten in one period
+        QVERIFY(client_->command(Client::kNothing, 58));  // the reply is overwritten in the same period
         QVERIFY(close(poseNow(), 1e-4));
         QVERIFY(client_->until([this] { return client_->state().ints[0] == 1; }, 1));
         client_->step(300);
@@ -299,7 +299,7 @@ private Q_SLOTS:
         QCOMPARE(client_->state().ints[1], 1);
         QVERIFY(client_->command(Client::kNothing, 54));
         QCOMPARE(client_->state().ints[1], 0);
-        // Commands without waiting are read a little later.
+        // Commands without waiting are read slightly later.
         QVERIFY(client_->realtime(Client::kNothing, 26));
         client_->step(3);
         QCOMPARE(results()[0], kDt);
@@ -331,7 +331,7 @@ private Q_SLOTS:
         QCOMPARE(doubleAt(data, 1 + 48), 1.5);
         QCOMPARE(doubleAt(data, 1 + 72), 0.03);
         QCOMPARE(doubleAt(data, 1 + 88), 4.91);
-        // A centre of gravity of zero means: unchanged.
+        // A centre of gravity of zero means that it does not change.
         QVERIFY(client_->command(Client::kFour, 17, {2.0, 0, 0, 0}));
         client_->step();
         QByteArray last = data;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A client with the start-up, sockets and expectations of Universal Robots' C++ client library, and a control
-// script with its features, with the simulated controller: streams, commands, scripts and their messages.
+// Tests a client with the start-up, sockets and expectations of Universal Robots' C++ client library, and a
+// control script with the features of the library's script. Both are run with the simulated controller:
+// streams, commands, scripts and their messages.
 
 #include <QTest>
 #include <cmath>
@@ -19,7 +20,7 @@ private Q_SLOTS:
         QVERIFY(keepIdle(20));
         QVERIFY(client_->writeRaw({}, Client::kStopped, 100));
         QVERIFY(client_->until([this] { return !client_->isReverseConnected(); }, 1));
-        QCOMPARE(client_->data().runtime, 2U);  // the statements after the loop
+        QCOMPARE(client_->data().runtime, 2U);  // the statements after the loop are running
         QVERIFY(client_->until([this] { return client_->data().runtime == 1; }, 1));
         QVERIFY(client_->until([this] { return client_->news().keys.size() >= 2; }, 1));
         QCOMPARE(client_->news().keys.back(), QByteArray("PROGRAM_XXX_STOPPED socket_control"));
@@ -50,7 +51,7 @@ private Q_SLOTS:
             client_->step();
         }
         QVERIFY(largest(client_->data().actualQ, before) < 1e-3);
-        // Poses, with the solution near the last set point.
+        // Sends poses. The solution is the one near the last set point.
         Six goal = pose();
         for (int n = 0; n < 250; ++n) {
             goal[2] += 0.0001;
@@ -202,7 +203,8 @@ private Q_SLOTS:
             client_->sendScript(text + '\n');
             return client_->until([this] { return client_->news().keys.size() >= 3; }, 20);
         };
-        // The program replaces the control script: STOPPED of the control script, then STARTED and STOPPED.
+        // The program replaces the control script, which results in STOPPED of the control script, then
+        // STARTED and STOPPED of the program.
         QVERIFY(run("def short():\n  movej([-1.6,-1.72,-2.2,-0.8,1.59,-0.03])\nend"));
         QCOMPARE(client_->news().keys[1], QByteArray("PROGRAM_XXX_STARTED short"));
         QCOMPARE(client_->news().keys[2], QByteArray("PROGRAM_XXX_STOPPED short"));
@@ -223,12 +225,12 @@ private Q_SLOTS:
         QVERIFY(client_->until([this] { return !client_->news().exceptions.empty(); }, 2));
         QVERIFY(client_->until([this] { return client_->data().runtime == 1; }, 2));
         client_->news() = {};
-        // A line towards a far point moves until the end of reach, where the robot stops it.
+        // A line towards a distant point moves to the end of the reach, where the robot stops the arm.
         client_->sendScript("def far():\n  movel(p[10,0,0,0,0,0])\nend\n");
         constexpr double kHangs = 60;  // [s]
         QVERIFY(client_->until([this] { return client_->news().protectiveStopped; }, kHangs));
         const Six& pose = client_->data().actualPose;
-        constexpr double kShoulder = 0.1625;  // above the base [m]
+        constexpr double kShoulder = 0.1625;  // height of the shoulder above the base [m]
         const double reach = std::hypot(pose[0], pose[1], pose[2] - kShoulder);
         QVERIFY2(reach > 0.9, qPrintable(QString::number(reach)));
         QCOMPARE(client_->news().errorLevels, std::vector<int>{2});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Trajectories as sent by Universal Robots' C++ client library: moves of all types, blends, splines, their results,
-// and force mode in parallel.
+// Trajectories as sent by Universal Robots' C++ client library: moves of all types, blends, splines and their
+// results, and force mode in parallel.
 
 #include <QTest>
 #include <cmath>
@@ -14,7 +14,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// Position of a spline segment at a time and at its end, per joint: Hermite, cubic or quintic.
+/// Returns the position of one joint on a spline segment (cubic or quintic Hermite) at a normalized time s.
 double hermite(double s, double q0, double q1, double v0, double v1, double T, bool quintic) {
     const double b0 = v0 * T;
     const double b1 = v1 * T;
@@ -211,7 +211,7 @@ private Q_SLOTS:
     }
 
     void stopSettlesBeforeTheResultIsReported() {
-        // 1.6 rad at 3.4 rad/s2 take 1.372 s; another client treats a result before 1.4 s as a failure.
+        // 1.6 rad at 3.4 rad/s2 takes 1.372 s. Another client treats a result before 1.4 s as a failure.
         QVERIFY(client_->startTrajectory({jointPoint({-1.57, -1.6, 1.6, -0.7, 0.7, 0.2}, 3.4, 3.1)}));
         QCOMPARE(client_->trajectoryResult(10).value_or(-1), 0);
         const double before = client_->data().timestamp;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All backend calls with a deadline, with a peer that does not respond, for the test of deadlines and the benchmark
-// of their accuracy.
+// All backend calls with a deadline, and a peer that does not respond. Used by the test of deadlines and by
+// the benchmark of their accuracy.
 
 #include <vector>
 
@@ -28,7 +28,7 @@ namespace tiller::test {
 
 /// A robot in control that has just hung, and servers that accept clients and send nothing.
 struct MuteWorld {
-    // software with all functions
+    // a software version with all functions
     Cell cell{[](simulator::SimulatorOptions& options) { options.software = {5, 25, 1, 0}; }};
     RawPeer mute{[](RawPeer::Link& link) { link.beMute(); }};
     RawPeer greets{[](RawPeer::Link& link) {
@@ -48,7 +48,7 @@ struct MuteWorld {
         if (const auto taken = cell.takeControl(); !taken) {
             return taken;
         }
-        cell.robot.silence(true);  // from here on there are no steps and no packets
+        cell.robot.silence(true);  // from here on, the robot neither steps nor sends packets
         return {};
     }
     control::Controller& controller() { return *cell.controller; }
@@ -220,7 +220,7 @@ inline std::vector<BlockingCall> blockingCalls() {
         options.host = w.host();
         options.port = w.mute.port();
         const auto client = std::make_shared<script::PrimaryClient>(options);
-        w.kept.push_back(client);  // its destruction is not part of the call
+        w.kept.push_back(client);  // destruction of the object must not be part of the measured call
         client->start();
         return client->waitForState(d).error();
     });

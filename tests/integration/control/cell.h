@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A simulated robot and a controller on one virtual clock: real sockets and real threads, no real time. Each step
-// is one control period; the controller's answer has arrived before the next step begins.
+// A simulated robot and a controller on one virtual clock, with real sockets and real threads, but not in
+// real time. Each step is one control period. The next step begins only after the controller's reply has
+// arrived.
 
 #include <QTest>
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace tiller::test {
 
 inline constexpr double kDeg = 3.14159265358979323846 / 180;
 
-/// A manually advanced clock that can pretend to run by itself.
+/// A clock that is advanced manually. It can behave like a clock that runs by itself.
 class CellClock final : public Clock {
 public:
     std::int64_t nowNs() const override {
@@ -28,7 +29,7 @@ public:
         }
         return clock_.nowNs();
     }
-    /// Starts counting the accesses of this thread.
+    /// Starts counting the clock accesses of this thread.
     void count(std::thread::id thread) { counted_.store(thread, std::memory_order_release); }
     std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
     bool runsByItself() const override { return pretending_; }
@@ -38,12 +39,12 @@ public:
         longestNs_ = std::max(longestNs_.load(), left);
         awakeNs_ = awakeNs;
     }
-    /// The shortest requested wait.
+    /// The shortest wait that was requested [ns].
     std::int64_t shortestNs() const { return shortestNs_; }
     std::int64_t longestNs() const { return longestNs_; }
     std::int64_t awakeNs() const { return awakeNs_; }
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
-    /// Makes timed actions happen at their time, although no thread waits for them.
+    /// Makes timed actions happen at their time even though no thread waits for them.
     void pretendToRun() { pretending_ = true; }
 
 private:
@@ -51,7 +52,7 @@ private:
     std::atomic<bool> pretending_{false};
     std::atomic<std::thread::id> counted_{};
     mutable std::atomic<std::uint64_t> asked_{0};
-    mutable std::atomic<std::int64_t> shortestNs_{kNsPerSecond};  // waits happen in one thread
+    mutable std::atomic<std::int64_t> shortestNs_{kNsPerSecond};  // only one thread waits
     mutable std::atomic<std::int64_t> longestNs_{0};
     mutable std::atomic<std::int64_t> awakeNs_{0};
 };
@@ -90,8 +91,9 @@ public:
         while (!done) {
             const std::uint64_t inputs = robot.inputPackages();
             tick();
-            // A program without a heartbeat ends after 5 s, and the robot disconnects a client that does not read,
-            // even if only a thread is late: time advances no faster than real time, and stops when it answers.
+            // A program without a heartbeat ends after 5 s, and the robot disconnects a client that does not
+            // read, even if only a thread is late. Therefore, time advances no faster than real time until
+            // the controller replies, and then waits for its replies.
             const bool answers = inputs > before || robot.truth().runtimeState == RuntimeState::Playing;
             robot.waitForInputPackages(inputs + 1,
                                        Deadline::after(std::chrono::milliseconds(answers ? 20 : 2)));
@@ -137,7 +139,7 @@ public:
         releasing.join();
     }
 
-    /// Advances time by control periods of 2 ms; false if the controller stopped answering.
+    /// Advances time by control periods of 2 ms. Returns false if the controller stopped replying.
     bool step(int ticks = 1) {
         for (int i = 0; i < ticks; ++i) {
             const Answers before = answers();
@@ -151,10 +153,11 @@ public:
         }
         return true;
     }
-    /// The answers so far.
+    /// The replies received so far.
     struct Answers {
-        bool expected = false;  ///< in control, or would be if the newest data were fresh
-        double time = 0;        ///< ControllerStatus::answeredTime
+        /// True if the controller is in control, or would be if the newest data were fresh.
+        bool expected = false;
+        double time = 0;  ///< ControllerStatus::answeredTime
         std::uint64_t inputs = 0;
     };
     Answers answers() const {
@@ -162,10 +165,10 @@ public:
         const bool expected = status.inControl || status.loss == control::ControlLoss::DataStale;
         return {expected, status.answeredTime, robot.inputPackages()};
     }
-    /// Waits until data newer than `before` were answered and the answer has arrived; false after 20 s. The
-    /// next package from the controller is not necessarily the answer, because it also sends packages on its
-    /// own: a stop, or a set point between two packages. Taking such a package for the answer would put the
-    /// test one package ahead.
+    /// Waits until data newer than `before` have been answered and the reply has arrived. Returns false after
+    /// 20 s. The next package from the controller is not necessarily the reply, because the controller also
+    /// sends other packages: a stop, or a set point between two packages. If the test treated such a package
+    /// as the reply, it would be one package ahead.
     bool waitForAnswer(const Answers& before) {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));
         while (before.expected && controller->status().answeredTime == before.time) {
@@ -177,7 +180,7 @@ public:
         return robot.waitForInputPackages(before.inputs + 1, deadline);
     }
     bool stepMs(int ms) { return step(ms / 2); }
-    /// Advances robot and clock independent of the controller.
+    /// Advances robot and clock independently of the controller.
     void stepAlone(int ticks = 1) {
         for (int i = 0; i < ticks; ++i) {
             tick();
@@ -186,17 +189,17 @@ public:
             }
         }
     }
-    /// Waits until no program is running. A program that was not ended, because release() timed out first, ends
-    /// after 5 s without a heartbeat. False if it continues.
+    /// Waits until no program is running. A program that was not ended because release() timed out first ends
+    /// after 5 s without a heartbeat. Returns false if the program continues.
     bool programEnds() {
-        constexpr double kPatience = 6;  // [s] of robot time
+        constexpr double kPatience = 6;  // [s] robot time
         for (int ticks = static_cast<int>(kPatience / robot.stepTime());
              ticks > 0 && robot.truth().runtimeState != RuntimeState::Stopped; --ticks) {
             stepAlone();
         }
         return robot.truth().runtimeState == RuntimeState::Stopped;
     }
-    /// Holds a jog for this time, refreshing it every 20 ms.
+    /// Holds a jog for this time and refreshes it every 20 ms.
     bool hold(const control::Jog& jog, int ms) {
         for (int t = 0; t < ms; t += 2) {
             if (t % 20 == 0 && !jog.refresh()) {
@@ -219,7 +222,8 @@ public:
         }
         return false;
     }
-    /// Control periods until standstill, at most this number of ms; -1 if there is none.
+    /// Returns the number of control periods until standstill; -1 if the arm does not stop within this time
+    /// [ms].
     int ticksToStandstill(int atMostMs) {
         for (int ticks = 0; ticks * 2 <= atMostMs; ++ticks) {
             if (isStanding()) {
@@ -257,7 +261,7 @@ private:
         clock.advanceNs(static_cast<std::int64_t>(robot.stepTime() * 1e9 + 0.5));
         robot.step();
     }
-    // Waits for the answers to everything sent before.
+    // Waits for the replies to everything sent before.
     void settle() {
         const Deadline deadline = Deadline::after(std::chrono::seconds(20));
         while (controller->status().inControl &&

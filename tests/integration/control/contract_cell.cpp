@@ -11,9 +11,9 @@ using std::chrono::milliseconds;
 
 namespace {
 
-constexpr double kSpeed = 0.1;         ///< of the tool [m/s], as in the jog contract
+constexpr double kSpeed = 0.1;         ///< TCP speed [m/s], as in the jog contract
 constexpr double kAcceleration = 0.5;  ///< [m/s2]
-constexpr double kTurn = 0.3;          ///< of a joint: about the same speed at the tool [rad/s]
+constexpr double kTurn = 0.3;          ///< joint speed that results in about the same TCP speed [rad/s]
 
 Deadline patience() {
     return Deadline::after(std::chrono::seconds(30));
@@ -45,7 +45,7 @@ JointPositions turned(const ContractCell& cell, double by) {
     return q;
 }
 
-/// Torque that accelerates the base to about kTurn and keeps this speed [Nm].
+/// Returns the torque that accelerates the base to about kTurn and keeps this speed [Nm].
 double turningTorque(const ContractCell& cell) {
     constexpr double kGain = 40;            // [Nm s/rad]
     constexpr double kAimed = 1.2 * kTurn;  // compensates friction
@@ -63,7 +63,7 @@ Error take(ContractCell& cell, const Result<Motion>& motion) {
     return motion ? Error() : motion.error();
 }
 
-/// Keeps a stream active, with a copy of its handle.
+/// Refreshes a stream continuously through a copy of its handle.
 template <class Stream, class Next>
 Error stream(ContractCell& cell, const Result<Stream>& started, Next next) {
     if (!started) {
@@ -108,7 +108,7 @@ Error push(ContractCell& cell) {
 }  // namespace
 
 const std::vector<ContractMotion>& contractMotions() {
-    // The position of the arm is known here; each motion stays away from all limits.
+    // The position of the arm is known. Each motion stays away from all limits.
     static const std::vector<ContractMotion> kMotions{
         {"jog", nullptr, false, false, kSpeed, [](ContractCell& c) { return beginJog(c, up()); }, holdJog},
         {"jog a joint", nullptr, false, false, 0.08, [](ContractCell& c) { return beginJog(c, turning()); },
@@ -243,7 +243,7 @@ void play(ContractCell& cell) {
     cell.say("run program");
 }
 
-/// A pause at the end of which the process no longer exists.
+/// A pause during which the process ends.
 ContractEvent lostInPause(const char* name, double seconds) {
     return {name,
             kLostMs,
@@ -266,7 +266,8 @@ const std::vector<ContractEvent>& contractEvents() {
          kReleaseMs,
          [](ContractCell& c) {
              c.holding = false;
-             // A stop does not wait for data, or bunched data would delay it in this case only.
+             // Send the stop without waiting for data. Otherwise, bunched data would delay the stop, and only
+             // in this case.
              const std::uint64_t packages = c.robot.inputPackages();
              c.clock.pretendToRun(true);
              c.controller->stop(StopCause::Released);
@@ -325,7 +326,7 @@ const std::vector<ContractEvent>& contractEvents() {
              c.inject("silence on");
          },
          {[](ContractCell& c) {
-             c.inject("half-open");  // reconnected, with the previous connection forgotten
+             c.inject("half-open");  // the client has reconnected, and the previous connection is half-open
              c.inject("silence off");
          }}},
         {"debugger pause",
@@ -411,7 +412,7 @@ ContractCell::ContractCell(const simulator::BehaviourOptions& assumptions, doubl
 
 ContractCell::~ContractCell() {
     clock.freeze(false);
-    robot.stop();  // first, so that nothing waits for it
+    robot.stop();  // stop the robot first, so that no thread waits for it
     controller.reset();
 }
 
@@ -425,11 +426,11 @@ void ContractCell::step(int patienceMs) {
         held_->hold(*this);
     }
     if (reachable && robot.truth().runtimeState == RuntimeState::Paused) {
-        // The controller stops a paused program on another connection, at its own pace.
+        // The controller stops a paused program over another connection, at its own speed.
         std::this_thread::sleep_for(milliseconds(1));
     }
     if (reachable) {
-        // Each package is answered before time advances.
+        // Each package must be answered before time advances.
         robot.stepAnswered(Deadline::after(milliseconds(patienceMs)));
     } else {
         robot.step();
@@ -437,7 +438,7 @@ void ContractCell::step(int patienceMs) {
 }
 
 bool ContractCell::takeControl(QString& why) {
-    constexpr int kShort = 2;  // there are no answers until the control thread is running
+    constexpr int kShort = 2;  // there are no replies until the control thread is running
     const auto taken =
         during([this] { return controller->takeControl(Deadline::after(std::chrono::seconds(30))); }, kShort);
     why = taken ? QString() : taken.error().toString();
@@ -470,7 +471,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
     double waited = 0;
     while (robot.truth().tcpSpeed.linear.norm() < fast && waited < atMost) {
         step();
-        // Not earlier: an external force at the start of freedrive causes a protective stop.
+        // Not before 60 ms, because an external force at the start of freedrive causes a protective stop.
         if (what.byOperator && waited <= 60 && waited + stepTimeMs() > 60) {
             robot.pressHand({{0, 0, 12}, {0, 0, 0}});
         }
@@ -510,7 +511,7 @@ ContractOutcome ContractCell::run(const ContractMotion& what, const ContractEven
                 std::max(outcome.resumedMm, (now.tcpPose.position - rest.tcpPose.position).norm() * 1000);
         }
     }
-    constexpr double kNothing = 0.3;  // [mm]: a step or two of the remaining motion, and the noise
+    constexpr double kNothing = 0.3;  // [mm] one or two steps of the remaining motion, and noise
     if (outcome.resumedMm > kNothing && outcome.problem.isEmpty()) {
         outcome.problem = QStringLiteral("it resumed by %1 mm").arg(outcome.resumedMm, 0, 'f', 2);
     }

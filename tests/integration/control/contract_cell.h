@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One case of the stop contract: a motion of the native library, an event that must end it, and the reaction of the
-// arm. In virtual time: the robot is stepped, and the controller answers before the next step unless the event
-// prevents it.
+// One case of the stop contract: a motion of the native library, an event that must end it, and the reaction
+// of the arm. The test runs in virtual time. The robot is stepped, and the controller replies before the next
+// step unless the event prevents it.
 
 #include <QRandomGenerator>
 #include <QTest>
@@ -25,8 +25,8 @@
 
 namespace tiller::test {
 
-/// A manually advanced clock. While frozen, all threads but the test's block when reading the time, like a process
-/// stopped by a debugger or SIGSTOP.
+/// A clock that is advanced manually. While it is frozen, all threads except that of the test block when they
+/// read the time, as in a process stopped by a debugger or SIGSTOP.
 class FreezingClock final : public Clock {
 public:
     std::int64_t nowNs() const override {
@@ -39,7 +39,7 @@ public:
     bool runsByItself() const override { return pretending_; }
     void waitUntil(std::int64_t, std::int64_t) const override {}
     void advanceNs(std::int64_t ns) { clock_.advanceNs(ns); }
-    /// Makes data that are otherwise sent with the next package be sent immediately.
+    /// Data that are otherwise sent with the next package are sent immediately.
     void pretendToRun(bool pretending) { pretending_ = pretending; }
     void freeze(bool frozen) {
         {
@@ -64,46 +64,47 @@ private:
 
 class ContractCell;
 
-/// A type of motion: started once, held for its duration, and never restarted.
+/// A type of motion. It is started once, held for its duration, and never restarted.
 struct ContractMotion {
     const char* name;
-    /// required builtin function that may be missing
+    /// built-in function that the motion needs and that a controller may not have
     const char* needs;
     bool byOperator;  ///< an external force moves the arm
-    bool isLong;      ///< starts with sending a program
+    bool isLong;      ///< true if the motion starts by sending a program
     double fast;      ///< resulting TCP speed [m/s] with the speed slider at 100 %
     std::function<Error(ContractCell&)> begin;
     std::function<void(ContractCell&)> hold;
     bool yields = false;  ///< force mode or freedrive is active
     SoftwareVersion
-        since{};  ///< the first software version with this motion, if newer than the simulator's default
+        since{};  ///< first software version with this motion, if newer than the default of the simulator
 };
 
 const std::vector<ContractMotion>& contractMotions();
 
 struct ContractEvent {
     const char* name;
-    double limitMs;  ///< to standstill
+    double limitMs;  ///< maximum time to standstill
     std::function<void(ContractCell&)> happen;
-    /// Actions after the event, in order, each with some time: none may move the arm.
+    /// Actions after the event, in order, each with some time. None of them may move the arm.
     std::vector<std::function<void(ContractCell&)>> after;
-    bool robotBrakes = false;  ///< the duration depends on the robot only
-    bool losesBoth = false;    ///< the process is killed while the program is paused
+    bool robotBrakes = false;  ///< true if the duration depends only on the robot
+    bool losesBoth = false;    ///< true if the process is killed while the program is paused
     double watched = 0.4;      ///< time between the event and the following actions [s]
 };
 
 const std::vector<ContractEvent>& contractEvents();
-/// The robot leaves remote control, and no client can react any more.
+/// The robot leaves remote control, so that no client can stop it.
 const ContractEvent& lostInLocal();
 /// Short pauses during which the process ends.
 const std::vector<ContractEvent>& shortPauses();
 
 struct ContractOutcome {
-    bool applies = true;  ///< false: the controller does not have this motion, and the library reported it
+    /// False if the controller does not have this motion, and the library reported that.
+    bool applies = true;
     double standstillMs = 0;
-    double driftMm = 0;    ///< from the event to standstill
-    double resumedMm = 0;  ///< maximum distance afterwards
-    QString problem;       ///< empty: within the contract
+    double driftMm = 0;    ///< distance from the event to standstill
+    double resumedMm = 0;  ///< maximum distance after standstill
+    QString problem;       ///< empty if the result complies with the contract
 };
 
 class ContractCell {
@@ -114,7 +115,7 @@ public:
 
     ContractOutcome run(const ContractMotion& motion, const ContractEvent& event);
 
-    // for motions and events
+    // used by motions and events
     void step();
     void stepMs(int ms) {
         for (double t = 0; t < ms; t += stepTimeMs()) {
@@ -154,11 +155,11 @@ public:
     std::unique_ptr<control::Controller> controller;
     control::Motion motion;
     control::Jog jog;
-    // for streams, called by their holder
+    // used by streams; called by the thread that holds the stream
     std::function<void()> send;
-    bool reachable = true;  ///< packages are transmitted
+    bool reachable = true;  ///< true while packages are transmitted
     bool holding = true;
-    QString fault;  ///< of the event itself
+    QString fault;  ///< error of the event itself
 
 private:
     double stepTimeMs() const { return 1000 * robot.stepTime(); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Takes control and moves the arm until the process is killed, or until a line on its standard input selects
-// an end: see endProcess(); "object" destroys the controller and keeps the process, "leave" releases control
-// and lets motions continue unattended:
+// how it ends (see endProcess()). "object" destroys the controller but not the process. "leave" releases
+// control while motions continue unattended:
 //     moving_helper <host> <primary port> <rtde port> <type of motion>
 #include <QCoreApplication>
 #include <atomic>
@@ -29,24 +29,24 @@ using namespace tiller::test;
 
 namespace {
 
-/// Called repeatedly: starts the motion if it is not active, and refreshes its hold otherwise. On a busy
-/// machine the refresh may be late; then the motion is started again.
+/// Called repeatedly. Starts the motion if it is not active, otherwise refreshes its hold. On a busy computer
+/// the refresh may be late, and the motion is then started again.
 using Way = std::function<void()>;
 
 std::atomic<bool> leaves{false};
 std::atomic<bool> objectEnds{false};
 
-constexpr double kSpeed = 0.1;         ///< of the tool, as in the jog contract [m/s]
+constexpr double kSpeed = 0.1;         ///< TCP speed, as in the jog contract [m/s]
 constexpr double kAcceleration = 0.5;  ///< [m/s2]
-constexpr double kTurn = 0.4;          ///< of a joint [rad/s]
+constexpr double kTurn = 0.4;          ///< joint speed [rad/s]
 
 // Constants for fast moves.
-constexpr double kWideTurn = 4.5;          ///< of the base [rad]
+constexpr double kWideTurn = 4.5;          ///< rotation of the base [rad]
 constexpr double kLongLine = 0.5;          ///< [m]
 constexpr double kHardAcceleration = 5.0;  ///< [rad/s2], [m/s2]
-constexpr double kHighCap = 3.0;           ///< of TCP and elbow [m/s]
+constexpr double kHighCap = 3.0;           ///< speed cap of TCP and elbow [m/s]
 
-/// Prints the error, if there is one.
+/// Prints the error if the result contains one.
 template <class T>
 bool well(const Result<T>& result) {
     if (!result) {
@@ -104,13 +104,13 @@ JointPositions turned(const ControllerStatus& status, double by) {
 
 /// Oscillates around the start of the stream with this maximum speed.
 double swing(double time, double speed) {
-    constexpr double kRate = 0.5;  // [rad/s]: a quarter takes three seconds
+    constexpr double kRate = 0.5;  // [rad/s]; a quarter of the oscillation takes three seconds
     return speed / kRate * std::sin(kRate * time);
 }
 
-/// Alternates between both directions so that the base stays within its range [rad/s].
+/// Alternates between both directions, so that the base stays within its range [rad/s].
 double swings(double time, double speed) {
-    constexpr double kFirst = 1.3;  // [s], then twice as long
+    constexpr double kFirst = 1.3;  // [s]; later halves take twice as long
     return std::fmod(time + kFirst, 4 * kFirst) < 2 * kFirst ? speed : -speed;
 }
 
@@ -122,7 +122,7 @@ bool pushUpwards(Controller& controller) {
     return well(Compliance(controller).setForceMode(mode, patience()));
 }
 
-/// Starts the motion once; it needs no refresh.
+/// Starts the motion once, because it needs no refresh.
 Way once(const std::function<void()>& begin) {
     return [begin, begun = false]() mutable {
         if (!begun) {
@@ -171,7 +171,7 @@ void addFreeWays(Controller& c, std::map<QString, Way>& ways) {
         };
         return m.movePath({to(0.2), to(0), to(0.2), to(0)}, patience());
     });
-    // Moves back and forth at full speed until it is ended.
+    // Moves back and forth at full speed until the process ends.
     const auto endless = [&c, &ways](const QString& name,
                                      const std::function<Result<Motion>(Motions&, bool)>& begin) {
         ways[name] = [&c, begin, motion = Motion(), back = true]() mutable {
@@ -234,7 +234,7 @@ std::map<QString, Way> everyWay(Controller& c) {
         }
     };
 
-    // Not a motion: two outputs, one of which stays on as long as this process holds it.
+    // Not a motion: sets two outputs. One of them stays on as long as this process refreshes it.
     ways["pulse"] = [&c, begun = false]() mutable {
         if (!begun) {
             OutputPulses pulses(c);
@@ -341,7 +341,7 @@ std::map<QString, Way> everyWay(Controller& c) {
                     return std::nullopt;
                 }
                 constexpr double kGain = 60;             // [Nm s/rad]
-                constexpr double kAimed = 1.15 * kTurn;  // set above kTurn to compensate friction
+                constexpr double kAimed = 1.15 * kTurn;  // higher than kTurn to compensate friction
                 return JointTorques(kGain * (kAimed - now.qd[0]), 0, 0, 0, 0, 0);
             },
             {}, Deadline::never()));
@@ -368,7 +368,7 @@ std::map<QString, Way> everyWay(Controller& c) {
                                             "end\n"
                                             "run rise()\n"
                                             "sleep(1000)");
-    // A conveyor that runs at 0.1 m/s for 1000 ticks per second.
+    // A conveyor that runs at 0.1 m/s, which is 1000 ticks per second.
     ways["section on a conveyor"] = section(c,
                                             "encoder_enable_pulse_decode(0, 1, 0, 1)\n"
                                             "track_conveyor_linear(p[0,0,1,0,0,0], 10000, 0)\n"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Connections break while all objects use them: the control thread streams, callers send commands and queries, the
-// receiver decodes, outputs are set from two threads. In all cases each call ends with an error, nothing hangs, and
-// control can be taken again. Mainly for ThreadSanitizer; in real time.
+// Connections break while all objects use them: the control thread streams, callers send commands and
+// queries, the receiver decodes, and two threads set outputs. In all cases, each call must end with an error,
+// nothing may hang, and it must be possible to take control again. Runs in real time, mainly for
+// ThreadSanitizer.
 #include <QTest>
 #include <atomic>
 #include <thread>
@@ -163,7 +164,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(refusals > 0, 60'000);
         crowd.end();
         controller.release();
-        // No motion remains.
+        // No motion may remain.
         QTRY_VERIFY_WITH_TIMEOUT(robot.truth().tcpSpeed.linear.norm() < 0.001, 60'000);
         QTRY_COMPARE_WITH_TIMEOUT(receiver.state(), receive::ReceiverState::Receiving, 60'000);
         const auto again = controller.takeControl(patience());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Jogs towards the arm itself, the floor and boxes, with real sockets in virtual time: they end at the safety
-// distance, at the predicted position, and motion away from the obstacle is possible.
+// Jogs towards the arm itself, the floor and boxes, with real sockets in virtual time. They must end at the
+// safety distance, at the predicted position, and it must be possible to move away from the obstacle.
 #include <QTest>
 #include <cmath>
 #include <random>
@@ -40,7 +40,7 @@ struct Bench {
 
     JointPositions q() const { return cell.robot.truth().q; }
 
-    /// The smallest distance in excess of the safety distance [m].
+    /// The smallest distance to an obstacle minus the safety distance [m].
     double clearance() const {
         const CollisionCheck::Placement at = check->place(q());
         double least = 1e9;
@@ -76,7 +76,7 @@ private Q_SLOTS:
         Bench bench;
         Cell& cell = bench.cell;
         QVERIFY(cell.takeControl().ok());
-        // Starts near the floor to limit the duration of the slowest jog.
+        // Start near the floor to limit the duration of the slowest jog.
         Vector6 down = Vector6::Zero();
         down[2] = -1;
         const double far = jogReach(bench.conditions(), bench.q(), {}, down, 1).distance;
@@ -104,12 +104,12 @@ private Q_SLOTS:
         QVERIFY(cell.standsWithinMs(200));
         QVERIFY2(std::abs(bench.clearance()) < kAllowedBelow,
                  qPrintable(QString::number(bench.clearance() * 1e3)));
-        // A second jog does not move at all.
+        // A second jog must not move the arm.
         const double before = cell.tcp().position.z();
         const auto again = cell.motions().startJog(linearJog(0, 0, -speed));
         QVERIFY(!again.ok() || !cell.hold(*again, 300));
         QVERIFY(std::abs(cell.tcp().position.z() - before) < 0.0002);
-        // Motion along and away from the floor has full speed.
+        // Motion along the floor and away from it has full speed.
         for (const auto& [x, z] : {std::pair{0.05, 0.0}, {0.0, 0.05}}) {
             const auto away = cell.motions().startJog(linearJog(x, 0, z));
             QVERIFY(away.ok());
@@ -120,7 +120,7 @@ private Q_SLOTS:
         }
     }
 
-    // Random inputs with random speeds and changes: the safety distance is always kept.
+    // Random inputs with random speeds and changes must always keep the safety distance.
     void randomJogsKeepTheSafetyDistance_data() {
         QTest::addColumn<double>("cap");
         QTest::newRow("250 mm/s") << 0.25;
@@ -211,7 +211,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(cell.robot.truth().qd[2] - 10 * kDeg) < 0.01);
     }
 
-    // A jog with contact detection may touch the cell with the tool only.
+    // With contact detection, a jog may touch the cell, but only with the tool.
     void aJogUntilContactPassesTheSafetyDistanceWithTheToolOnly() {
         Bench bench;
         Cell& cell = bench.cell;
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QVERIFY2(cell.controller->status().limiter.link < 6, "another part than wrist 3");
     }
 
-    // The distance displayed on a button before a jog equals the distance of the jog.
+    // The distance displayed on a button before a jog must equal the actual distance of the jog.
     void aJogEndsWhereItWasPredicted() {
         Bench bench;
         Cell& cell = bench.cell;
@@ -247,7 +247,7 @@ private Q_SLOTS:
         std::array<int, 16> kinds{};
         int crept = 0;
         for (int round = 0; round < 60; ++round) {
-            // Moves away from the end of the previous jog.
+            // Move away from the end of the previous jog.
             JogTarget turn = jointJog(pick(0, 5), pick(0, 1) == 0 ? -0.5 : 0.5);
             turn.qd[pick(0, 2)] += pick(0, 1) == 0 ? -0.3 : 0.3;
             const auto away = cell.motions().startJog(turn);
@@ -272,7 +272,7 @@ private Q_SLOTS:
             QVERIFY(jog.ok());
             double turned = 0;
             Eigen::Matrix3d before = rotationMatrix(start.rotation);
-            double slowest = 1;  // predicted end
+            double slowest = 1;  // lowest speed near the predicted end
             for (int ms = 0; jog->state().phase == MotionPhase::Active && ms < 60000; ms += 20) {
                 (void)cell.hold(*jog, 20);
                 if (const double there = axis < 3 ? (cell.tcp().position - start.position).norm() : turned;
@@ -301,9 +301,9 @@ private Q_SLOTS:
                     .arg(static_cast<int>(limiter.kind))
                     .arg(static_cast<int>(reach.end.kind))
                     .toUtf8();
-            // A jog just outside the zone of a singularity passes it slowly or ends: less than a millimetre makes
-            // the difference.
-            // A rotation of 45 deg/s covers 0.09 deg per control period, and the end may be two periods later.
+            // A jog just outside the zone of a singularity either passes it slowly or ends, depending on less
+            // than a millimetre. A rotation of 45 deg/s covers 0.09 deg per control period, and the end may
+            // be two periods later.
             const double tolerance = axis < 3 ? 0.001 : 0.2 * kDeg;
             if (reach.end.kind == LimiterKind::Singularity && gone > reach.distance + tolerance &&
                 slowest < 0.1) {

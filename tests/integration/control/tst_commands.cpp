@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves with a handle, paths, functions, queries and settings, through sockets with the simulated robot.
+// Moves with a handle, paths, functions, queries and settings, with the simulated robot over sockets.
 #include <cmath>
 
 #include "robot/control/arm_queries.h"
@@ -57,7 +57,7 @@ private Q_SLOTS:
         QVERIFY(!move->cancel());
     }
 
-    // A path is sent as a new control program, and the previous program ends its pulses.
+    // A path is sent as a new control program. The previous program must end its pulses first.
     void aPulseIsNotCutByAPathOrAScript() {
         const Deadline limit = Deadline::never();
         Cell cell;
@@ -80,8 +80,8 @@ private Q_SLOTS:
             [&] { return Programs(*cell.controller).runScript("def quick():\n  sync()\nend\n", limit); });
         QVERIFY2(script.ok(), why(script));
         QVERIFY2(std::abs(onFor - 0.4) < 0.01, qPrintable(QString::number(onFor)));
-        // A pulse that takes too long is named in the error and continues.
-        pulse(milliseconds(600'000));  // virtual time may pass faster than the deadline's
+        // If a pulse takes too long, the error names the pulse, and the pulse continues.
+        pulse(milliseconds(600'000));  // virtual time may advance faster than that of the deadline
         const auto late =
             cell.during([&] { return cell.motions().movePath({entry}, Deadline::after(milliseconds(200))); });
         QCOMPARE(late.error().code, ErrorCode::Timeout);
@@ -89,7 +89,7 @@ private Q_SLOTS:
             late.error().controllerMessage.startsWith("the pulse of digital output 1 lasts for another "),
             why(late));
         QVERIFY((cell.robot.truth().digitalOutputs & 2U) != 0);
-        // A pulse that has ended blocks nothing.
+        // A pulse that has ended must not block anything.
         const auto ended = cell.during([&] { return pulses.end(2, limit); });
         QVERIFY2(ended.ok(), why(ended));
         const auto again = cell.during([&] { return cell.motions().movePath({entry}, limit); });
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QCOMPARE(waypoint, 4);
         QCOMPARE(motion->progress().waypoints, 4);
         QVERIFY((cell.tcp().position - end.position).norm() < 1e-3);
-        // The next move needs no special treatment.
+        // A move after the path works as usual.
         const auto move = Motions(*cell.controller).moveL(start, {0.1, 0.5, Holding::Free});
         QVERIFY(cell.during([&] { return move->wait(patience()); }).ok());
     }
@@ -162,7 +162,7 @@ private Q_SLOTS:
     void aStopEndsAPath() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
-        // Slow enough to be still active, however late the call returns.
+        // The move is slow enough to be still active, even if the call returns late.
         const MotionPath path{{PathEntry::Kind::MoveL, moved(cell.tcp(), 0, 0, 0.2), {}, 0.01, 0.5, 0}};
         const auto motion = cell.during([&] { return Motions(*cell.controller).movePath(path, patience()); });
         QVERIFY(motion.ok());
@@ -211,7 +211,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
-        // The function fails at the input, so it cannot fail before the call has returned.
+        // The function fails only after the input is set, so it cannot fail before the call has returned.
         const auto function = cell.during([&] {
             return programs.startFunction(
                 QStringLiteral("root"),
@@ -378,7 +378,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         ToolSetup setup(*cell.controller);
-        // Time advances until the call has returned, which may exceed the watchdog timeout.
+        // Advance time until the call has returned, which may take longer than the watchdog timeout.
         int ticks = 0;
         cell.everyTick = [&] {
             if (++ticks % 10 == 0) {
@@ -435,7 +435,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(400));
         QVERIFY((cell.tcp().position - stands.position).norm() < 1e-4);
 
-        // Motions prepared before the stop do not start after it.
+        // Motions prepared before the stop must not start after it.
         Compliance early(*cell.controller, before);
         QCOMPARE(with([&](const Deadline& d) { return early.setForceMode(mode, d); }).error().code,
                  ErrorCode::Stopped);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A peer that does not respond blocks nothing: every waiting call ends with its deadline or its cancel, and
-// destroyed objects leave nothing behind. The test does not measure time: a call that does not end makes the test
-// hang. The timing is measured by tests/benchmarks/backend_performance.
+// A peer that does not respond must not block anything. Every waiting call ends at its deadline or when it is
+// cancelled, and destroyed objects release all resources. The test does not measure time: if a call does not
+// end, the test hangs. tests/benchmarks/backend_performance measures the timing.
 #include <QDir>
 
 #include "tests/integration/control/blocking_calls.h"
+#include "tests/support/asked_clock.h"
 #include "tests/support/waiting.h"
 
 using namespace tiller;
@@ -13,24 +14,6 @@ using namespace tiller::test;
 using std::chrono::milliseconds;
 
 namespace {
-
-/// Counts how often it is read.
-class AskedClock final : public Clock {
-public:
-    explicit AskedClock(const Clock& clock) : clock_(clock) {}
-    std::int64_t nowNs() const override {
-        const std::int64_t now = clock_.nowNs();
-        asked_.fetch_add(1, std::memory_order_acq_rel);
-        return now;
-    }
-    bool runsByItself() const override { return clock_.runsByItself(); }
-    void waitUntil(std::int64_t ns, std::int64_t awakeNs) const override { clock_.waitUntil(ns, awakeNs); }
-    std::uint64_t asked() const { return asked_.load(std::memory_order_acquire); }
-
-private:
-    const Clock& clock_;
-    mutable std::atomic<std::uint64_t> asked_{0};
-};
 
 int openFiles() {
     return static_cast<int>(QDir(QStringLiteral("/proc/self/fd")).entryList(QDir::NoFilter).size());
@@ -83,7 +66,7 @@ private Q_SLOTS:
         QVERIFY2(error.code == ErrorCode::Cancelled, qPrintable(error.toString()));
     }
 
-    // release() does not wait for the deadline of another call.
+    // release() must not wait for the deadline of another call.
     void releaseEndsACallThatWaits() {
         RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
         ControllerOptions options;
@@ -118,8 +101,8 @@ private Q_SLOTS:
         QVERIFY(cell.during([&] { return move->wait(Deadline::never()); }).ok());
     }
 
-    // 100 disconnections of 0.1 to 10 s of virtual time. Data resume, control does not resume automatically, and at
-    // the end there are as many threads and descriptors as at the start.
+    // 100 disconnections of 0.1 to 10 s of virtual time. Data resume, and control does not resume
+    // automatically. At the end, there are as many threads and descriptors as at the start.
     void dataComeBackAfterAHundredCutsAndControlDoesNot() {
         Cell cell;
         receive::ReceiverOptions options;
@@ -131,7 +114,7 @@ private Q_SLOTS:
         receive::Receiver receiver(options);  // with the default delays
         receiver.start().value();
         using receive::ReceiverState;
-        // Advances time, and gives the receiver an opportunity to react.
+        // Advances time and lets the receiver react.
         const auto pass = [&](int ticks) {
             const ReceiverState state = receiver.state();
             const std::uint64_t packets = receiver.latest().sequence;
@@ -142,7 +125,7 @@ private Q_SLOTS:
                 std::this_thread::sleep_for(std::chrono::microseconds(50));
             }
         };
-        // Within 2 s of robot time; time spent in the sockets does not count.
+        // True if data resume within 2 s of robot time. Time spent in the sockets does not count.
         const auto flows = [&] {
             const std::uint64_t before = receiver.latest().sequence;
             cell.stepAlone();  // the robot responds again

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Provokes each error code. The table is compared with the enumeration: a code without an entry is either
+// Provokes each error code. The table is compared with the enumeration. A code without an entry is either
 // unnecessary or lacks a test.
 #include <netinet/in.h>
 #include <sys/resource.h>
@@ -44,7 +44,7 @@ Error openRtde(int port, const Deadline& deadline, rtde::SessionRequest request 
     return rtde::Connection::open(options, deadline).error();
 }
 
-/// An open port that accepts no further connection: packets are dropped, as by a firewall.
+/// An open port that does not accept further connections: packets are dropped, as by a firewall.
 class FullPort {
 public:
     FullPort() : listening_(socket(AF_INET, SOCK_STREAM, 0)) {
@@ -80,7 +80,7 @@ private:
 Error withoutDescriptors() {
     rlimit before{};
     getrlimit(RLIMIT_NOFILE, &before);
-    // The current number of descriptors and not one more; numbers count from 0.
+    // Limit the number of descriptors to the current number. They are numbered from 0.
     int highest = 0;
     for (const QString& entry : QDir(QStringLiteral("/proc/self/fd")).entryList(QDir::NoFilter)) {
         highest = std::max(highest, entry.toInt());
@@ -300,7 +300,7 @@ private Q_SLOTS:
     }
 
     void internalIsTheLastCode() {
-        // After the last code, names repeat; a code added there would be omitted above.
+        // After the last code, names repeat. A code added after it would not be covered above.
         const int last = static_cast<int>(ErrorCode::Internal);
         QCOMPARE(errorCodeName(static_cast<ErrorCode>(last + 1)), errorCodeName(ErrorCode::Internal));
     }

@@ -40,7 +40,7 @@ private Q_SLOTS:
         QVERIFY(!cell.controller->status().moving);
     }
 
-    // Real arms report frames at distances of hundreds of metres, and an upper arm of some centimetres: neither may
+    // Real arms report frames hundreds of metres away and an upper arm of a few centimetres. Neither may
     // block the arm or make the elbow too fast.
     void calibratedArmMovesAtTheSameSpeed() {
         for (const double size : {0.0, 1.0, 3.0}) {
@@ -61,7 +61,7 @@ private Q_SLOTS:
 
     void elbowOfACalibratedArmRespectsTheCap() {
         for (const double size : {0.0, 1.0, 3.0}) {
-            // Folded: the elbow is the point with the largest distance from the shoulder axis.
+            // The arm is folded, so the elbow is the point with the largest distance from the shoulder axis.
             Cell cell([size](auto& options) {
                 options.calibration = size;
                 options.startJoints = {0.0, -1.57, 2.7, -1.0, 1.2, 0.0};
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(jog->state().cause, StopCause::SelectionChanged);
         QVERIFY(cell.ticksToStandstill(1000) >= 0);
 
-        // The next jog requests a higher speed and does not get it.
+        // The next jog requests a higher speed than the cap and must not exceed the cap.
         const auto next = cell.motions().startJog(linearJog(0, 0, -0.2));
         QVERIFY(next.ok());
         QVERIFY(cell.hold(*next, 400));
@@ -137,7 +137,7 @@ private Q_SLOTS:
         // Setting the same cap again is not a change.
         QVERIFY(cell.controller->setSpeedCap(0.05).ok());
         QVERIFY(next->refresh());
-        // A higher cap does not accelerate a current motion.
+        // A higher cap must not accelerate the current motion.
         QVERIFY(cell.controller->setSpeedCap(0.25).ok());
         QVERIFY(!next->refresh());
         QVERIFY(cell.ticksToStandstill(1000) >= 0);
@@ -192,10 +192,10 @@ private Q_SLOTS:
             }
             qInfo("link silent to standstill at 250 mm/s or 30 deg/s: %d ms", 2 * ticks);
             QVERIFY(ticks * 2 <= 250);
-            QTRY_COMPARE(jog->state().phase, MotionPhase::Ended);
+            QTRY_COMPARE_WITH_TIMEOUT(jog->state().phase, MotionPhase::Ended, 60'000);
             QCOMPARE(jog->state().cause, StopCause::DataStale);
             QCOMPARE(cell.motions().startJog(target).error().code, ErrorCode::LinkLost);
-            // The connection is restored: nothing resumes.
+            // After the connection is restored, no motion may resume.
             const Pose standing = cell.tcp();
             cell.robot.silence(false);
             for (int i = 0; i < 100; ++i) {
@@ -209,7 +209,7 @@ private Q_SLOTS:
         }
     }
 
-    // Neither a closed connection nor an error is reported: only the data are missing.
+    // Neither a closed connection nor an error is reported. Only the data are missing.
     void aConnectionThatDiedWithoutASignIsGivenUpWithinHalfASecond_data() {
         QTest::addColumn<QString>("fault");
         QTest::newRow("forgotten by the controller") << QStringLiteral("half-open");
@@ -227,7 +227,7 @@ private Q_SLOTS:
         QVERIFY2(!status.inControl && !status.fresh, "data of 110 ms ago count as control");
         QCOMPARE(status.loss, ControlLoss::DataStale);
         QCOMPARE(cell.motions().startJog(linearJog(0, 0, 0.05)).error().code, ErrorCode::LinkLost);
-        cell.stepAlone(185);  // 480 ms; the thread may be slow
+        cell.stepAlone(185);  // 480 ms in total; the thread may be slow
         QTRY_COMPARE_WITH_TIMEOUT(cell.controller->status().loss, ControlLoss::LinkLost, 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!cell.controller->isConnected(), 60'000);
         QVERIFY(!cell.controller->status().inControl);
@@ -319,7 +319,7 @@ private Q_SLOTS:
             const Eigen::Vector3d went = (cell.tcp().position - before.position).normalized();
             const Eigen::Vector3d toolZ = rotationMatrix(before.rotation).col(2);
             QVERIFY(went.dot(toolZ) > 0.9999);
-            // Rotate the tool by about 25 deg: the same button then moves it in another direction.
+            // Rotate the tool by about 25 deg, so that the same button moves it in another direction.
             const auto turn = cell.motions().startJog(rotationJog(0.4, 0, 0));
             QVERIFY(turn.ok());
             QVERIFY(cell.hold(*turn, 1200));
@@ -329,7 +329,8 @@ private Q_SLOTS:
         }
     }
 
-    // Simultaneous translation and rotation in the tool frame is an arc: the direction rotates with the tool.
+    // Simultaneous translation and rotation in the tool frame is an arc, because the direction rotates with
+    // the tool.
     void aToolFrameArcFollowsTheToolContinuously() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

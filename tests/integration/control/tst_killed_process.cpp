@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The process that moves the arm is killed (SIGKILL), suspended (SIGSTOP) or disconnected without warning, during
-// every type of motion: the robot stops by itself within the 250 ms of the contract, measured by its clock, and
-// remains stopped. Observed through a second RTDE connection. With TILLER_ALL=1 all combinations are run; otherwise
-// all motions with SIGKILL.
+// During every type of motion, the process that moves the arm is killed (SIGKILL), suspended (SIGSTOP) or
+// disconnected without warning. The robot must stop by itself within the 250 ms of the contract, measured by
+// the robot's clock, and remain stopped. A second RTDE connection observes the robot. With TILLER_ALL=1, all
+// combinations are run; otherwise all motions with SIGKILL and some of the others.
 #include <QTest>
 #include <algorithm>
 #include <csignal>
@@ -34,12 +34,12 @@ private Q_SLOTS:
         QTest::addColumn<double>("fast");
         QTest::addColumn<bool>("hand");
         QTest::addColumn<ScriptState>("end");
-        // `fast`: speed at the event [m/s].
+        // fast  speed at the event [m/s]
         const auto row = [](const char* way, double fast, bool hand = false,
                             ScriptState end = ScriptState::Expired) {
             for (const Loss loss : kLosses) {
-                // Each motion is killed; the other events are combined with some motions, or with all in a complete
-                // run.
+                // Every motion is tested with a kill. The other events are combined with some motions, or
+                // with all motions in a complete run.
                 static int count = 0;
                 if (loss == Loss::Killed || qEnvironmentVariableIsSet("TILLER_ALL") || count++ % 7 == 0) {
                     QTest::addRow("%s, %s", way, name(loss))
@@ -61,10 +61,10 @@ private Q_SLOTS:
         row("speedJ", kFast);
         row("speedL", kFast);
         row("torque", kFast);
-        // The external force continues: an arm at standstill has left freedrive.
+        // The external force continues, so if the arm stops, it has left freedrive.
         row("freedrive", 0.05, true);
         row("teach mode", 0.05, true);
-        // No motion that could expire: force mode ends in parallel.
+        // There is no motion that could expire. Force mode ends in parallel.
         row("force mode", 0.03, false, ScriptState::Ready);
         row("jog in force mode", kFast);
         row("section", kFast);
@@ -93,13 +93,13 @@ private Q_SLOTS:
         test::MovingProcess helper(QStringLiteral(MOVING_HELPER),
                                    {robot.listenAddress(), QString::number(robot.ports().primary),
                                     QString::number(robot.ports().rtde), way});
-        const double patience = 60;  // [s] of robot time
+        const double patience = 60;  // [s] robot time
         QVERIFY(watcher.look());
         const double begin = watcher.time;
         while (watcher.speed < fast) {
             QVERIFY(watcher.look());
             QVERIFY2(watcher.time - begin < patience, "the helper never moved the arm");
-            // Not earlier: an external force at the start of freedrive causes a protective stop.
+            // Not earlier, because an external force at the start of freedrive causes a protective stop.
             if (hand && watcher.state == ScriptState::Executing) {
                 robot.pressHand({{0, 0, 12}, {0, 0, 0}});
             }
@@ -113,7 +113,7 @@ private Q_SLOTS:
                 helper.signal(SIGSTOP);
                 break;
             case Loss::Cut:
-                // The observer receives no data either: the robot itself is queried.
+                // The observer does not receive data either, so query the robot itself.
                 QVERIFY(robot.inject(QStringLiteral("link lost")).ok());
                 break;
         }
@@ -124,14 +124,16 @@ private Q_SLOTS:
             return;
         }
         QVERIFY(watcher.lookUntil(killedAt + 1.0));
-        // On a busy machine the signal may be delayed: the last packet received by the robot counts.
+        // On a busy computer, the signal may be delayed, so measure from the last packet received by the
+        // robot.
         const double ms = (watcher.lastMoved - std::max(killedAt, watcher.heardAt)) * 1000;
         qInfo("%s: to standstill: %.0f ms", QTest::currentDataTag(), ms);
         QVERIFY2(ms <= 250, qPrintable(QString::number(ms)));
         QVERIFY(watcher.stands);
-        // In this case it may also have ended the motion itself.
+        // In this case, the process may also have ended the motion itself.
         if (watcher.heardIn == ScriptState::Executing) {
-            // The last torque remains active until it expires: with a high torque the cap may be reached first.
+            // The last torque remains active until it expires. With a high torque, the arm may reach the
+            // speed cap first.
             const bool atCap = way == QLatin1String("torque") && watcher.state == ScriptState::TcpTooFast;
             QVERIFY2(watcher.state == end || atCap,
                      qPrintable(QString::number(static_cast<int>(watcher.state))));
@@ -139,7 +141,7 @@ private Q_SLOTS:
         QCOMPARE(robot.truth().safetyMode, SafetyMode::Normal);
     }
 
-    // The robot measures the time of output pulses: a killed process cannot leave an output on.
+    // The robot measures the duration of output pulses, so a killed process cannot leave an output on.
     void aLostProcessLeavesNoOutputOn_data() {
         QTest::addColumn<int>("loss");
         for (const Loss loss : kLosses) {
@@ -157,7 +159,8 @@ private Q_SLOTS:
                                    {robot.listenAddress(), QString::number(robot.ports().primary),
                                     QString::number(robot.ports().rtde), QStringLiteral("pulse")});
         const auto isOn = [&robot](int output) { return (robot.truth().digitalOutputs >> output & 1U) != 0; };
-        // Time of the switch on the robot's clock [s]; negative: not within the time.
+        // Returns the robot time at which the output was switched [s]; negative if it was not switched in
+        // time.
         const auto timeOf = [&robot, &isOn](int output, bool on, double atMost) {
             const double begin = robot.truth().timestamp;
             while (isOn(output) != on) {

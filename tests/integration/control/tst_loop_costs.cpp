@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Neither loop allocates or locks after warm-up: counted with sockets to a simulated robot, in virtual time.
+// After warm-up, the receive and control loops must not allocate or lock. Both are counted with sockets to a
+// simulated robot, in virtual time.
 #include <cmath>
 #include <memory>
 
@@ -33,7 +34,7 @@ private Q_SLOTS:
         QVERIFY(hotCounts().allocations >= 1);
     }
 
-    // 10 s of robot time; TILLER_LOOP_SECONDS changes it.
+    // 10 s of robot time by default. TILLER_LOOP_SECONDS sets another duration.
     void receiveAndControlAllocateAndLockNothing() {
         Cell cell;
         receive::ReceiverOptions options;
@@ -44,7 +45,7 @@ private Q_SLOTS:
         receive::Receiver receiver(options);
         receiver.start().value();
         QVERIFY(cell.takeControl().ok());
-        // Connecting allocates: it has to be complete.
+        // Wait until connecting is complete, because it allocates.
         const Deadline connected = patience();
         while (receiver.counters().packets < 10) {
             QVERIFY(!connected.hasExpired() && cell.step());
@@ -57,7 +58,7 @@ private Q_SLOTS:
         const std::uint64_t packages = receiver.counters().packets;
         const std::uint64_t ticks = cell.controller->status().ticks;
         countHotThreads(true);
-        // step() waits for the controller only; a receiver far behind would be disconnected.
+        // step() waits only for the controller. A receiver that falls far behind would be disconnected.
         constexpr std::uint64_t kMaxBehind = 100;
         const Deadline over = Deadline::after(std::chrono::minutes(5) + std::chrono::seconds(seconds));
         bool alive = true;
@@ -80,7 +81,7 @@ private Q_SLOTS:
         QCOMPARE(hotCounts().locks - before.locks, 0U);
     }
 
-    // A jog limited by everything a cell can contain: tool, floor and boxes.
+    // A jog that is limited by all kinds of obstacles in a cell: tool, floor and boxes.
     void aJogBesideObstaclesAllocatesAndLocksNothing() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());

@@ -123,7 +123,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(3000));
         QCOMPARE(move->state().cause, StopCause::Completed);
         QVERIFY(distance(cell.robot.truth().q, target) < 1e-3);
-        // A speed limit below the usual speed is no reason to refuse a move.
+        // A move must not be rejected because the speed limit is below the usual speed.
         QVERIFY(cell.controller->setSpeedCap(0.05).ok());
         Pose up = cell.tcp();
         up.position.z() += 0.02;
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(move->plan().has_value());
         const MotionPlan plan = *move->plan();
         QVERIFY(cell.stepMs(200));
-        // Slowed down by the speed limit, which is also reported in the status.
+        // The speed limit slows down the move, and the status reports it.
         const bool slowed = speed > 1;
         QCOMPARE(plan.limiter.kind, slowed ? LimiterKind::TcpSpeed : LimiterKind::None);
         QCOMPARE(cell.controller->status().limiter.kind, plan.limiter.kind);
@@ -211,15 +211,15 @@ private Q_SLOTS:
         QCOMPARE(move->plan()->limiter.kind, LimiterKind::None);
     }
 
-    // For a while the robot receives no data, and this computer receives none from the robot.
+    // For some time, the robot and this computer receive no data from each other.
     void aFreeMoveSurvivesASilenceShorterThanItsOwn_data() {
         QTest::addColumn<int>("silenceMs");
         QTest::addColumn<Holding>("holding");
         QTest::addColumn<int>("gapMs");
         QTest::addColumn<bool>("survives");
         QTest::addColumn<bool>("keepsControl");
-        // Without data for longer than ControllerOptions::connectionTimeout and the heartbeat timeout of the
-        // move, the connection counts as lost.
+        // If data are missing for longer than ControllerOptions::connectionTimeout and the heartbeat timeout
+        // of the move, the connection counts as lost.
         const auto timeoutMs = static_cast<int>(ControllerOptions().connectionTimeout.count());
         QTest::newRow("usual") << 100 << Holding::Free << 400 << false << true;
         QTest::newRow("longer") << 800 << Holding::Free << 600 << true << true;
@@ -259,7 +259,7 @@ private Q_SLOTS:
             QVERIFY(distance(cell.robot.truth().q, target) > 1e-3);
             return;
         }
-        QTest::qWait(100);  // the control thread polls every 4 ms, and gives up after ten polls
+        QTest::qWait(100);  // the control thread polls every 4 ms and gives up after ten polls
         QVERIFY(cell.controller->isConnected());
         QCOMPARE(!cell.isStanding(), survives);
         cell.robot.silence(false);
@@ -301,7 +301,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(400));
         QVERIFY(free->isActive());
         QVERIFY(!cell.isStanding());
-        cell.robot.silence(true);  // without this computer it stops nevertheless
+        cell.robot.silence(true);  // the robot must also stop without this computer
         cell.stepAlone(125);
         QVERIFY(cell.isStanding());
     }
@@ -399,7 +399,7 @@ private Q_SLOTS:
         const auto move = cell.motions().moveJ(start, {0.5, 1.4, Holding::Held});
         QVERIFY(cell.holdMove(*move, 500));
         QCOMPARE(cell.motions().startPath(*superseded, Holding::Held).error().code, ErrorCode::Stopped);
-        // A stop before the path has arrived counts as well.
+        // A stop that comes before the path has arrived also counts.
         Motions armed(*cell.controller, cell.controller->stops());
         cell.controller->stop(StopCause::Released);
         const auto late = cell.during([&] { return armed.preparePath(slowPath(cell), soon()); });
@@ -479,7 +479,7 @@ private Q_SLOTS:
             cell.stepAlone();
             QVERIFY(++ticks * 2 <= 250);
         }
-        QTRY_COMPARE(move->state().cause, StopCause::DataStale);
+        QTRY_COMPARE_WITH_TIMEOUT(move->state().cause, StopCause::DataStale, 60'000);
     }
 
     void releasingEndsTheProgramAndControlCanBeTakenAgain() {
@@ -494,7 +494,7 @@ private Q_SLOTS:
             QVERIFY(!jog->refresh());
             QVERIFY(cell.programEnds());
             QCOMPARE(cell.motions().startJog(linearJog(0, 0, 0.02)).error().code, ErrorCode::NotInControl);
-            QTRY_COMPARE(cell.robot.rtdeClients(), 0);
+            QTRY_COMPARE_WITH_TIMEOUT(cell.robot.rtdeClients(), 0, 60'000);
         }
     }
 
@@ -502,7 +502,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto jog = cell.motions().startJog(linearJog(0, 0, 0.02));
-        QVERIFY(cell.controller->takeControl(Deadline::after(std::chrono::seconds(1))).ok());
+        QVERIFY(cell.controller->takeControl(Deadline::after(std::chrono::minutes(1))).ok());
         QVERIFY(cell.hold(*jog, 100));
     }
 
@@ -512,10 +512,10 @@ private Q_SLOTS:
         const auto jog = cell.motions().startJog(linearJog(0, 0, 0.05));
         QVERIFY(cell.hold(*jog, 200));
         script::ScriptClient other(cell.robot.listenAddress(), cell.robot.ports().secondary);
-        QVERIFY(other.connect(Deadline::after(std::chrono::seconds(10))).ok());
+        QVERIFY(other.connect(Deadline::after(std::chrono::minutes(1))).ok());
         QVERIFY(other
                     .send(QStringLiteral("def other():\n  sleep(60)\nend\n"),
-                          Deadline::after(std::chrono::seconds(10)))
+                          Deadline::after(std::chrono::minutes(1)))
                     .ok());
         bool alive = true;
         for (int i = 0; i < 5000 && alive; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One connection for control and data: the callback of a packet loop receives every field of its packet.
+// One connection for control and data. The callback of a packet loop receives every field of its packet.
 #include <QTest>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The cycles of a packet loop stay in step with the robot when packets are late or missing for a while.
+// The cycles of a packet loop stay synchronized with the robot when packets are late or missing for some
+// time.
 #include <QRegularExpression>
 #include <functional>
 #include <semaphore>
@@ -18,14 +19,14 @@ namespace {
 constexpr std::int64_t kPeriodNs = 2 * kNsPerMs;
 constexpr std::int64_t kLateNs = 200'000;
 constexpr std::int64_t kOverdueNs = 300'000;
-constexpr int kSettled = 400;  ///< packages after which the packet timing is known
+constexpr int kSettled = 400;  ///< number of packages after which the packet timing is known
 
-/// An active packet loop with the arm at standstill. Each cycle is recorded.
+/// An active packet loop with the arm at standstill. It records each cycle.
 class StandingLoop {
 public:
     StandingLoop(Cell& cell, Pacing pacing) : cell_(cell) {
-        // The packet timing is known before the loop starts. Some packets are late, so that there is a
-        // margin: without it, a cycle before the next due packet could not be identified.
+        // The packet timing must be known before the loop starts. Some packets are late, so that there is a
+        // margin. Without a margin, a cycle before the next due packet could not be identified.
         for (int packages = 0; packages < kSettled; packages += 10) {
             packetAfter(kPeriodNs + kLateNs);
             packetAfter(kPeriodNs - kLateNs);
@@ -56,11 +57,11 @@ public:
     StandingLoop& operator=(const StandingLoop&) = delete;
 
     /// Requests the end of the loop at its next cycle. If there are no more cycles, the arm is stopped, which
-    /// also ends the loop; otherwise a failed test would wait forever.
+    /// also ends the loop. Otherwise, a failed test would wait forever.
     void end() {
         if (thread_.joinable()) {
             quit_ = true;
-            constexpr int kMaxValue = 100;  // packets; those whose cycles have already run start no cycle
+            constexpr int kMaxValue = 100;  // packets; a packet whose cycle has already run starts no cycle
             for (int i = 0; i < kMaxValue && !over_ && cell_.step(); ++i) {
             }
             if (!over_) {
@@ -101,7 +102,7 @@ private:
     std::thread thread_;
 };
 
-/// A packet loop whose callback blocks until it is permitted to return. The arm is at standstill.
+/// A packet loop whose callback blocks until the test permits it to return. The arm is at standstill.
 class SlowLoop {
 public:
     SlowLoop(Cell& cell, std::function<void(const CycleState&)> note) : cell_(cell), note_(std::move(note)) {
@@ -124,7 +125,7 @@ public:
     SlowLoop(const SlowLoop&) = delete;
     SlowLoop& operator=(const SlowLoop&) = delete;
 
-    /// Waits until a call has begun. Packets are only sent before the first call.
+    /// Waits until a call has begun. The robot sends packets only before the first call.
     bool waitForCall() {
         constexpr int kAttempts = 2000;
         for (int i = 0; i < kAttempts && !over_; ++i) {
@@ -139,7 +140,7 @@ public:
         return false;
     }
     void permit() { permitted_.release(); }
-    /// Lets the current and all following calls return until the loop has ended.
+    /// Lets the current call and all following calls return until the loop has ended.
     void letEnd() {
         constexpr std::ptrdiff_t kAll = 1000;
         permitted_.release(kAll);
@@ -147,7 +148,7 @@ public:
         }
         thread_.join();
     }
-    /// Requests the end from the callback, then waits as letEnd() does.
+    /// Requests the end of the loop from the callback, then waits as letEnd() does.
     void end() {
         if (thread_.joinable()) {
             quit_ = true;
@@ -183,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(servo.ok());
         const JointPositions here = cell.robot.truth().q;
         for (int i = 0; i < 500; ++i) {
-            // The set point is sent immediately, unless the next packet arrives before.
+            // The set point is sent immediately unless the next packet arrives first.
             QVERIFY(servo->send(here).ok());
             QVERIFY(cell.step());
             QCOMPARE(cell.controller->status().answeredTime, cell.robot.truth().timestamp);
@@ -197,7 +198,7 @@ private Q_SLOTS:
         StandingLoop loop(cell, Pacing::Even);
         QVERIFY(cell.step(20));
         QVERIFY(loop.cycles >= 20);
-        // From the first cycle on, late packets are waited for, and only the last part of the wait is spent
+        // From the first cycle on, the loop waits for late packets. Only the last part of the wait is spent
         // spinning.
         QVERIFY2(cell.clock.shortestNs() > kLateNs, qPrintable(QString::number(cell.clock.shortestNs())));
         QVERIFY2(cell.clock.longestNs() < kOverdueNs, qPrintable(QString::number(cell.clock.longestNs())));
@@ -216,7 +217,7 @@ private Q_SLOTS:
         QCOMPARE(loop.cycles, before + 1);
         QCOMPARE(loop.stale, 1);
         QVERIFY(std::abs(loop.lastTime - time - 0.002) < 1e-6);
-        // The late packet arrives: it is answered, and its cycle is not run again.
+        // The late packet arrives and is answered, but its cycle is not run again.
         QVERIFY(loop.latePacket());
         QCOMPARE(loop.cycles, before + 1);
         QVERIFY(loop.packetAfter(kPeriodNs - kOverdueNs));
@@ -240,8 +241,8 @@ private Q_SLOTS:
             QVERIFY(loop.silenceFor(i == 0 ? kPeriodNs + kOverdueNs : kPeriodNs));
         }
         QCOMPARE(loop.cycles, before + 5);
-        // No more extra cycles: the loop waits for the next packet, and the packets after it are on time
-        // again.
+        // There are no more extra cycles. The loop waits for the next packet, and the packets after it are on
+        // time again.
         cell.clock.advanceNs(2 * kPeriodNs - kOverdueNs);
         for (int i = 0; i < 5; ++i) {
             QVERIFY(loop.latePacket());
@@ -264,7 +265,7 @@ private Q_SLOTS:
         const int before = loop.cycles;
         const std::uint64_t inputs = cell.robot.inputPackages();
         cell.controller->stop(StopCause::ApiCall);
-        // A cycle would be due first; the idle command sent instead may be sent at either of the two times.
+        // At first, a cycle would be due. An idle command is sent instead, at either of the two times.
         cell.clock.advanceNs(kPeriodNs + kOverdueNs);
         cell.clock.advanceNs(5 * kPeriodNs);
         QVERIFY(cell.robot.waitForInputPackages(inputs + 1, Deadline::after(std::chrono::seconds(20))));
@@ -279,7 +280,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         QVERIFY(cell.step(10));
-        // In total, the periods of all rounds are longer than the robot's heartbeat timeout.
+        // The periods of all rounds together are longer than the robot's heartbeat timeout.
         constexpr std::size_t kRounds = 13;
         constexpr int kPeriods = 10;
         std::vector<CycleState> seen;
@@ -293,7 +294,7 @@ private Q_SLOTS:
         loop.end();
         QVERIFY2(loop.ended.ok(), qPrintable(loop.ended.error().toString()));
         QCOMPARE(seen.size(), kRounds + 1);
-        // Starts at 2 because several packets may arrive before the first call.
+        // Start at 2, because several packets may arrive before the first call.
         for (std::size_t i = 2; i < seen.size(); ++i) {
             QVERIFY2(std::abs(seen[i].time - seen[i - 1].time - kPeriods * 0.002) < 1e-6,
                      qPrintable(QStringLiteral("%1 s after %2 s").arg(seen[i].time).arg(seen[i - 1].time)));
@@ -305,7 +306,7 @@ private Q_SLOTS:
         QCOMPARE(loop.report.overruns, kRounds);
     }
 
-    // A packet with a long transit time has just arrived, but its data are old.
+    // A packet with a long transit time has just arrived, so its data are old.
     void aPacketThatWasUnderWayForLongIsNotFresh() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -381,7 +382,8 @@ private Q_SLOTS:
         const int before = loop.cycles;
         cell.clock.advanceNs(kPeriodNs + kOverdueNs);
         const std::uint64_t asked = cell.clock.asked();
-        QTRY_VERIFY_WITH_TIMEOUT(cell.clock.asked() > asked + 20, 60000);  // the control thread has polled
+        // Wait until the control thread has polled.
+        QTRY_VERIFY_WITH_TIMEOUT(cell.clock.asked() > asked + 20, 60000);
         QCOMPARE(loop.cycles, before);
         QVERIFY(loop.latePacket());
         QCOMPARE(loop.cycles, before + 1);

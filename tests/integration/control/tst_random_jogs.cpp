@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thousand random inputs on the jog pad, with real sockets in virtual time: no motion beyond the bound.
+// A thousand random inputs on the jog pad, with real sockets in virtual time. No motion may exceed the limit.
 #include <random>
 
 #include "tests/integration/control/cell.h"
@@ -10,8 +10,8 @@ using namespace tiller::test;
 
 namespace {
 
-// Permitted motion after the end: one package in transit, the next control period, then deceleration at 2 m/s2; and
-// the time until a missing refresh is detected.
+// Permitted motion after the end of an input: one package in transit, the next control period, deceleration
+// at 2 m/s2, and the time until a missing refresh is detected.
 constexpr double kReaction = 0.010;     // [s]
 constexpr double kHoldSeconds = 0.100;  // [s]
 constexpr double kBraking = 2.0;        // [m/s2]
@@ -41,7 +41,7 @@ private Q_SLOTS:
         int moved = 0;
         double worst = 0;
         for (int sequence = 0; sequence < 1000; ++sequence) {
-            // Mostly towards home, so that a thousand jogs stay within reach.
+            // Mostly towards Home, so that a thousand jogs stay within reach.
             Eigen::Vector3d direction = Eigen::Vector3d::Random() + 20 * (home - cell.tcp().position);
             const double speeds[] = {0.005, 0.02, 0.05, 0.1};
             const double speed = speeds[pick(0, 3)];
@@ -53,7 +53,7 @@ private Q_SLOTS:
                 QVERIFY(cell.step(pick(1, 20)));
                 QVERIFY(jog->refresh());
             }
-            // Random end of an operator input.
+            // The operator input ends in a random way.
             double mayStillTake = kReaction;
             path = 0;
             switch (pick(0, 4)) {
@@ -68,12 +68,12 @@ private Q_SLOTS:
                 case 2:  // the user interface hangs
                     mayStillTake += kHoldSeconds;
                     break;
-                case 3:  // hangs, and resumes too late
+                case 3:  // the user interface hangs and resumes too late
                     mayStillTake += kHoldSeconds;
                     QVERIFY(cell.step(52));
                     QVERIFY(!jog->refresh());
                     break;
-                case 4:  // another button, then both are released
+                case 4:  // another button is pressed, then both are released
                     QVERIFY(cell.motions().startJog(linearJog(0, 0, speed)).ok());
                     QVERIFY(!jog->refresh());
                     QVERIFY(cell.step(pick(0, 20)));
@@ -81,7 +81,7 @@ private Q_SLOTS:
                     cell.controller->stop(StopCause::Space);
                     break;
             }
-            // Holding the old button has no effect.
+            // Holding the old button must have no effect.
             const double braking = speed / kBraking;
             const int patience = static_cast<int>((mayStillTake + braking + 0.02) / 0.002);
             for (int tick = 0; tick < patience && !(cell.isStanding() && tick > 52); ++tick) {

@@ -17,7 +17,7 @@ void hasTorque(simulator::SimulatorOptions& options) {
     options.software = {5, 25, 1, 0};
 }
 
-/// Torque that rotates the base, slightly above friction [Nm].
+/// Returns a torque that rotates the base, slightly above friction [Nm].
 JointTorques turning(double torque) {
     return JointTorques(torque, 0, 0, 0, 0, 0);
 }
@@ -75,7 +75,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(400));
         QVERIFY((cell.tcp().position - target.position).norm() < 1e-3);
 
-        // Stretched out, a few millimetres are out of reach.
+        // The arm is stretched, so a few millimetres farther are out of reach.
         JointPositions stretched = cell.robot.truth().q;
         stretched[1] = -90 * kDeg;
         stretched[2] = -3 * kDeg;
@@ -93,8 +93,8 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // Neither the first target nor a later one may be farther away than the arm can reach; the error names the
-    // refused target, which was not sent, and the stream continues.
+    // Neither the first target nor a later one may be farther away than the arm can reach. The error names
+    // the rejected target, which was not sent, and the stream continues.
     void aServoRefusesToJump() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QCOMPARE(line->send(pose).error().code, ErrorCode::LimitExceeded);
     }
 
-    // The arm was moving when the stream started and has continued to move: the program detects this, whereas the
+    // The arm was moving when the stream started and has continued to move. The program detects this, but the
     // PC cannot.
     void theProgramRefusesAJumpToo() {
         Cell cell;
@@ -213,7 +213,8 @@ private Q_SLOTS:
         QVERIFY(stop.ok());
         QVERIFY(stop->isActive());
         QVERIFY(cell.during([&] { return stop->wait(patience()); }).ok());
-        // The script confirms at the end of its stopj; the final motion of the joint takes a few more periods.
+        // The script confirms at the end of its stopj. The remaining motion of the joint takes a few more
+        // periods.
         QVERIFY(cell.standsWithinMs(20));
     }
 
@@ -230,17 +231,17 @@ private Q_SLOTS:
         QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
         QVERIFY(cell.isStanding());
         QCOMPARE(speed->motion().state().cause, StopCause::ApiCall);
-        // A repeated stop, and a stop after other motions, returns immediately.
+        // A repeated stop, or a stop after other motions, returns immediately.
         QVERIFY(speed->motion().stop(patience()).ok());
         cell.controller->stop();
         QVERIFY(cell.during([&] { return speed->motion().stop(patience()); }).ok());
 
-        // Another motion is not waited for, and continues.
+        // The call does not wait for another motion, which continues.
         const auto jogged = motions.startSpeedL({0.5, 0}, Holding::Free);
         QVERIFY(jogged.ok());
         QVERIFY(speed->motion().stop(patience()).ok());
         QVERIFY(jogged->isActive());
-        // A stop in between is waited for as well.
+        // The call also waits for a stop in between.
         QVERIFY(ToolSpeed(*jogged).send(up).ok());
         QVERIFY(cell.stepMs(400));
         cell.controller->stop();
@@ -251,7 +252,7 @@ private Q_SLOTS:
         QVERIFY(Motion().stop(patience()).ok());
     }
 
-    // Late data alone do not end control: the stop is confirmed when data arrive again.
+    // Late data alone do not end control. The stop is confirmed when data arrive again.
     void aHiccupIsNoFailureToStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -270,7 +271,7 @@ private Q_SLOTS:
         QVERIFY(cell.isStanding());
     }
 
-    // STOP during a soft stop of a program has full deceleration.
+    // STOP during a soft stop of a program uses full deceleration.
     void theStopKeyOverrulesASoftStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -326,7 +327,7 @@ private Q_SLOTS:
         Pose target = cell.tcp();
         target.position.z() += 0.03;
         QVERIFY(servo->send(target).ok());
-        // The speed does not exceed its parameter, independent of the distance.
+        // The speed does not exceed its parameter, regardless of the distance.
         double fastest = 0;
         cell.everyTick = [&] { fastest = std::max(fastest, cell.robot.truth().tcpSpeed.linear.norm()); };
         QVERIFY(cell.stepMs(1500));
@@ -341,10 +342,10 @@ private Q_SLOTS:
         const JointPositions start = cell.robot.truth().q;
         auto stream = motions.startTorque({}, Holding::Free);
         QVERIFY2(stream.ok(), why(stream));
-        // Without torques the arm holds its position.
+        // Without torques, the arm holds its position.
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
-        // Zero torques also hold the arm: the controller compensates gravity.
+        // Zero torques also hold the arm, because the controller compensates gravity.
         for (int i = 0; i < 100; ++i) {
             QVERIFY(stream->send(JointTorques()).ok());
             QVERIFY(cell.step());
@@ -359,8 +360,8 @@ private Q_SLOTS:
 
         cell.controller->stop();
         QCOMPARE(stream->send(turning(8)).error().code, ErrorCode::Stopped);
-        // Initially the deceleration of the damping; position control would decelerate uniformly from the initial
-        // speed.
+        // Initially the arm decelerates by damping. Position control would decelerate uniformly from the
+        // initial speed.
         double last = cell.robot.truth().qd[0];
         for (int i = 0; i < 100 && !cell.isStanding(); ++i) {
             QVERIFY(cell.step());
@@ -373,7 +374,7 @@ private Q_SLOTS:
         QVERIFY(cell.stepMs(300));
         QVERIFY((cell.robot.truth().q.values - rest.values).norm() < 1e-3);
 
-        // The next motion starts from there.
+        // The next motion starts from the current position.
         const auto back = motions.moveJ(start, {0.5, 1.4, Holding::Free});
         QVERIFY2(back.ok(), why(back));
         QVERIFY(cell.during([&] { return back->wait(patience()); }).ok());
@@ -416,7 +417,7 @@ private Q_SLOTS:
         QVERIFY2(fastest > 0.24 && fastest < 0.35, qPrintable(QString::number(fastest)));
         QVERIFY(cell.controller->status().inControl);
 
-        // With another cap it ends at another speed.
+        // With another speed cap, the stream ends at another speed.
         QVERIFY(cell.controller->setSpeedCap(0.1).ok());
         stream = motions.startTorque({}, Holding::Free);
         QVERIFY2(stream.ok(), why(stream));
@@ -506,7 +507,7 @@ private Q_SLOTS:
         Cell cell(hasTorque);
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
-        // Keeps a speed; the arm continues for about 0.08 rad.
+        // Keeps a constant speed. The arm continues for about 0.08 rad.
         const auto steady = [&](const CycleState& state) -> std::optional<JointTorques> {
             constexpr double kGain = 40;  // [Nm s/rad]
             return state.time < 0.5 ? std::optional(turning(kGain * (0.2 - state.qd[0]))) : std::nullopt;
@@ -539,7 +540,8 @@ private Q_SLOTS:
             target[5] += 0.05 * std::sin(6.2831853 * state.time);
             return target;
         };
-        // Each packet is answered before the next one: a delayed one would count as missed.
+        // Each packet must be answered before the next packet, because a delayed packet would count as
+        // missed.
         Result<void> ended;
         std::atomic<bool> over{false};
         std::thread caller([&] {
@@ -569,7 +571,7 @@ private Q_SLOTS:
         QVERIFY(cell.ticksToStandstill(200) >= 0);
     }
 
-    // Stop is final: eight threads send targets as fast as they can, and the arm still comes to a standstill.
+    // A stop is final. Eight threads send targets as fast as they can, and the arm still stops.
     void stopIsFinalUnderEightThreadsOfSetpoints() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -610,7 +612,7 @@ private Q_SLOTS:
             final = cell.step(3) && cell.controller->motionState(stopped).phase == MotionPhase::Ended;
             const int ticks = cell.ticksToStandstill(200);
             const Pose stands = cell.tcp();
-            cell.step(10);  // 0.4 mm if the arm continued at 20 mm/s
+            cell.step(10);  // the arm would move 0.4 mm if it continued at 20 mm/s
             final = final && ticks >= 0 && (cell.tcp().position - stands.position).norm() < 1e-4;
         }
         over = true;

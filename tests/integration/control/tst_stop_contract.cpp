@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The stop contract of the native library: for all motions and for all events concerning the client, the connection
-// or the robot, the arm stops in time and nothing resumes; also with alternative behaviour of the controller.
+// The stop contract of the native library. For all motions, and for all events concerning the client, the
+// connection or the robot, the arm stops in time and no motion resumes. Also tested with alternative
+// behaviour of the controller.
 //
-// Runs a part of the table, selected pseudo-randomly for each behaviour option but reproducibly. With --all
-// everything, and 200 random combinations of options; or a part in each of several processes, with rows named as by
-// Qt Test:
+// Runs a part of the table, which is selected pseudo-randomly but reproducibly for each behaviour option.
+// With --all, runs everything and 200 random combinations of options. The rows can be divided among several
+// processes, with rows named as by Qt Test:
 //
 //     tst_stop_contract --all
 //     tst_stop_contract --all everyMotionEndsInTime:data=late everyMotionEndsInTime:data=doubled
@@ -33,7 +34,7 @@ bool runsAll = false;
 int firstCombination = 0;
 int endCombination = 200;
 QStringList onlyCell;                 ///< motion, event, slider, options
-constexpr double kLostLimitMs = 250;  ///< for all events except a release
+constexpr double kLostLimitMs = 250;  ///< for all events except a release [ms]
 constexpr quint32 kSeed = 20261123;
 
 simulator::BehaviourOptions assumed(const QString& words) {
@@ -46,7 +47,7 @@ simulator::BehaviourOptions assumed(const QString& words) {
     return assumptions;
 }
 
-/// The worst results.
+/// The worst results of a set of cases.
 struct Worst {
     double standstillMs = 0;
     double driftMm = 0;
@@ -65,8 +66,8 @@ struct Worst {
     }
 };
 std::map<std::pair<std::string, std::string>, Worst> worst;  ///< by motion and event
-Worst released;                                              ///< of this row
-Worst others;                                                ///< the same for all other events
+Worst released;                                              ///< worst results of this row for a release
+Worst others;  ///< worst results of this row for all other events
 
 template <class Named>
 const Named& named(const std::vector<Named>& all, const char* name) {
@@ -85,14 +86,14 @@ Q_DECLARE_METATYPE(tiller::SoftwareVersion)
 class TestStopContract : public QObject {
     Q_OBJECT
 
-    /// `given`: without a value, a version that has this motion.
+    /// given  software version; empty: a version that has this motion
     static void check(const ContractMotion& motion, const ContractEvent& event, const QString& words,
                       double slider, QStringList& problems,
                       const std::optional<SoftwareVersion>& given = std::nullopt) {
         const SoftwareVersion software =
             given.value_or(std::max(simulator::SimulatorOptions().software, motion.since));
-        // If forces may continue in a pause, and the process is killed in the meantime, nothing can end them:
-        // the program is paused and the PC is not available.
+        // If forces may continue in a pause and the process is killed in the meantime, nothing can end them,
+        // because the program is paused and the PC is not available.
         if (motion.yields && event.losesBoth && words.contains(QLatin1String("pause=frees"))) {
             return;
         }
@@ -129,7 +130,7 @@ private Q_SLOTS:
     void everyMotionEndsInTime_data() {
         QTest::addColumn<QString>("words");
         QTest::addColumn<double>("slider");
-        QTest::addColumn<int>("cells");  ///< in a partial run
+        QTest::addColumn<int>("cells");  ///< number of cases in a partial run
         QTest::newRow("as by default") << QString() << 1.0 << 24;
         QTest::newRow("slider at 30 %") << QString() << 0.3 << 2;
         constexpr int kFew = 2;
@@ -137,7 +138,7 @@ private Q_SLOTS:
             for (const QString& reading : info.readings.mid(1)) {
                 const QString words = info.name + "=" + reading;
                 QTest::newRow(qPrintable(words)) << words << 1.0 << kFew;
-                // Only relevant below 100 %.
+                // These options are relevant only below 100 %.
                 if (reading == QLatin1String("scaled") || reading == QLatin1String("real")) {
                     QTest::newRow(qPrintable(words + ", slider at 50 %")) << words << 0.5 << 1;
                     QTest::newRow(qPrintable(words + ", slider at 10 %")) << words << 0.1 << 1;
@@ -157,7 +158,8 @@ private Q_SLOTS:
                 check(i % motions, i / motions, words, slider, problems);
             }
         } else {
-            // Each case has another motion and event than the previous one, and all pairs are covered eventually.
+            // The motion and event of each case differ from those of the previous case. Eventually all pairs
+            // are covered.
             QRandomGenerator random(kSeed + static_cast<quint32>(qHash(words + QString::number(slider), 0)));
             std::size_t at = random.bounded(static_cast<quint32>(motions * events));
             for (int i = 0; i < cells; ++i, ++at) {
@@ -176,7 +178,7 @@ private Q_SLOTS:
             QRandomGenerator random(kSeed + static_cast<quint32>(i));
             QStringList words;
             for (const simulator::BehaviourOptionInfo& info : simulator::assumptionTable()) {
-                // Half of the options have their default.
+                // Half of the options have their default value.
                 const auto readings = static_cast<quint32>(info.readings.size());
                 if (random.bounded(2) == 1) {
                     words << info.name + "=" +
@@ -194,7 +196,7 @@ private Q_SLOTS:
         report(problems);
     }
 
-    // Past failures, with their options: moved afterwards, or took too long.
+    // Past failures with their options: the arm moved afterwards, or the stop took too long.
     void earlierRegressions_data() {
         QTest::addColumn<QString>("motion");
         QTest::addColumn<QString>("event");
@@ -204,12 +206,12 @@ private Q_SLOTS:
             QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
             return;
         }
-        // A pause slows down real time and program time differently: the end of the program read its speed in
-        // one and decelerated in the other.
+        // During a pause, real time and program time advance differently. The end of the program read its
+        // speed in one of them and decelerated in the other.
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";
-        // The speed before the pause, and its deceleration.
+        // The stop used the speed from before the pause, and its deceleration.
         QTest::newRow("stopped behind a pause")
             << "jog a joint"
             << "pause, kill -9, play" << 1.0 << "stops=scaled thread-start=next-period";
@@ -251,7 +253,7 @@ private Q_SLOTS:
         report(problems);
     }
 
-    // Before 5.17 a program has no clock that would reveal a pause.
+    // Before 5.17, a program has no clock that would reveal a pause.
     void aShortPauseShowsWithoutAClock_data() {
         QTest::addColumn<SoftwareVersion>("software");
         QTest::newRow("5.16") << SoftwareVersion{5, 16, 0, 0};
@@ -263,7 +265,7 @@ private Q_SLOTS:
         QStringList problems;
         if (runsAll) {
             for (const ContractMotion& motion : contractMotions()) {
-                // The control program does not know the motions of a section.
+                // The control program does not have the motions of a section.
                 if (software.isCb3() && qstrcmp(motion.name, "function in force mode") == 0) {
                     continue;
                 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stops, losses and errors during a call, and effects that must not outlive it.
+// Stops, connection losses and errors during a call, and effects that must end with the call.
 #include <unistd.h>
 
 #include <QFile>
@@ -31,8 +31,8 @@ class TestStopRaces : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The arm moves, and time does not advance: one call waits for the end of the program, the other one for the
-    // first call. The stop applies to both.
+    // The arm moves, and time does not advance. One call waits for the end of the program, and the other call
+    // waits for the first one. The stop must end both.
     void stopAlsoEndsQueuedCallers() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -46,7 +46,7 @@ private Q_SLOTS:
         std::array<std::thread, 2> callers;
         std::array<std::atomic<pid_t>, 2> ids{};
         std::atomic<bool> waits{false};
-        // A waiting call queries its token: at this point it has passed its check for stops.
+        // A waiting call queries its token. At this point, the call has passed its check for stops.
         const CancelToken asked([&] {
             waits = true;
             return false;
@@ -58,7 +58,7 @@ private Q_SLOTS:
                                                       QStringLiteral("set_standard_digital_out(3, True)"),
                                                       Deadline::after(std::chrono::seconds(60), asked));
             });
-            // The second call queries nothing: it waits for the mutex.
+            // The second call queries nothing, because it waits for the mutex.
             QTRY_VERIFY_WITH_TIMEOUT(ids[i] != 0 && (i == 0 ? waits.load() : isAsleep(ids[i])), 60'000);
         }
         cell.controller->stop(StopCause::StopButton);
@@ -74,7 +74,8 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // Effects that continue after their start: a stop applies to them, and they do not outlive their function.
+    // Effects that continue after their start. A stop must end them, and they must not outlive their
+    // function.
     void noMotionRemainsAfterAFunction_data() {
         QTest::addColumn<QString>("body");
         QTest::addColumn<bool>("stopped");
@@ -89,7 +90,8 @@ private Q_SLOTS:
                                            "    sync()\n  end\nend\npath_offset_enable()\nrun offset()\n")}};
         for (const auto& [name, body] : bodies) {
             QTest::addRow("%s, stopped", name) << body + QStringLiteral("sleep(100)") << true;
-            // The test controls the end of the effect, because the call that starts it may return late.
+            // The test controls the end of the effect, because the call that starts the effect may return
+            // late.
             QTest::addRow("%s, at its end", name)
                 << body + QStringLiteral("while not get_standard_digital_in(0):\n  sync()\nend") << false;
         }
@@ -130,7 +132,8 @@ private Q_SLOTS:
                 cell.controller->stop(StopCause::StopButton);
             }
         };
-        // The script continues at the input: it must not do so before the caller has seen the stop.
+        // The script continues when the input is set. This must not happen before the caller has detected the
+        // stop.
         const auto ran = cell.during([&] {
             return Programs(*cell.controller)
                 .runScript(QStringLiteral("def mine():\n  set_standard_digital_out(1, True)\n"
@@ -145,7 +148,7 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    // Numbers stored in the previous program are not those of the new one.
+    // Values stored in the previous program are not stored in the new program.
     void newProgramReceivesAllSettingsAgain() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -201,7 +204,7 @@ private Q_SLOTS:
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         JointPositions q = cell.robot.truth().q;
-        q[5] = 8;  // allowed for a UR3e, not for a UR5e
+        q[5] = 8;  // valid for a UR3e but not for a UR5e
         const auto path =
             Motions(*cell.controller).movePath({{PathEntry::Kind::MoveJ, q, {}, 0.5, 1.4, 0}}, patience());
         QVERIFY(!path.ok());

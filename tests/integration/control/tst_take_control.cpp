@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All failures of taking control, and their error messages.
+// All ways in which taking control can fail, and their error messages.
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
 #include <QTcpServer>
@@ -22,6 +23,7 @@
 #include "robot/rtde/connection.h"
 #include "robot/script/script_client.h"
 #include "robot/simulator/simulator.h"
+#include "tests/support/asked_clock.h"
 #include "tests/support/raw_peer.h"
 #include "tests/support/rtde_peer.h"
 #include "tests/unit/robot/script/primary_bytes.h"
@@ -56,8 +58,8 @@ ControllerOptions to(const simulator::Simulator& robot) {
     return to(robot.ports().primary, robot.ports().rtde);
 }
 
-/// A controller that evaluates received data with a delay, and discards them if the sender has disconnected.
-/// Otherwise it is a simulated one.
+/// A simulated controller that evaluates received data with a delay, and discards them if the sender has
+/// disconnected.
 class Choosy : public QThread {
 public:
     explicit Choosy(int primary) : primary_(primary) {
@@ -108,7 +110,7 @@ void makeRunning(RtdePeer& peer) {
     }
 }
 
-/// CPUs of the thread with this name, as written by the system; empty if there is none.
+/// Returns the CPUs of the thread with this name, as printed by the system; empty if there is no such thread.
 QByteArray cpusOf(const QByteArray& thread) {
     const auto tasks =
         QDir(QStringLiteral("/proc/self/task")).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot);
@@ -148,7 +150,7 @@ private Q_SLOTS:
         QVERIFY2(taken.ok(), qPrintable(taken.ok() ? QString() : taken.error().toString()));
     }
 
-    // One deprecated function that a controller does not have would make the whole program fail.
+    // A single deprecated function that a controller does not have would make the whole program fail.
     void namesTheControllerDoesNotKnowAreDoneWithout() {
         simulator::SimulatorOptions options = robotOptions();
         for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits", "set_payload_mass",
@@ -172,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(is(ToolSetup(controller).useExternalSensorLegacy({}, soon()), "enable_external_ft_sensor"));
         QVERIFY(ArmQueries(controller).stepTime(soon()).ok());
         QVERIFY(Compliance(controller).startFreedrive().ok());
-        // A section sends the program again, without these functions from the start.
+        // A section sends the program again. It must not contain these functions from the start.
         QVERIFY(Programs(controller)
                     .startFunction(QStringLiteral("wait"), QStringLiteral("sleep(0.01)"), soon())
                     .ok());
@@ -195,7 +197,7 @@ private Q_SLOTS:
             QVERIFY(controller.status().cpusGranted);
             QCOMPARE(cpusOf("control"), QByteArray::number(cpu));
         }
-        // An invalid CPU does not prevent control, but is reported.
+        // An invalid CPU must not prevent control, but must be reported.
         options.cpus = {1000};
         Controller controller(options);
         QVERIFY(controller.takeControl(soon()).ok());
@@ -210,17 +212,19 @@ private Q_SLOTS:
         QCOMPARE(controller.status().loss, ControlLoss::NotTaken);
         const auto taken = controller.takeControl(soon());
         QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
-        // A machine that is blocked for 100 ms loses control again.
-        QTRY_VERIFY(controller.takeControl(soon()).ok() && controller.status().roundTripMs > 0 &&
-                    controller.status().inControl);
+        // A computer that is blocked for 100 ms loses control again.
+        QTRY_VERIFY_WITH_TIMEOUT(controller.takeControl(soon()).ok() && controller.status().roundTripMs > 0 &&
+                                     controller.status().inControl,
+                                 60'000);
         const bool sameVersion = controller.version() == robot.options().software;
         QVERIFY(sameVersion);
         controller.release();
-        // A program that was not ended in time ends by itself after 5 s.
+        // A program that was not ended in time ends after 5 s.
         QTRY_COMPARE_WITH_TIMEOUT(robot.truth().runtimeState, RuntimeState::Stopped, 20'000);
     }
 
-    // A controller may send no data while it compiles: for as long as that takes, but no more than 2 s.
+    // A controller may send no data while it compiles. This is accepted for the duration of compiling, but at
+    // most for 2 s.
     void compilingIsNoDeadConnection_data() {
         QTest::addColumn<int>("quietMs");
         QTest::addColumn<bool>("survives");
@@ -233,17 +237,32 @@ private Q_SLOTS:
         QFETCH(bool, survives);
         simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
-        // Time advances for the controller only where this test advances it.
-        VirtualClock clock;
+        // Time advances for the controller only when this test advances it.
+        VirtualClock time;
+        const AskedClock clock(time);
         ControllerOptions options = to(robot);
         options.clock = &clock;
+        const Controller* taking = nullptr;
         bool quiet = false;
+        const auto waitFor = [](const auto& condition) {
+            const QDeadlineTimer hangs(std::chrono::minutes(1));
+            while (!condition() && !hangs.hasExpired()) {
+                QThread::msleep(1);
+            }
+        };
         options.deliver = [&](const QString& program, const Deadline& deadline) -> Result<void> {
             if (quiet) {
                 robot.silence(true);
-                QThread::msleep(50);  // until the data sent before have arrived
-                clock.advanceNs(quietMs * kNsPerMs);
-                QThread::msleep(150);  // the control thread polls every 4 ms, and gives up after ten polls
+                // Until the data sent before have been read: the control thread asks for the time in every poll.
+                const std::uint64_t asked = clock.asked();
+                waitFor([&] { return clock.asked() > asked + 20; });
+                time.advanceNs(quietMs * kNsPerMs);
+                if (survives) {
+                    // The control thread polls every 4 ms and gives up after ten polls.
+                    QThread::msleep(150);
+                } else {
+                    waitFor([&] { return !taking->isConnected(); });
+                }
                 robot.silence(false);
             }
             script::ScriptClient client(QStringLiteral("127.0.0.1"), robot.ports().primary);
@@ -252,6 +271,7 @@ private Q_SLOTS:
         };
         for (const bool path : {false, true}) {
             Controller controller(options);
+            taking = &controller;
             quiet = !path;
             auto result = controller.takeControl(soon());
             if (path) {
@@ -303,7 +323,7 @@ private Q_SLOTS:
         QCOMPARE(second.takeControl(soon()).error().code, ErrorCode::RegisterInUse);
         QVERIFY(first.status().inControl);
         first.release();
-        // Free again, and the same object may retry.
+        // Control is free again, and the same object may retry.
         const auto taken = second.takeControl(soon());
         QVERIFY2(taken.ok(), qPrintable(taken.error().toString()));
     }
@@ -405,7 +425,7 @@ private Q_SLOTS:
         ControllerOptions options = to(primary.port(), peer.port());
         options.connectionTimeout = milliseconds(0);  // the peer sends only one package
         Controller controller(options);
-        // Enough to reach the upload of the program.
+        // The deadline is long enough to reach the upload of the program.
         const Error error = controller.takeControl(Deadline::after(std::chrono::seconds(5))).error();
         QCOMPARE(error.code, ErrorCode::Timeout);
         QVERIFY(error.controllerMessage.contains(QStringLiteral("Remote control")));
@@ -429,11 +449,11 @@ private Q_SLOTS:
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
         QVERIFY(controller.takeControl(soon()).ok());
-        // Refused while the data are old, e.g. because a thread is late.
+        // Starting a jog is rejected while the data are outdated, e.g. because a thread is late.
         Result<Jog> jog = Error{};
         QTRY_VERIFY_WITH_TIMEOUT(jog.ok() || (jog = Motions(controller).startJog(JogTarget{})).ok(), 20'000);
         robot.closeClients();
-        QTRY_VERIFY(!controller.status().inControl);
+        QTRY_VERIFY_WITH_TIMEOUT(!controller.status().inControl, 60'000);
         QCOMPARE(controller.status().loss, ControlLoss::LinkLost);
         QCOMPARE(jog->state().phase, MotionPhase::Ended);
         QCOMPARE(Motions(controller).startJog(JogTarget{}).error().code, ErrorCode::NotInControl);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PolyScope X over HTTP: brings a simulated robot to RUNNING, and handles peers with other replies.
+// PolyScope X over HTTP: brings a simulated robot to RUNNING, and handles peers with unexpected replies.
 #include <QTest>
 #include <vector>
 
@@ -38,7 +38,7 @@ struct Robot {
     simulator::Simulator controller;
 };
 
-/// Answers the requests one after the other with these replies.
+/// Sends these replies to the requests, one after the other.
 class Web {
 public:
     explicit Web(std::vector<QByteArray> replies)

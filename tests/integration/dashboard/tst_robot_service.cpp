@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One interface for every robot: the same calls bring a simulated e-Series robot, a CB3 and PolyScope X from power
-// off to a running program, and each reports its properties.
+// One interface for every robot. The same calls bring a simulated e-Series robot, a CB3 and a PolyScope X
+// robot from power off to a running program, and each robot reports its properties.
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -158,7 +158,8 @@ private Q_SLOTS:
             static_cast<void>(robot.perform(command));
         }
         QCOMPARE(safety(), SafetyMode::ProtectiveStop);
-        // The dashboard refuses for five seconds. Afterwards, nothing remains to be unlocked by the Robot API.
+        // The dashboard rejects the command for five seconds. Afterwards, there is nothing left to unlock
+        // through the Robot API.
         bool unlocked = false;
         QTRY_VERIFY_WITH_TIMEOUT(
             (unlocked = unlocked || robot.service->unlockProtectiveStop(patience()).ok()), 60'000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A healthy simulated robot, and the same with one fault at a time: every fault has a distinct cause without other
-// findings. `tiller-cli doctor` reports the same.
+// A healthy simulated robot, and the same robot with one fault at a time. Every fault must have a distinct
+// cause and no other findings. `tiller-cli doctor` must report the same findings.
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -57,7 +57,7 @@ const Finding& findingOf(const Report& report, const QString& cause) {
 }
 
 #ifndef _WIN32
-/// A port with a full connection queue: connecting neither succeeds nor fails.
+/// A port with a full connection queue. A connection attempt neither succeeds nor fails.
 class BlackHole {
 public:
     BlackHole() {
@@ -100,7 +100,7 @@ class TestDoctor : public QObject {
 private:
     std::unique_ptr<simulator::Simulator> robot_;
     Patient patient_;
-    QSet<QString> usual_;  ///< findings on a healthy robot: missing privileges of this PC, no payload
+    QSet<QString> usual_;  ///< findings on a healthy robot: missing privileges on this PC, no payload
 
     static simulator::SimulatorOptions options() {
         simulator::SimulatorOptions options;
@@ -223,7 +223,7 @@ private Q_SLOTS:
     }
     void theRobotIsInAProtectiveStop() {
         robot_->protectiveStop();
-        QTRY_COMPARE(robot_->truth().safetyMode, SafetyMode::ProtectiveStop);
+        QTRY_COMPARE_WITH_TIMEOUT(robot_->truth().safetyMode, SafetyMode::ProtectiveStop, 60'000);
         expectOnly("safety.stopped");
     }
     void theArmIsOff() {

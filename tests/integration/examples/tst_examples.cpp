@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the C++ examples unchanged, each with its own simulated robots, and checks their effects.
+// Runs the C++ examples unchanged, each with its own simulated robots, and checks the effects.
 #include <unistd.h>
 #include <QDir>
 #include <QFile>
@@ -76,7 +76,7 @@ Outcome run(const QString& name, const Cell& cell) {
     return outcome;
 }
 
-/// Detects that the computer was blocked for 100 ms, after which the arm stops as intended.
+/// True if the computer was blocked for 100 ms. The arm then stops as intended.
 bool wasLate(const Outcome& outcome) {
     for (const char* word : {"LinkLost", "EventLoopStalled", "DataStale", "Timeout", "not refreshed"}) {
         if (outcome.err.contains(QLatin1String(word)) || outcome.out.contains(QLatin1String(word))) {
@@ -90,7 +90,7 @@ struct Example {
     int robots;
     /// Prepares the robot before the example runs.
     std::function<void(Cell&)> prepare;
-    /// Returns the problem; empty if there is none.
+    /// Returns a description of the problem; empty if there is none.
     std::function<QString(const Cell&, const Outcome&)> check;
 };
 
@@ -216,7 +216,7 @@ private Q_SLOTS:
             example.prepare(cell);
             const Outcome outcome = run(name, cell);
             if (wasLate(outcome) && attempt < kAttempts) {
-                continue;  // this computer is busy
+                continue;  // this computer was too busy, so try again
             }
             QVERIFY2(outcome.code == 0, qPrintable(outcome.out + outcome.err));
             QTRY_VERIFY_WITH_TIMEOUT(cell.truth().qd.values.norm() < 2e-3, 20'000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The code in the READMEs is covered by tests: each code block is contained literally in one of the examples. CMake blocks
-// are built by integration/package/readme.
+// Tests for the code in the READMEs. Each code block is contained literally in one of the examples.
+// integration/package/readme builds the CMake blocks.
 #include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
@@ -40,7 +40,7 @@ QString indentOf(const QString& line) {
     return kSpaces.match(line).captured();
 }
 
-/// Line by line, with constant additional indentation.
+/// Compares line by line. The text may have a constant additional indentation.
 bool standsIn(const QStringList& block, const QStringList& text) {
     for (qsizetype at = 0; at + block.size() <= text.size(); ++at) {
         const QString indent =
@@ -56,7 +56,7 @@ bool standsIn(const QStringList& block, const QStringList& text) {
     return false;
 }
 
-/// Source files for code of this language.
+/// The source files with code in this language.
 QStringList sourcesOf(const QString& language) {
     QStringList files;
     QDirIterator it(QStringLiteral(TILLER_SOURCE_DIR "/robot/examples/") + language,

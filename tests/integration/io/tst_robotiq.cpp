@@ -18,13 +18,13 @@ constexpr int kClosed = 230;
 struct Bench {
     explicit Bench(const simulator::SimulatorOptions& options = VirtualRobot::options())
         : robot(options), client(robot.host(), robot.controller.ports().gripper) {
-        robot.controller.step();  // switches its power on or off from here on
+        robot.controller.step();  // the gripper is powered on or off from here on
         const Result<void> connected = client.connect(patience());
         if (!connected) {
             qFatal("%s", why(connected).constData());
         }
     }
-    /// A gripper that does not respond fails the test.
+    /// Returns the state. Fails the test if the gripper does not respond.
     RobotiqState look() {
         const auto found = client.look(patience());
         if (!found || !found->has_value()) {
@@ -139,7 +139,7 @@ private Q_SLOTS:
 
     void aControllerThatHangsUpIsFoundAgain() {
         Bench bench;
-        bench.look();  // the controller has accepted the connection
+        bench.look();  // the reply shows that the controller has accepted the connection
         bench.robot.controller.closeClients();
         bench.robot.controller.step();
         QCOMPARE(bench.client.look(patience()).error().code, ErrorCode::ConnectionClosed);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A WebSocket client that can violate every rule: it writes arbitrary bytes, declares arbitrary frame lengths, and
-// reads only on request. It blocks and needs no event loop, so that it can run in any thread.
+// A WebSocket client that can violate every rule. It writes arbitrary bytes, declares arbitrary frame
+// lengths, and reads only on request. It blocks and needs no event loop, so that it can run in any thread.
 
 #include <QDeadlineTimer>
 #include <QHostAddress>
@@ -15,7 +15,8 @@ namespace tiller::test {
 
 enum class Opcode : quint8 { Continuation = 0, Text = 1, Binary = 2, Close = 8, Ping = 9, Pong = 10 };
 
-/// A client frame, masked with zeros. `declaredSize` replaces the size of the payload in the header.
+/// Returns a client frame that is masked with zeros.
+/// declaredSize  size in the header, if it differs from that of the payload
 inline QByteArray clientFrame(Opcode opcode, const QByteArray& payload, bool final = true,
                               std::optional<quint64> declaredSize = {}) {
     const quint64 size = declaredSize.value_or(static_cast<quint64>(payload.size()));
@@ -80,7 +81,7 @@ class RawViewer {
 public:
     static constexpr int kTimeoutMs = 60'000;
 
-    /// `source`: local address of the connection.
+    /// source  local address of the connection
     explicit RawViewer(quint16 port, const QHostAddress& source = QHostAddress::LocalHost) {
         socket.bind(source);
         socket.connectToHost(QHostAddress(QHostAddress::LocalHost), port);
@@ -100,7 +101,7 @@ public:
         }
         return answer.split(' ').value(1).toInt();
     }
-    /// Writes without reading. Returns false once the server has closed the connection.
+    /// Writes without reading. Returns false if the server has closed the connection.
     bool write(const QByteArray& bytes) {
         socket.write(bytes);
         while (socket.bytesToWrite() > 0) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Forwards robot data through real sockets to a viewer of these tests, to one in node that only knows the published
-// protocol, and as datagrams.
+// Forwards robot data through real sockets to a viewer of these tests, to a Node.js viewer that only uses the
+// published protocol, and as datagrams.
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -49,7 +49,8 @@ struct Bench {
         }
         TRY_COMPARE(receiver.counters().packets, static_cast<std::uint64_t>(sent));
     }
-    /// Starts and waits for the channel of states: it needs a package to know the fields of the robot.
+    /// Starts the output and waits for the state channel, which needs a package to determine the fields of
+    /// the robot.
     void start(live::LiveOptions options = {}) {
         options.port = 0;
         QVERIFY(output.start(options, receiver).ok());
@@ -130,7 +131,7 @@ void TestLive::aViewerGetsEveryPackage() {
     viewer.subscribe("/robot_state", 7);
     viewer.subscribe("/tf", 8);
     viewer.say({{"op", "nothing"}});
-    TRY_COMPARE(viewer.statuses().size(), 1);  // so the earlier requests were processed
+    TRY_COMPARE(viewer.statuses().size(), 1);  // the earlier requests have therefore been processed
     bench.send(1000);
     TRY_COMPARE(viewer.messages.size(), 2000);
     const recording::mcap::RobotStateLayout layout(channel["schema"].toString().toStdString(), "");
@@ -195,7 +196,7 @@ void TestLive::invalidRequestsAreAnsweredAndHarmless() {
     }
     viewer.socket.sendBinaryMessage(QByteArray("\x01garbage"));
     viewer.subscribe("/wrench", 3);
-    viewer.subscribe("/wrench", 3);  // the same number twice
+    viewer.subscribe("/wrench", 3);  // the number is already in use
     TRY_COMPARE(viewer.statuses().size(), 9);
     QVERIFY(viewer.statuses().contains("there is no channel 999"));
     bench.send(5);
@@ -224,7 +225,7 @@ void TestLive::aViewerInNodeGetsEveryPackage() {
     viewer.setReadChannel(QProcess::StandardError);
     TRY_VERIFY(viewer.canReadLine());
     QCOMPARE(viewer.readLine().trimmed(), QByteArray("subscribed"));
-    // The viewer's request is in transit; nothing is sent to it until the request arrives.
+    // The request of the viewer is in transit, so the viewer receives nothing until the request arrives.
     while (bench.output.progress().messages == 0 && bench.sent < 1000) {
         bench.send(1);
         QTest::qWait(1);

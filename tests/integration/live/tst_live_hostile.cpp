@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// `tiller-cli serve` in a separate process under a flood of hostile connections and frames, while other viewers
-// work: its memory remains small and the working viewers lose no package. The number of connections is read from
-// the environment:
+// `tiller-cli serve` in a separate process under a flood of hostile connections and frames, while other
+// viewers work. The memory of the process must remain small, and the working viewers must not lose a package.
+// An environment variable sets the number of connections:
 //   TILLER_HOSTILE_CONNECTIONS=100000 tst_live_hostile
 
 #include <QFile>
@@ -33,7 +33,7 @@ namespace {
 
 constexpr int kHostileWaitMs = 60'000;
 
-/// [MB] The largest resident size of the process.
+/// Returns the peak resident size of the process [MB].
 double peakMemory(qint64 process) {
     QFile status(QStringLiteral("/proc/%1/status").arg(process));
     if (status.open(QIODevice::ReadOnly)) {
@@ -46,7 +46,7 @@ double peakMemory(qint64 process) {
     return std::nan("");
 }
 
-/// Reads all states in a thread and checks that the packages of the robot are consecutive.
+/// Reads all states in a thread and checks that the robot packages are consecutive.
 class WorkingViewer {
 public:
     explicit WorkingViewer(quint16 port) : thread_([this, port] { run(port); }) {}
@@ -60,7 +60,7 @@ public:
     int received() const { return received_; }
     int gaps() const { return gaps_; }
     bool wasDisconnected() const { return disconnected_; }
-    double longestPause() const { return longestPause_; }  ///< [s] between two messages
+    double longestPause() const { return longestPause_; }  ///< longest time between two messages [s]
 
 private:
     void run(quint16 port) {
@@ -94,7 +94,7 @@ private:
             disconnected_ = viewer.socket.state() != QAbstractSocket::ConnectedState;
         }
     }
-    /// The definition of the states, once they are advertised and subscribed to.
+    /// Subscribes to the states when they are advertised, and returns their definition.
     static std::optional<std::string> follow(RawViewer& viewer, const QByteArray& text) {
         const QJsonObject message = QJsonDocument::fromJson(text).object();
         for (const QJsonValue& channel : message["channels"].toArray()) {
@@ -121,15 +121,15 @@ private:
     std::atomic<int> received_{0};
     std::atomic<int> gaps_{0};
     std::atomic<double> longestPause_{0};
-    std::thread thread_;  // last member: it uses all others
+    std::thread thread_;  // last member, because it uses all others
 };
 
-/// Opens one hostile connection; returns it if it should remain open.
+/// Opens one hostile connection. Returns it if it should remain open.
 std::unique_ptr<RawViewer> attack(quint16 port, int number) {
-    constexpr int kSources = 200;  // one address has too few ports for all connections
+    constexpr int kSources = 200;  // a single address would have too few ports for all connections
     auto viewer = std::make_unique<RawViewer>(
         port, QHostAddress(0x7f000001U + static_cast<quint32>(number % kSources)));
-    // Writes as much as is accepted: the server may have closed the connection.
+    // Writes as much data as the server accepts. The server may have closed the connection.
     const auto send = [&viewer](const QByteArray& bytes) {
         viewer->socket.write(bytes);
         viewer->socket.flush();
@@ -142,7 +142,7 @@ std::unique_ptr<RawViewer> attack(quint16 port, int number) {
         case 1:  // half a header
             send("GET / HTTP/1.1\r\nHost: x\r\n");
             return viewer;
-        case 2:  // a header without an end
+        case 2:  // a header that never ends
             send("GET / HTTP/1.1\r\n" + ("X: " + QByteArray(100, 'x') + "\r\n").repeated(1000));
             break;
         case 3:
@@ -164,10 +164,10 @@ std::unique_ptr<RawViewer> attack(quint16 port, int number) {
         case 8:
             upgraded(clientFrame(Opcode::Ping, QByteArray(125, 'p')).repeated(2000));
             return viewer;
-        case 9:  // many requests whose answers are not read
+        case 9:  // many requests without reading the replies
             upgraded(clientFrame(Opcode::Text, R"({"op":"nothing"})").repeated(500));
             return viewer;
-        case 10:  // subscribes to everything and reads nothing
+        case 10:  // subscribes to all channels and reads nothing
             viewer->upgrade();
             viewer->socket.setReadBufferSize(1024);
             for (const int channel : {1, 2, 3, 11}) {
@@ -177,7 +177,7 @@ std::unique_ptr<RawViewer> attack(quint16 port, int number) {
         case 11:
             upgraded(clientFrame(Opcode::Text, QByteArray(30'000, '[')));
             break;
-        case 12:  // invalid UTF-8, reserved bits, reserved operation, control frame too large
+        case 12:  // invalid UTF-8, reserved bits, a reserved opcode, a control frame that is too large
             upgraded(clientFrame(Opcode::Text, "\xff\xfe\xc0"));
             upgraded(QByteArray("\xf1\x80\x00\x00\x00\x00", 6));
             upgraded(clientFrame(static_cast<Opcode>(5), {}));
@@ -248,7 +248,7 @@ private Q_SLOTS:
         for (std::thread& attacker : attackers) {
             attacker.join();
         }
-        // A new viewer is served.
+        // A new viewer must be served.
         WorkingViewer third(port);
         QTRY_VERIFY_WITH_TIMEOUT(third.received() > 100, kHostileWaitMs);
         over = true;

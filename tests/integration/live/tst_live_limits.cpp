@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Hostile and broken viewers of the live server: each one is limited in memory and time, and the others lose
-// nothing.
+// Hostile and broken viewers of the live server. The memory and time of each one are limited, and the other
+// viewers lose no data.
 
 #include <QDeadlineTimer>
 #include <QTest>
@@ -26,7 +26,7 @@ constexpr int kStateChannel = 11;
 #define WAIT_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kLimitWaitMs)
 #define WAIT_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kLimitWaitMs)
 
-/// A robot that sends on request, its receiver, and the output under test.
+/// A robot that sends on request, a receiver, and the output under test.
 struct LimitBench {
     explicit LimitBench(live::LiveOptions options = {}) {
         receive::ReceiverOptions wanted;
@@ -101,7 +101,7 @@ void TestLiveLimits::aFrameThatIsTooLargeIsRefusedByItsHeader() {
     QCOMPARE(viewer.upgrade(), 101);
     constexpr quint64 kDeclared = 400'000'000;
     bool open = viewer.write(clientFrame(Opcode::Text, {}, true, kDeclared));
-    // The server must not accept data that it will refuse.
+    // The server must not read data that it will reject.
     const QByteArray chunk(1 << 20, 'x');
     int taken = 0;
     while (open && taken < 64) {
@@ -126,7 +126,7 @@ void TestLiveLimits::fragmentsWithoutAnEndAreBounded() {
     WAIT_COMPARE(bench.output.progress().viewers, 0);
 }
 
-// The read buffer of a connection holds one frame; the next one must arrive nevertheless.
+// The read buffer of a connection holds one frame. The next frame must still arrive.
 void TestLiveLimits::requestsOfFullSizeAreServed() {
     live::LiveOptions options;
     options.limits.maxRequestRate = 1 << 30;
@@ -200,8 +200,8 @@ void TestLiveLimits::aViewerThatDoesNotReadLosesTheOldestMessages() {
         got += readMessages(other, 100, frames);
     }
     QVERIFY(bench.output.progress().dropped >= 500);
-    QVERIFY(got >= bench.sent - begin);  // the other one lost nothing
-    // The pause ends with the newest message, not with the oldest ones that still fit.
+    QVERIFY(got >= bench.sent - begin);  // the other viewer lost no data
+    // The pause ends with the newest message instead of the oldest messages that still fit.
     constexpr double kLast = 123.5;
     bench.peer.set("actual_q", {kLast, 0, 0, 0, 0, 0});
     bench.send(1);
@@ -248,7 +248,7 @@ void TestLiveLimits::answersAreBounded_data() {
         << clientFrame(Opcode::Text, R"({"op":"subscribe","subscriptions":[)" + subscriptions + "]}");
 }
 
-// Data that a client causes the server to write, but does not read.
+// The client makes the server write data, but does not read them.
 void TestLiveLimits::answersAreBounded() {
     QFETCH(QByteArray, request);
     live::LiveOptions options;
@@ -292,7 +292,7 @@ void TestLiveLimits::idleViewersDoNotLockOutOthers() {
     QCOMPARE(viewer.upgrade(), 101);
     QVERIFY(viewer.subscribe(1, kStateChannel));
     WAIT_VERIFY((bench.send(1), bench.output.progress().messages > 0));
-    // The viewer remains connected, independent of the number of other connections.
+    // The viewer remains connected, regardless of the number of other connections.
     for (int i = 0; i < 100; ++i) {
         idle.push_back(std::make_unique<RawViewer>(bench.port()));
         idle.back()->upgrade();
@@ -320,7 +320,7 @@ void TestLiveLimits::subscribedViewersAreLimited() {
     }
     bench.send(10);
     QCOMPARE(bench.output.progress().messages, std::uint64_t(30));
-    // A viewer that leaves releases a slot.
+    // A viewer that disconnects frees a slot.
     viewers.front().reset();
     WAIT_COMPARE(bench.output.progress().viewers, 4);
     QVERIFY(viewers.back()->subscribe(2, kStateChannel));

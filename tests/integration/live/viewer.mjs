@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A viewer that speaks the Foxglove WebSocket protocol: subscribes to all channels, decodes every message, prints what
-// came as JSON when it has `packets` robot states, or after `seconds`.
+// A viewer that uses the Foxglove WebSocket protocol. It subscribes to all channels and decodes every message. After
+// `packets` robot states or `seconds`, it prints the received data as JSON.
 // node viewer.mjs NODE_MODULES URL PACKETS SECONDS
 import { createRequire } from "node:module";
 const [, , modules, url, packets, seconds] = process.argv;

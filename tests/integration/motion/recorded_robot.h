@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A controller in virtual time with an RTDE client that reads every period, and a script client, all through
-// sockets, for tests of motion.
+// A controller in virtual time with an RTDE client that reads every period, and a script client. All clients
+// use sockets. For tests of motion.
 
 #include <array>
 #include <cmath>
@@ -62,9 +62,9 @@ public:
     double dt() const { return robot.controller.stepTime(); }
     const MotionSample& now() const { return samples.back(); }
 
-    /// Advances time and reads all data sent meanwhile.
+    /// Advances time and reads all data sent in the meantime.
     void step(int ticks = 1) {
-        // Advances in chunks that the sockets can buffer.
+        // Advance in chunks that fit in the socket buffers.
         for (int left = ticks; left > 0; left -= 20) {
             const int now = std::min(left, 20);
             robot.controller.step(now);
@@ -79,7 +79,7 @@ public:
         script.send(program);
         robot.controller.drainSockets();
     }
-    /// Sends a program and runs it to its end; false if it does not end within `seconds`.
+    /// Sends a program and runs it to its end. Returns false if it does not end within `seconds`.
     bool execute(const QByteArray& program, double seconds = 60) {
         send(program);
         return until([&] { return now().runtime == 2; }, 1) &&
@@ -95,7 +95,7 @@ public:
         }
         return false;
     }
-    /// The samples during which the script's mark had this value.
+    /// The samples in which the mark of the script had this value.
     std::vector<MotionSample> marked(int mark) const {
         std::vector<MotionSample> found;
         for (const MotionSample& s : samples) {
@@ -140,7 +140,7 @@ private:
     }
 };
 
-/// "[a,b,...]" with all digits.
+/// Formats as "[a,b,...]" with all digits.
 template <class Numbers>
 QByteArray listOf(const Numbers& numbers) {
     QByteArray text = "[";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Requirements on motion, measured by a client: programs over the primary interface, results over RTDE, in virtual
-// time.
+// Requirements on motion, measured by a client. Programs are sent over the primary interface, and results are
+// received over RTDE, in virtual time.
 
 #include <QTest>
 #include <kdl/chain.hpp>
@@ -16,7 +16,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// Duration of a trapezoidal (or, if short, triangular) profile.
+/// Duration of a trapezoidal profile, or of a triangular one for a short length.
 double trapezoid(double length, double a, double v) {
     return v * v / a > length ? 2 * std::sqrt(length / a) : length / v + v / a;
 }
@@ -61,7 +61,7 @@ private Q_SLOTS:
     void gravityTorquesAgreeWithKdl();
 };
 
-// The client computes the circle and streams one joint target per period; the script only servos.
+// The client computes the circle and streams one joint target per period. The script only servos.
 void TestMotionAcceptance::aServoedCircleIsTrackedWithinTwoMillimetres() {
     constexpr double kRadius = 0.1;
     constexpr double kFrequency = 0.25;
@@ -92,7 +92,7 @@ void TestMotionAcceptance::aServoedCircleIsTrackedWithinTwoMillimetres() {
         "    servoj(q, t=get_steptime(), lookahead_time=0.1, gain=300)\n  end\nend\n");
     QVERIFY(robot.until([&] { return robot.now().runtime == 2; }, 1));
 
-    // The circle is entered smoothly, as by all clients: one second from rest to full angular speed.
+    // Like all clients, enter the circle smoothly: one second from standstill to full angular speed.
     const double omega = 2 * std::numbers::pi * kFrequency;
     double phase = 0;
     double worst = 0;
@@ -141,7 +141,7 @@ void TestMotionAcceptance::moveJLastsAsItsProfileSays() {
     robot.step();
     Six goal = robot.now().targetQ;
     goal[static_cast<std::size_t>(joint)] += way;
-    goal[1] += 0.3 * way;  // follows synchronously
+    goal[1] += 0.3 * way;  // this joint follows synchronously
     QVERIFY(robot.execute(marked("movej(" + listOf(goal) + ", a=" + QByteArray::number(a) +
                                  ", v=" + QByteArray::number(v) + ")")));
     const double lasted = static_cast<double>(robot.marked(1).size()) * robot.dt();
@@ -224,7 +224,7 @@ void TestMotionAcceptance::blendsPassWithinTheirRadius() {
     const Six corner = shifted(start, 0, 0, 0.25);
     const Six end = shifted(start, -0.25, 0, 0.25);
     const auto move = [](const QByteArray& name, const Six& pose, double r) {
-        // A joint move with joint positions, so that all moves have the same corner.
+        // Use a joint move with joint positions, so that all moves have the same corner.
         const QByteArray target = name == "movej" ? "get_inverse_kin(" + poseOf(pose) + ")" : poseOf(pose);
         const QByteArray speed = name == "movej" ? ", a=2, v=1" : ", a=1.2, v=0.3";
         return "  " + name + '(' + target + speed + ", r=" + QByteArray::number(r) + ")\n";
@@ -244,7 +244,7 @@ void TestMotionAcceptance::blendsPassWithinTheirRadius() {
             slowest = std::min(slowest, (p - robot.samples[i - 1].target()).norm() / robot.dt());
         }
         if (toCorner > radius * 1.001) {
-            // Outside of the blend zone the path is that of the moves.
+            // Outside the blend zone, the path is that of the moves.
             const bool beforeCorner = !inside;
             const bool straight = beforeCorner ? first != "movej" : second != "movej";
             if (straight) {
@@ -255,7 +255,7 @@ void TestMotionAcceptance::blendsPassWithinTheirRadius() {
         }
     }
     QVERIFY2(nearest < radius, qPrintable(QString::number(nearest)));
-    // Blended, without a stop.
+    // The arm blends the corner without a stop.
     QVERIFY2(nearest > 1e-4 && slowest > 0.02,
              qPrintable(QString("%1 m from the corner, %2 m/s").arg(nearest).arg(slowest)));
 }
@@ -275,7 +275,7 @@ void TestMotionAcceptance::forceModeHoldsTenNewton_data() {
                               << 0.005 << 1.0;
     QTest::newRow("in the tool frame")
         << 2 << QByteArray("get_actual_tcp_pose()") << z << QByteArray("[0,0,10,0,0,0]") << 0.005 << 1.0;
-    // The origin of the frame is straight below: y points towards it.
+    // The origin of the frame is straight below, so y points towards it.
     QTest::newRow("towards a point") << 1 << QByteArray("pose_add(get_actual_tcp_pose(), p[0,0,-0.5,0,0,0])")
                                      << y << QByteArray("[0,10,0,0,0,0]") << 0.005 << 1.0;
     QTest::newRow("along the motion")
@@ -293,9 +293,10 @@ void TestMotionAcceptance::forceModeHoldsTenNewton() {
     QVERIFY(robot.ready);
     robot.step();
     const Eigen::Vector3d start = robot.now().target();
-    // An axis that deviates from the normal measures friction as a force; this case is run without friction.
+    // An axis that deviates from the normal measures friction as a force, so this case is run without
+    // friction.
     const double friction = type == 1 ? 0.0 : 0.2;
-    // Motion across this axis pushes into the plane; the resulting force increases with the speed.
+    // Motion across this axis pushes into the plane, and the resulting force increases with the speed.
     const double speed = type == 1 ? 0.03 : 0.05;
     robot.robot.controller.changeWorld([start, friction](simulator::arm::Environment& world) {
         simulator::arm::ContactPlane plane;
@@ -337,7 +338,7 @@ void TestMotionAcceptance::aBoxStopsATool() {
         box.size = {0.1, 0.1, 0.1};
         world.addBox(box);
     });
-    // The contact procedure of both clients: move until contact, then back to its start.
+    // The contact procedure of both clients: move until contact, then back to the start.
     QVERIFY(
         robot.execute("def touch():\n  zero_ftsensor()\n  while tool_contact([0,0,0,0,0,0]) == 0:\n"
                       "    speedl([0,0,-0.05,0,0,0], 1, t=get_steptime())\n  end\n"
@@ -357,8 +358,8 @@ void TestMotionAcceptance::gravityTorquesAgreeWithKdl_data() {
     }
 }
 
-// The chain is computed independently from the model's data; RTDE must report its gravity torque, also with a
-// payload and a tilted base.
+// The kinematic chain is computed independently from the data of the model. RTDE must report its gravity
+// torque, also with a payload and a tilted base.
 void TestMotionAcceptance::gravityTorquesAgreeWithKdl() {
     QFETCH(RobotModelId, id);
     auto options = VirtualRobot::options();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Modifications of a path (offsets, conveyors), and stops and slow-downs: unknown loads, reduced mode, hard
-// contact. Programs over the primary interface, results over RTDE, in virtual time.
+// contact. Programs are sent over the primary interface, and results are received over RTDE, in virtual time.
 
 #include <QSet>
 #include <QTest>
@@ -15,7 +15,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// The largest change of any joint's target speed between two samples, over time [rad/s2].
+/// The largest acceleration of any joint, computed from the target speeds of adjacent samples [rad/s2].
 double worstAcceleration(const std::vector<MotionSample>& samples) {
     double worst = 0;
     for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -36,7 +36,7 @@ std::vector<qint32> errorCodes(RecordedRobot& robot) {
     return codes;
 }
 
-/// The newest value of an INT32 output, received by a separate client.
+/// The newest value of an INT32 output, which a separate client receives.
 class Watched {
 public:
     Watched(RecordedRobot& robot, const QByteArray& name) : robot_(robot), rtde_(robot.robot.rtde()) {
@@ -77,7 +77,7 @@ private Q_SLOTS:
         robot_->step();
     }
     void cleanup() {
-        // With any path modification: no joint exceeds its limits.
+        // With any path modification, no joint may exceed its limits.
         QVERIFY2(worstAcceleration(robot_->samples) < 41,
                  qPrintable(QString::number(worstAcceleration(robot_->samples))));
         robot_.reset();
@@ -86,8 +86,8 @@ private Q_SLOTS:
     void anOffsetIsAddedToThePath_data() {
         QTest::addColumn<int>("type");
         QTest::addColumn<QByteArray>("offset");
-        QTest::addColumn<QByteArray>("along");  // expected effect, base axes
-        // The line is along -x, and the tool's z points nearly straight down.
+        QTest::addColumn<QByteArray>("along");  // expected effect along the base axes
+        // The line is along -x, and the tool axis z points nearly straight down.
         QTest::newRow("base") << 1 << QByteArray("p[0,0,d,0,0,0]") << QByteArray("z");
         QTest::newRow("tool") << 2 << QByteArray("p[0,0,-d,0,0,0]") << QByteArray("z");
         QTest::newRow("motion, across") << 3 << QByteArray("p[0,d,0,0,0,0]") << QByteArray("y");
@@ -118,7 +118,7 @@ private Q_SLOTS:
         for (const MotionSample& s : robot_->marked(1)) {
             const double off = s.targetPose[axis] - start[axis];
             highest = std::max(highest, std::abs(off));
-            // The filter lags by some periods; across the path the sign depends on the tangent.
+            // The filter lags by some periods. Across the path, the sign depends on the tangent.
             worst = std::max(worst, std::abs(std::abs(off) - std::abs(s.value[0])));
             worstAlong = std::max(worstAlong, std::abs(s.value[1] - s.targetPose[0]));
         }
@@ -163,7 +163,8 @@ private Q_SLOTS:
         const double start = now().targetPose[1];
         robot_->robot.controller.changeWorld(
             [](simulator::arm::Environment& world) { world.setConveyorSpeed(0, 1000); });
-        // 10 000 ticks per metre: the conveyor runs at 0.1 m/s along -y. On it the arm moves up and down.
+        // With 10 000 ticks per metre, the conveyor runs at 0.1 m/s along -y. On the conveyor, the arm moves
+        // up and down.
         QVERIFY(robot_->execute(
             "def pick():\n  encoder_enable_pulse_decode(0, 1, 0, 1)\n"
             "  p = get_target_tcp_pose()\n  track_conveyor_linear(p[0,-1,0,0,0,0], 10000, 0)\n"
@@ -178,7 +179,7 @@ private Q_SLOTS:
             const double speed = (on[i].target() - on[i - 1].target()).y() / (on[i].time - on[i - 1].time);
             QVERIFY2(std::abs(speed + 0.1) < 1e-3, qPrintable(QString::number(speed)));
         }
-        // The followed distance equals the count of the encoder.
+        // The distance that the arm followed equals the encoder count.
         QVERIFY(std::abs(on.front().targetPose[2] - on.back().targetPose[2]) < 1e-3);
         QVERIFY(std::abs(start - now().targetPose[1] - now().value[0] / 10000) < 0.03);
         QVERIFY(robot_->marked(3).front().speed() < 1e-6);
@@ -206,7 +207,7 @@ private Q_SLOTS:
         QVERIFY(std::abs((there.position - centre).norm() - 0.1) < 1e-3);
         const Eigen::Vector3d before = start.position - centre;
         const Eigen::Vector3d after = there.position - centre;
-        // 100 ticks per second of 1000 per turn, for two seconds.
+        // 100 ticks per second at 1000 ticks per turn, for two seconds.
         const double angle = std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
         QVERIFY2(std::abs(angle - 0.4 * std::numbers::pi) < 0.02, qPrintable(QString::number(angle)));
         const Eigen::AngleAxisd turned(
@@ -241,7 +242,7 @@ private Q_SLOTS:
         QVERIFY(pulses.ready && told.ready);
         QCOMPARE(pulses.now(), 10);
         QCOMPARE(told.now(), 0);
-        // A count set by a program wraps as configured.
+        // A count set by a program wraps around as configured.
         robot_->send(
             "def told():\n  encoder_enable_set_tick_count(1, 2)\n"
             "  encoder_set_tick_count(1, 65530)\n  encoder_set_tick_count(1, 65540)\n"
@@ -340,8 +341,8 @@ private Q_SLOTS:
     }
 
     void forceModeThatLeavesThePathIsAProtectiveStop() {
-        // The elbow already moves at its speed limit; the motion required by the force has to come from the
-        // other axes.
+        // The elbow already moves at its speed limit, so the other axes must make the motion required by the
+        // force.
         robot_->send(
             "def leave():\n  force_mode(p[0,0,0,0,0,0], [0,0,1,0,0,0], [0,0,80,0,0,0], 2,"
             " [0.003,0.003,1,0.03,0.03,0.03])\n  q = get_target_joint_positions()\n  q[2] = q[2] + 2\n"

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Compiles every header of a folder as the first and only header that a file includes.
 
-Two optimizations give the same result with less work. Headers are compiled in chains: each header follows a header
-that it includes anyway, directly or indirectly, so that the chain provides nothing that it has not included itself.
-And third-party headers (Eigen, Qt, the standard library) are read from a few precompiled headers: a chain uses one
-only if its first header includes all of its contents before its first declaration.
+Two optimizations give the same result with less work. Headers are compiled in chains. Each header in a chain follows a
+header that it includes anyway, directly or indirectly, so that the chain provides nothing that the header does not
+include itself. Third-party headers (Eigen, Qt, the standard library) are read from a few precompiled headers. A chain
+uses a precompiled header only if its first header includes all of the contents before its first declaration.
 """
 import argparse
 import collections
@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 
-PRECOMPILED = 6  # each costs as much as two chains
+PRECOMPILED = 6  # each takes as much time as two chains
 LEAST_USERS = 4
 
 
@@ -122,7 +122,7 @@ class Headers:
 
 
 def weight(prelude):
-    """Approximate time that the compiler needs to read it."""
+    """Approximate time that the compiler needs to read the header."""
     return sum(9 if name.startswith("Eigen") else 4 if name.startswith("Q") else 1 for name in prelude)
 
 
@@ -143,7 +143,7 @@ def main():
         sys.exit("not every header is looked at")
 
     def run(*arguments):
-        # Low priority, because other tests measure time in parallel.
+        # Low priority, because other tests run in parallel.
         return subprocess.run([*options.command, *arguments], capture_output=True, text=True,
                               preexec_fn=lambda: os.nice(10))
 

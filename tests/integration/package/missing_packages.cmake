@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Run by ctest: a package required by a component is missing. Other components are found, and the message
-# contains both names.
+# Run by ctest. A package required by a component is missing. The other components must be found, and the
+# message must contain the names of the component and the package.
 file(REMOVE_RECURSE ${FOLDER})
 set(hidden -DCMAKE_DISABLE_FIND_PACKAGE_fastcdr=ON)
 file(WRITE ${FOLDER}/other/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Run by ctest: builds the README's CMakeLists.txt, exactly as printed, with the README's program in a
-# separate folder.
+# Run by ctest. Builds the CMakeLists.txt and the program of the README, exactly as printed, in a separate
+# folder.
 file(READ ${TOP}/robot/README.md page)
 if(NOT page MATCHES "```cmake\n([^`]*)```")
     message(FATAL_ERROR "robot/README.md shows no CMakeLists.txt")

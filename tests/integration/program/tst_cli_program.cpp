@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// tiller-cli run and script as their users type them, simulated and on the simulated controller through its real ports.
+// The commands `tiller-cli run` and `tiller-cli script` as users type them, in simulation and on the
+// simulated controller through its real ports.
 
 #include <QElapsedTimer>
 #include <QJsonArray>
@@ -118,7 +119,7 @@ private Q_SLOTS:
         QVERIFY((simulator_->truth().digitalOutputs & 4U) != 0);
     }
 
-    // A killed process cannot stop anything; the missing heartbeat ends the motion in the script.
+    // A killed process cannot stop the arm. The script ends the motion because of the missing heartbeat.
     void armStopsWithTheProcess_data() {
         QTest::addColumn<int>("signal");
         QTest::newRow("interrupted") << SIGINT;
@@ -132,7 +133,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(simulator_->truth().tcpSpeed.linear.norm() > 0.1, kProcessTimeoutMs);
         ::kill(static_cast<pid_t>(process.processId()), signal);
         const double killed = simulator_->truth().timestamp;
-        double rest = 0;  // when the arm came to rest, by the robot's own time
+        double rest = 0;  // robot time at which the arm has stopped
         QTRY_VERIFY_WITH_TIMEOUT((rest = simulator_->truth().timestamp,
                                   simulator_->truth().qd.values.cwiseAbs().maxCoeff() < 1e-3),
                                  10'000);
@@ -176,14 +177,14 @@ private Q_SLOTS:
         QTest::newRow("nowhere") << QStringList{"run", file} << 2 << "--simulate or --robot";
         QTest::newRow("address") << QStringList{"run", file, "--robot", "a b"} << 2 << "not an address";
         QTest::newRow("input") << QStringList{"run", file, "--simulate", "--input", "TI2=on"} << 2
-                               << "--input takes";
+                               << "--input must have";
         QTest::newRow("no name") << QStringList{"run", file, "--simulate"} << 1
                                  << "--program NAME is missing";
         QTest::newRow("name") << QStringList{"script", file, "--program", "x"} << 1 << "no program 'x'";
         QTest::newRow("step") << QStringList{"script", file, "--program", "short", "--from", "9"} << 1
                               << "has 3 steps";
         QTest::newRow("not a step") << QStringList{"script", file, "--program", "short", "--from", "x"} << 2
-                                    << "--from takes";
+                                    << "--from must be";
         QTest::newRow("inside") << QStringList{"run",           file,     "--simulate", "--program",
                                                "Fill the tray", "--from", "6"}
                                 << 1 << "top-level step";

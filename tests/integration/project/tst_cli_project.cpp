@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// tiller-cli project info, check and convert as users run them.
+// The commands `tiller-cli project info`, `check` and `convert` as users type them.
 
 #include <QDir>
 #include <QFile>
@@ -137,7 +137,7 @@ private Q_SLOTS:
         QVERIFY(project::saveProject(path("a.tiller"), cell).ok());
         QCOMPARE(run({"convert", path("a.tiller"), "--out", path("a.csv")}).code, 0);
         const Answer again = run({"convert", path("a.csv"), "--out", path("b.tiller")});
-        QCOMPARE(again.code, 2);  // which robot?
+        QCOMPARE(again.code, 2);  // the robot is not specified
         QCOMPARE(run({"convert", path("a.csv"), "--out", path("b.tiller"), "--model", "ur5e"}).code, 0);
         const auto back = project::loadProject(path("b.tiller"));
         QVERIFY(back.ok());
@@ -146,7 +146,7 @@ private Q_SLOTS:
         QVERIFY(
             (back->waypoints.at(0).joints.values - cell.waypoints.at(0).joints.values).cwiseAbs().maxCoeff() <
             1e-4);
-        // An existing file is replaced with --force only.
+        // An existing file is replaced only with --force.
         QCOMPARE(run({"convert", path("a.tiller"), "--out", path("a.csv")}).code, 2);
         QCOMPARE(run({"convert", path("a.tiller"), "--out", path("a.csv"), "--force"}).code, 0);
     }

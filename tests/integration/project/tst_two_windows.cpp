@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Two windows in separate processes edit one project on a small disk. They are killed at random times, and the disk
-// is full at times. The file is always complete, it contains every edit that a window reported as saved, and a
-// window with an unsaved edit reports it.
+// Two windows in separate processes edit one project on a small disk. They are killed at random times, and
+// the disk is sometimes full. The file must always be complete and contain every edit that a window reported
+// as saved. A window with an unsaved edit must report it.
 //
-// TILLER_TEST_KILLS is the number of kills and full-disk events; 500 take several minutes.
+// TILLER_TEST_KILLS is the number of kills and full-disk events. 500 of them take several minutes.
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>
@@ -41,7 +41,7 @@ int numberOf(const project::Project& project, const QString& side) {
     return 0;
 }
 
-/// One window: increments the count in its waypoint. Its actions are random, as an operator might perform them.
+/// One window. It increments the count in its waypoint. Its actions are random, like those of an operator.
 class Window : public QObject {
 public:
     Window(const QString& file, const QString& side, const QString& copies, quint32 seed)
@@ -66,13 +66,13 @@ private:
     void act() {
         using Obstacle = ProjectStore::Obstacle;
         if (store_.path() != file_) {
-            // Was saved as a copy next to it.
+            // The edit was saved as a copy next to the file.
             if (store_.isSaved()) {
                 (void)store_.open(file_);
             }
         } else if (store_.obstacle() == Obstacle::ChangedByOther && random_.bounded(4) == 0) {
             if (random_.bounded(2) == 0) {
-                pending_ = 0;  // the operator discarded it
+                pending_ = 0;  // the operator discarded the edit
                 (void)store_.reload();
             } else if (store_.keepBoth()) {
                 pending_ = 0;
@@ -87,7 +87,7 @@ private:
     void edit() {
         const project::WaypointList& points = document_.waypoints();
         const int number = numberOf(document_.project(), side_) + 1;
-        // Files of all sizes around the buffer sizes.
+        // Write files of all sizes around the buffer sizes.
         const QString note =
             QStringLiteral("%1 %2").arg(number).arg(QString(random_.bounded(40'000), QLatin1Char('x')));
         pending_ = number;
@@ -245,14 +245,14 @@ private Q_SLOTS:
         int full = 0;
         const auto saves = [&windows] { return windows[0].saves() + windows[1].saves(); };
         const QDeadlineTimer timeLimit(std::chrono::minutes(5));
-        // On a busy machine a round may end before a window has saved anything: more rounds follow.
+        // On a busy computer, a round may end before a window has saved anything. More rounds then follow.
         for (int round = 0; round < rounds || (saves() <= rounds / 5 && !timeLimit.hasExpired()); ++round) {
             for (WindowProcess& window : windows) {
                 if (!window.isRunning()) {
                     window.start(random.generate());
                 }
             }
-            // A kill while the process is being loaded tests nothing.
+            // Wait until both windows are open, because a kill while a process is being loaded tests nothing.
             QTRY_VERIFY_WITH_TIMEOUT(windows[0].isOpen() && windows[1].isOpen(), 60'000);
             QTest::qWait(random.bounded(30, 900));
             if (canFill && random.bounded(3) == 0) {
@@ -281,7 +281,7 @@ private Q_SLOTS:
             if (QTest::currentTestFailed()) {
                 return;
             }
-            // Copies kept by the windows next to it.
+            // Include the copies that the windows keep next to the file.
             for (const QString& copy : QFileInfo(file_).dir().entryList({"cell-*.tiller"}, QDir::Files)) {
                 QVERIFY(project::loadProject(QFileInfo(file_).dir().filePath(copy)).ok());
                 QFile::remove(QFileInfo(file_).dir().filePath(copy));
@@ -300,7 +300,8 @@ private Q_SLOTS:
 
 private:
     void check(std::array<WindowProcess, 2>& windows) {
-        // First the reports of the windows, then the file: its content is at least as new.
+        // Read the reports of the windows before the file, so that the content of the file is at least as
+        // new.
         for (WindowProcess& window : windows) {
             window.read();
             QVERIFY2(window.complaints().isEmpty(),

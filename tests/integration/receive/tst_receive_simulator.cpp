@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Receiver, recorder and outputs with the simulated controller, over real sockets. Robot and clocks advance in
-// lock-step, so that the tests do not depend on the speed of the machine.
+// Receiver, recorder and outputs with the simulated controller, over real sockets. Robot and clocks advance
+// in lock-step, so that the tests do not depend on the speed of the computer.
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// Only reached by a failing test.
+// Only a failing test reaches this timeout.
 constexpr auto kPatience = 60s;
 
 template <class Condition>
@@ -62,9 +62,9 @@ struct Cell {
     bool connect() {
         return eventually([&] { return receiver->state() == receive::ReceiverState::Receiving; });
     }
-    /// One control period of robot and clock, and one received package.
+    /// Advances robot and clock by one control period, and waits for the package.
     bool tick() {
-        // Checked in all places where it is visible, because they are written one after the other.
+        // Check all places where the loss is visible, because they are updated one after the other.
         const receive::Subscription ring = receiver->subscribe();
         const auto newest = receiver->latest().sequence;
         const auto counted = receiver->counters().packets;
@@ -191,7 +191,8 @@ void TestReceiveSimulator::refusedCpusAreReported() {
     to.cpus = {1000};
     receive::Receiver receiver(to);
     QVERIFY(receiver.start().ok());
-    QVERIFY(eventually([&] { return receiver.counters().packets >= 10; }));  // data are received nevertheless
+    // Data are received despite the missing fields.
+    QVERIFY(eventually([&] { return receiver.counters().packets >= 10; }));
     QVERIFY2(receiver.priority().advice.contains(QStringLiteral("CPU")),
              qPrintable(receiver.priority().advice));
 }
@@ -208,7 +209,8 @@ void TestReceiveSimulator::realTimeStreamAddsUp() {
     QVERIFY(receiver.start().ok());
     QVERIFY(eventually([&] { return receiver.counters().packets >= 500; }));
     receiver.stop();
-    // Independent of the load of the machine: received plus lost packages equal the controller's time.
+    // Independent of the load of the computer, the numbers of received and lost packages add up to the
+    // controller's time.
     receive::Sample sample;
     double first = 0;
     double last = 0;
@@ -281,7 +283,7 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
     to.port = cell.robot.ports().rtde;
     io::Outputs outputs(to, io::OutputFeedback::fromReceiver(*cell.receiver));
     QVERIFY(outputs.connect(Deadline::after(kPatience)).ok());
-    // The caller waits in a separate thread while time is advanced here.
+    // A separate thread makes the call and waits while time is advanced here.
     const auto carryOut = [&](auto call) {
         auto done = std::async(std::launch::async, call);
         while (done.wait_for(0s) != std::future_status::ready) {
@@ -301,7 +303,7 @@ void TestReceiveSimulator::outputsAreSetAndConfirmed() {
     QCOMPARE(cell.robot.truth().digitalOutputs, std::uint64_t(0x38081));
     QVERIFY(carryOut([&] { return outputs.setSpeedSlider(0.37, patience()); }).ok());
     QVERIFY(std::abs(cell.robot.truth().speedSlider - 0.37) < 1e-9);
-    // A request for standstill must not result in a creeping arm.
+    // A request for standstill must not make the arm creep.
     for (const double creep : {0.0, -0.5, 0.0001, 0.0199}) {
         const auto refused = carryOut([&] { return outputs.setSpeedSlider(creep, patience()); });
         QCOMPARE(refused.error().code, ErrorCode::InvalidArgument);
@@ -326,7 +328,7 @@ void TestReceiveSimulator::secondOwnerLearnsWhichInputsAreInUse() {
     QCOMPARE(second.canSetSpeedSlider().error().code, ErrorCode::RegisterInUse);
     QVERIFY(second.canSetSpeedSlider().error().context.contains(QLatin1String("speed_slider_mask")));
     QCOMPARE(second.canSetDigitalOutput(17).error().code, ErrorCode::RegisterInUse);
-    // Freed when the first client disconnects.
+    // The register is free when the first client disconnects.
     first.disconnect();
     QVERIFY(eventually(
         [&] { return second.connect(Deadline::after(kPatience)).ok() && second.canSetSpeedSlider().ok(); }));
@@ -358,7 +360,7 @@ void TestReceiveSimulator::silentControllerIsStaleThenGivenUp() {
     QCOMPARE(cell.receiver->state(), receive::ReceiverState::Receiving);
     cell.clock.advanceNs(3 * kNsPerSecond);
     QVERIFY(eventually([&] { return cell.receiver->lastError().code == ErrorCode::LinkLost; }));
-    // stop() does not wait for a peer that does not respond.
+    // stop() must not wait for a peer that does not respond.
     cell.receiver->stop();
     QCOMPARE(cell.receiver->state(), receive::ReceiverState::Stopped);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads an MCAP file with the libraries its makers publish, and prints what they found as JSON.
+// Reads an MCAP file with the official MCAP libraries and prints its content as JSON.
 // node read_mcap.mjs NODE_MODULES FILE
 import { createRequire } from "node:module";
 import { open } from "node:fs/promises";
@@ -37,7 +37,7 @@ for await (const message of reader.readMessages({ validateCrcs: true })) {
   seen.lastPublish = message.publishTime.toString();
   ++seen.count;
 }
-// The same from the beginning to the end, as one reads a stream.
+// Read the file again from beginning to end as a stream.
 const stream = new McapStreamReader({ decompressHandlers, validateCrcs: true });
 stream.append(bytes);
 let streamed = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// tiller-cli record, info and export as typed by users, with the simulated controller.
+// The commands `tiller-cli record`, `info` and `export` as users type them, with the simulated controller.
 
 #include <QFile>
 #include <QFileInfo>
@@ -105,7 +105,7 @@ void TestCliRecording::recordsForATimeAndDescribesTheFile() {
 void TestCliRecording::namesFilesInAFolder() {
     const QString folder = path("named");
     QVERIFY(QDir().mkpath(folder));
-    // Probably within one second: each file has a new name.
+    // The recordings probably start within one second. Each file must have a new name.
     for (int i = 0; i < 3; ++i) {
         const Answer recorded = run({"record", "--out-folder", folder, "--duration", "0.1", "--", address_});
         QCOMPARE(recorded.err, QString());
@@ -149,7 +149,7 @@ void TestCliRecording::aKilledRecorderLosesHalfASecondAtMost() {
             .value()
             .front();
     for (std::size_t i = 1; i < stamps.size(); ++i) {
-        // Every package is there in order, or is reported as missing.
+        // Packages are in order, and each package is either present or reported as missing.
         QCOMPARE(std::round((stamps[i] - stamps[i - 1]) * 500), 1 + lost[i]);
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Recordings read by third-party software: the MCAP libraries for node, pandas, h5py. Tests of software that is not
-// installed are skipped.
+// Third-party software reads recordings: the MCAP library for Node.js, pandas, h5py. Tests are skipped if the
+// software is not installed.
 
 #include <QFileInfo>
 #include <QJsonArray>
@@ -27,7 +27,7 @@ constexpr int kWaitTimeoutMs = 100'000;
 constexpr std::uint64_t kRows = 1500;
 constexpr std::uint64_t kGap = 700;
 
-/// The output of a program as JSON.
+/// Runs a program and returns its output as JSON.
 QJsonObject answerOf(const QString& program, const QStringList& arguments, QString& complaint) {
     QProcess process;
     process.start(program, arguments);
@@ -216,7 +216,7 @@ void TestOthersRead::hdf5ByOctave() {
     }
     QVERIFY(test::writeFile(path("o.mcap"), test::madeFile(*mcapFormat({}), kRows, kGap)));
     exportHdf5(*openRecording(path("o.mcap")).value(), {.path = path("o.h5")}).value();
-    // A row here is a column there: Octave uses column-major order.
+    // A row of the file is a column in Octave, which uses column-major order.
     const QString script =
         QStringLiteral(
             "s = load('-hdf5', 'FILE');\n"

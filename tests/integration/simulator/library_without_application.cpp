@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A program without a QCoreApplication: it controls a robot in another process, in a thread that ends, then
-// simulates one, with the argument "threads" in such a thread too. Prints "done" if both worked, without warnings
-// of Qt (except with "threads", which Qt warns about) and without errors of memory checkers.
+// A program without a QCoreApplication. First it controls a robot in another process from a thread that then
+// ends. Afterwards it simulates a robot. With the argument "threads", it also simulates the robot in such a
+// thread. It prints "done" if both worked, without Qt warnings (except with "threads", which Qt warns about)
+// and without errors of memory checkers.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -50,7 +51,7 @@ bool simulate(const QString& host) {
     return control(host);
 }
 
-/// Runs until its parent ends it; reports when it is ready.
+/// Simulates a robot until the parent process terminates it. Reports when it is ready.
 [[noreturn]] void beRobot(const QString& host, int ready) {
     tiller::simulator::Simulator robot(poweredOn(host));
     const char word = robot.start().ok() ? 'y' : 'n';

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Observes a controller on all interfaces at once and reports contradictions. RTDE, the realtime record and the
-// primary state have time stamps: equal times require equal values. The dashboard is queried between two control
-// periods, so it has to match the last one. Safety messages must report each change of the safety mode once and in
-// order.
+// Observes a controller on all interfaces at once and reports contradictions. RTDE, the realtime record and
+// the primary state have time stamps, and equal times require equal values. The dashboard is queried between
+// two control periods, so its replies must match the last period. Safety messages must report each change of
+// the safety mode exactly once and in order.
 
 #include <QStringList>
 #include <map>
@@ -39,7 +39,7 @@ public:
         changes_.clear();
     }
 
-    /// Contradictions of the interfaces so far; empty: none.
+    /// Contradictions of the interfaces found so far; empty if there are none.
     const QStringList& complaints() const { return complaints_; }
     const Sample& last() const { return last_; }
     /// Robot modes since forget(), without repetitions.
@@ -66,7 +66,7 @@ public:
         }
     }
     void settle() {
-        step(60);  // more than a tenth of a second: a primary state has arrived
+        step(60);  // more than a tenth of a second, so that a primary state has arrived
         readPrimary();
         askDashboard();
         if (changes_ != told_) {
@@ -128,7 +128,7 @@ private:
         }
     }
 
-    /// Consistency of the fields of one package.
+    /// Checks that the fields of one package are consistent.
     void checkWithin(const Sample& s) {
         const auto bit = [](quint32 word, int n) { return int((word >> n) & 1U); };
         const bool powered = s.robotMode >= 4 || (s.robotMode == 2 && s.jointMode != 239);
@@ -197,7 +197,7 @@ private:
             const double time = static_cast<double>(qFromBigEndian<quint64>(package.constData() + 10)) * 1e-9;
             const auto found = history_.find(key(time));
             if (found == history_.end()) {
-                continue;  // earlier messages
+                continue;  // messages from before the start of the observation
             }
             const Sample& then = found->second;
             const auto flag = [&package](int at) { return int(package[5 + at]); };

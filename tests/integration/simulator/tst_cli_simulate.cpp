@@ -33,7 +33,7 @@ struct Cli {
         }
         return process.readLine();
     }
-    /// Exit code; -1 if the process did not exit by itself, -2 if it crashed.
+    /// Exit code; -1 if the process did not exit, -2 if it crashed.
     int exitCode() {
         if (process.state() != QProcess::NotRunning && !process.waitForFinished(kWaitTimeoutMs)) {
             return -1;
@@ -65,7 +65,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("robotmode"), QByteArray("Robotmode: POWER_OFF\n"));
         QVERIFY(RawRtde(ownAddress(), 30004).useVersion());
-        // The simulator listens on its own address only.
+        // The simulator must listen only on its own address.
         const auto last = ownAddress().section('.', 0, 2) + ".8";
         QVERIFY(!RawClient(last, 30004).isConnected());
 
@@ -85,8 +85,8 @@ private Q_SLOTS:
         QVERIFY(dashboard.ask("PolyscopeVersion").startsWith("URSoftware 5.20."));
     }
 
-    // Behaviour of a robot of this series; the fault "remote off" alone refuses nothing, as in the vendor's
-    // simulator.
+    // Behaviour of a robot of this series. The fault "remote off" alone does not reject any command, as in
+    // the vendor's simulator.
     void localRefusesWhatARobotRefuses_data() {
         QTest::addColumn<bool>("local");
         QTest::newRow("--local") << true;
@@ -131,7 +131,7 @@ private Q_SLOTS:
         RawDashboard dashboard(ownAddress(), 29999);
         QCOMPARE(dashboard.ask("is in remote control"), QByteArray("false\n"));
         QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
-        // The switch on the pendant works as well, in both directions.
+        // The switch on the pendant also works, in both directions.
         const auto turn = [&](const char* where) {
             Cli fault({"fault", ownAddress(), "remote", where});
             return fault.exitCode() == 0;
@@ -155,11 +155,12 @@ private Q_SLOTS:
                  "speed 0.5"});
         QVERIFY(cli.readyLine().contains("faults=29990"));
         RawDashboard dashboard(ownAddress(), 29999);
-        QTRY_COMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: SAFEGUARD_STOP\n"));
+        QTRY_COMPARE_WITH_TIMEOUT(dashboard.ask("safetymode"), QByteArray("Safetymode: SAFEGUARD_STOP\n"),
+                                  60'000);
         Cli release({"fault", ownAddress(), "safeguard", "off"});
         QCOMPARE(release.exitCode(), 0);
         QCOMPARE(release.process.readAllStandardOutput(), QByteArray("ok\n"));
-        QTRY_COMPARE(dashboard.ask("safetymode"), QByteArray("Safetymode: NORMAL\n"));
+        QTRY_COMPARE_WITH_TIMEOUT(dashboard.ask("safetymode"), QByteArray("Safetymode: NORMAL\n"), 60'000);
         Cli wrong({"fault", ownAddress(), "safeguard", "perhaps"});
         QCOMPARE(wrong.exitCode(), 1);
         QVERIFY(wrong.process.readAllStandardError().contains("perhaps"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Dashboard and files: loading and playing programs, installations, the log, reports.
+// Dashboard and files: loading and playing programs, installations, the log and reports.
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
@@ -13,7 +13,8 @@ using namespace tiller::test;
 
 namespace {
 
-/// File format of the pendant: qCompress() produces the same deflate data in another container.
+/// Converts to the file format of the pendant. qCompress() produces the same deflate data in another
+/// container.
 QByteArray gzipped(const QByteArray& content) {
     quint32 sum = ~quint32(0);
     for (const char c : content) {
@@ -33,7 +34,7 @@ QByteArray gzipped(const QByteArray& content) {
     return gzip;
 }
 
-/// A robot ready to play wait_program.urp, which does not end.
+/// A robot that is ready to play wait_program.urp, which does not end.
 struct Played {
     static simulator::SimulatorOptions options(const QString& folder) {
         QFile file(folder + "/wait_program.urp");
@@ -75,7 +76,8 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("get loaded program"),
                  "Loaded program: " + folder.filePath("wait_program.urp").toUtf8() + '\n');
         QCOMPARE(dashboard.ask("isProgramSaved"), QByteArray("true wait_program.urp\n"));
-        QCOMPARE(dashboard.ask("play"), QByteArray("Failed to execute: play\n"));  // no power yet
+        // The arm is not powered yet.
+        QCOMPARE(dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
         dashboard.ask("brake release");
         QVERIFY(robot.untilMode(dashboard, "RUNNING"));
         QCOMPARE(dashboard.ask("play"), QByteArray("Starting program\n"));
@@ -98,7 +100,7 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("PLAYING wait_program.urp\n"));
         cell.dashboard.ask("stop");
         QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Stopped; }, 2));
-        QVERIFY(cell.robot.controller.inject("popup wait for me").ok());  // a blocking popup does
+        QVERIFY(cell.robot.controller.inject("popup wait for me").ok());  // a blocking popup prevents playing
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
         cell.dashboard.ask("close popup");
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
@@ -201,7 +203,7 @@ private Q_SLOTS:
     }
 
     void everyRobotHasItsDefaultInstallation() {
-        VirtualRobot robot;  // not even a programs folder
+        VirtualRobot robot;  // a robot without a programs folder
         RawDashboard dashboard = robot.dashboard();
         QCOMPARE(dashboard.ask("load installation default.installation"),
                  QByteArray("Loading installation: default.installation\n"));
@@ -219,7 +221,7 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("load /ursim/programs/none.urp"),
                  QByteArray("File not found: /ursim/programs/none.urp\n"));
         QCOMPARE(cell.dashboard.ask("programState"), QByteArray("STOPPED wait_program.urp\n"));
-        // A name not allowed for files; a warning of Qt would fail the test.
+        // A name that is not allowed for files. A warning of Qt would fail the test.
         QTest::failOnWarning(QRegularExpression("."));
         QVERIFY(
             cell.dashboard.ask(QByteArray("load wait\0program.urp", 21)).startsWith("File not found: wait"));
@@ -274,7 +276,7 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("get loaded program") == "No program loaded\n", !loads);
     }
 
-    // A file that is inside the folder when it is loaded may be replaced by a link.
+    // A file that is inside the folder when it is loaded may later be replaced by a link.
     void aLoadedProgramThatTurnsIntoALinkIsNotPlayed() {
         QTemporaryDir elsewhere;
         QFile secret(elsewhere.filePath("secret.script"));
@@ -285,7 +287,7 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(cell.folder.filePath("wait_program.urp")));
         QVERIFY(QFile::link(secret.fileName(), cell.folder.filePath("wait_program.urp")));
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Failed to execute: play\n"));
-        // The script next to a program must not be a link to the outside either.
+        // The script next to a program must not be a link to a file outside the folder either.
         QFile program(cell.folder.filePath("pair.urp"));
         QVERIFY(program.open(QIODevice::WriteOnly));
         program.write(

@@ -174,7 +174,7 @@ private Q_SLOTS:
         robot.controller.step(2);
         QCOMPARE(dashboard.ask("running"), QByteArray("Program running: true\n"));
         QCOMPARE(dashboard.ask("programState"),
-                 QByteArray("STOPPED <unnamed>\n"));  // refers to the loaded program
+                 QByteArray("STOPPED <unnamed>\n"));  // the loaded program
         QCOMPARE(dashboard.ask("stop"), QByteArray("Stopped\n"));
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 1));
     }
@@ -212,7 +212,7 @@ private Q_SLOTS:
         options.remoteControl = false;
         options.gateLocalControl = true;
         {
-            VirtualRobot robot(options);  // clients on the controller itself are exempt
+            VirtualRobot robot(options);  // clients on the controller itself have all permissions
             QCOMPARE(robot.dashboard().ask("power off"), QByteArray("Powering off\n"));
         }
         options.gateLoopbackClients = true;
@@ -229,10 +229,11 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("popup x"), QByteArray("showing popup\n"));
         robot.controller.setRemoteControl(true);
         robot.controller.drainSockets();
-        QCOMPARE(dashboard.ask("power on"), refusal);  // permissions belong to the connection
+        // The permissions are determined when a client connects.
+        QCOMPARE(dashboard.ask("power on"), refusal);
         RawDashboard remote = robot.dashboard();
         QCOMPARE(remote.ask("power on"), QByteArray("Powering on\n"));
-        // Switching to Local revokes them, and switching back does not restore them.
+        // Switching to Local revokes the permissions, and switching back does not restore them.
         robot.controller.setRemoteControl(false);
         robot.controller.drainSockets();
         QCOMPARE(remote.ask("power on"), refusal);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A program with an External Control node: its script is requested from a computer when the program is played.
+// A program with an External Control node. When the program is played, the robot requests the script of the
+// node from a computer.
 #include <QFile>
 #include <QTcpServer>
 #include <QTemporaryDir>
@@ -19,7 +20,7 @@ QByteArray scriptNode(const QByteArray& text) {
     return "<Script type=\"File\"><cachedContents>" + text + "</cachedContents></Script>";
 }
 
-/// A robot in real time, with a loaded program whose node is between two statements.
+/// A robot in real time with a loaded program whose External Control node is between two statements.
 struct Cell {
     Cell() {
         server.listen(QHostAddress::LocalHost);
@@ -44,7 +45,7 @@ struct Cell {
             file.write(content);
         }
     }
-    /// The next connection of the robot; null if there is none.
+    /// The next connection of the robot; null if the robot does not connect.
     std::unique_ptr<QTcpSocket> connection() {
         server.waitForNewConnection(kWaitTimeoutMs);
         return std::unique_ptr<QTcpSocket>(server.nextPendingConnection());
@@ -56,7 +57,7 @@ struct Cell {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         options.programsFolder = programs;
-        // Longer than this thread may be delayed before the next piece.
+        // Longer than the possible delay of this thread before it sends the next piece.
         options.scriptSilence = std::chrono::seconds(2);
         return options;
     }
@@ -83,7 +84,7 @@ private Q_SLOTS:
         }
         QCOMPARE(provider->readAll(), QByteArray("request_program\n"));
         QCOMPARE(cell.state(), QByteArray("STOPPED external_control.urp\n"));
-        // The script is sent in pieces, and the connection stays open: only a pause marks the end.
+        // The script is sent in pieces, and the connection stays open, so that only a pause marks its end.
         provider->write("# words before\n# HEADER_BEGIN\ndef own(n):\n  set_standard_digital_out(n, ");
         provider->waitForBytesWritten(kWaitTimeoutMs);
         provider->write(
@@ -95,7 +96,7 @@ private Q_SLOTS:
         cell.robot.controller.setDigitalInput(1, true);
         QTRY_COMPARE_WITH_TIMEOUT(cell.outputs(), quint64(0b1101), kWaitTimeoutMs);
 
-        // Every start requests the script again.
+        // Every start must request the script again.
         cell.dashboard.ask("stop");
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
         const auto again = cell.connection();

@@ -77,7 +77,7 @@ private Q_SLOTS:
     void questionsOfProgramsAreAnswered() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
-        QVERIFY(!robot.controller.inject("answer 1").ok());  // no pending request
+        QVERIFY(!robot.controller.inject("answer 1").ok());  // there is no pending request
         primary.send(
             "def p():\n  n = request_integer_from_primary_client(\"How many?\")\n"
             "  b = request_boolean_from_primary_client(\"Sure?\")\n"
@@ -110,7 +110,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(force()) < 1);
         const Pose tool = robot.controller.truth().tcpPose;
         inject(robot, QStringLiteral("plane %1").arg(tool.position.z() + 0.0005));
-        QVERIFY2(std::abs(force() - 10) < 1, qPrintable(QString::number(force())));  // 20 N/mm
+        QVERIFY2(std::abs(force() - 10) < 1, qPrintable(QString::number(force())));  // 0.5 mm at 20 N/mm
         inject(robot, "no-surfaces");
         QVERIFY(std::abs(force()) < 1);
         inject(robot, QStringLiteral("box %1 %2 %3 0.2 0.2 0.1")
@@ -139,7 +139,8 @@ private Q_SLOTS:
         console.send("status\r\nnonsense\n");
         QVERIFY(console.line().startsWith("ok robot_mode=RUNNING safety_mode=PROTECTIVE_STOP"));
         QVERIFY(console.line().startsWith("error: 'nonsense'"));
-        // The fault control answers while everything else is blocked; otherwise the fault could not be ended.
+        // The fault control must respond while everything else is blocked. Otherwise, the fault could not be
+        // ended.
         console.send("silence on\n");
         QCOMPARE(console.line(), QByteArray("ok\n"));
         console.send("link lost\n");
@@ -147,7 +148,8 @@ private Q_SLOTS:
         console.send("clear\n");
         QCOMPARE(console.line(), QByteArray("ok\n"));
         QCOMPARE(robot.dashboard().ask("robotmode"), QByteArray("Robotmode: RUNNING\n"));
-        QVERIFY(!simulator::Simulator().inject("status").ok());  // a stopped simulator reports it
+        // A simulator that is not running reports an error.
+        QVERIFY(!simulator::Simulator().inject("status").ok());
     }
 
     void aDelayHoldsEveryPackageForItsTime() {
@@ -162,7 +164,7 @@ private Q_SLOTS:
         const auto packages = stream.rtde.packages();
         QVERIFY(packages.size() >= 18 && packages.size() <= 21);
         QVERIFY(std::abs(doubleAt(packages.front().payload, 1) - sent - 0.002) < 1e-9);
-        // Nothing is lost: without the delay the rest arrives immediately.
+        // No data are lost. When the delay ends, the remaining data arrive immediately.
         inject(robot, "delay 0");
         robot.controller.step(11);
         QCOMPARE(packages.size() + stream.rtde.packages().size(), std::size_t(40));
@@ -272,7 +274,7 @@ private Q_SLOTS:
         robot.controller.step(50);
         QVERIFY(stream.rtde.takeAll().isEmpty());
         QVERIFY(stream.rtde.isConnected());
-        // The inputs are free again, and a new connection works.
+        // The input registers can be reserved again, and a new connection works.
         RawRtde other = robot.rtde();
         QVERIFY(other.useVersion());
         QCOMPARE(other.setupInputs("input_int_register_3"), QByteArray("\x01INT32"));
@@ -290,7 +292,7 @@ private Q_SLOTS:
         robot.controller.step(2);
         const auto packages = stream.rtde.packages();
         QCOMPARE(packages.size(), std::size_t(2));
-        // Time has advanced: data that were not sent are never sent later.
+        // Time has advanced. Data that were not sent are not sent later.
         QVERIFY(std::abs(doubleAt(packages[0].payload, 1) - robot.controller.truth().timestamp + 0.002) <
                 1e-9);
     }
@@ -305,7 +307,7 @@ private Q_SLOTS:
                  QByteArray("\0IN_USE,DOUBLE", 14));
         QCOMPARE(rtde.setupInputs("speed_slider_mask"), QByteArray("\0IN_USE", 7));
         QCOMPARE(rtde.setupInputs("input_int_register_24"), QByteArray("\x01INT32"));
-        QVERIFY(!robot.controller.inject("hold-registers upper").ok());  // one of them is in use
+        QVERIFY(!robot.controller.inject("hold-registers upper").ok());  // one of the registers is in use
         inject(robot, "release-registers");
         QCOMPARE(rtde.setupInputs("input_int_register_0"), QByteArray("\x02INT32"));
     }
@@ -370,7 +372,7 @@ private Q_SLOTS:
         const auto codes = primary.messages(6);
         QCOMPARE(codes.size(), std::size_t(2));
         QCOMPARE(intAt(codes[1], 0), 163);
-        QCOMPARE(intAt(codes[1], 8), 4);  // a fault
+        QCOMPARE(intAt(codes[1], 8), 4);  // 4: a fault
     }
 
     void aSlowBootGoesThroughItsModesAndRestartsTheServicesOnce() {
@@ -382,7 +384,7 @@ private Q_SLOTS:
         QVERIFY(early.useVersion());
         robot.controller.stepSeconds(1.9);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::Disconnected);
-        robot.dashboard().ask("power on");  // too early: ignored
+        robot.dashboard().ask("power on");  // too early, so it must be ignored
         robot.controller.stepSeconds(0.2);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::Booting);
         QVERIFY(early.waitClosed());
@@ -390,7 +392,7 @@ private Q_SLOTS:
         RawPrimary primary = robot.primary();
         robot.controller.stepSeconds(2);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
-        QVERIFY(primary.packages().size() > 15);  // ten states per second, also after time starts again
+        QVERIFY(primary.packages().size() > 15);  // ten states per second, also after time resumes
         robot.controller.stepSeconds(5);
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::PowerOff);
     }
@@ -418,7 +420,8 @@ private Q_SLOTS:
         RawRtde rtde = robot.rtde();
         const RawRtde::Package text = rtde.request('V', bigEndian(quint16(2)));
         QCOMPARE(text.type, 'M');
-        QCOMPARE(text.payload[0], char(2));  // a new connection uses version 1: level, then text
+        // A new connection uses version 1, where the level precedes the text.
+        QCOMPARE(text.payload[0], char(2));
         QVERIFY(text.payload.contains("SafetySetup has not been confirmed yet"));
         QCOMPARE(rtde.next().type, 'V');
     }
@@ -450,7 +453,8 @@ private Q_SLOTS:
         const QByteArray wrong = firstWithKinematics(primary);
         QVERIFY(!wrong.isEmpty());
         QVERIFY(wrong != right);
-        // As reported by real robots: distant frames, and a deviation of the flange of less than a centimetre.
+        // Values as reported by real robots: frames far from the links, and a deviation of the flange of less
+        // than a centimetre.
         QCOMPARE(dhIn(right).d[1], 0.0);
         QVERIFY(std::abs(dhIn(wrong).d[1]) > 1);
         const JointPositions q = robot.controller.truth().q;
@@ -473,7 +477,7 @@ private:
         }
         return dh;
     }
-    /// KinematicsInfo of the first state with one, among the received data.
+    /// KinematicsInfo of the first received state that contains it.
     static QByteArray firstWithKinematics(RawPrimary& primary) {
         for (const QByteArray& package : primary.packages()) {
             for (qsizetype at = 5; package[4] == 16 && at + 5 <= package.size(); at += intAt(package, at)) {

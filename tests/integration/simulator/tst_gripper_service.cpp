@@ -25,7 +25,7 @@ struct GripperClient : RawClient {
         set("ACT 1");
         stepUntil([&] { return value("STA") == 3; });
     }
-    /// Moves and returns the object status.
+    /// Moves the gripper and returns the object status.
     int move(const QByteArray& what) {
         set(what + " GTO 1");
         stepUntil([&] { return value("OBJ") != 0; });
@@ -51,7 +51,8 @@ private Q_SLOTS:
         GripperClient gripper(robot);
         gripper.send("SET SPE 100\n");
         QCOMPARE(gripper.take(3), QByteArray("ack"));
-        QVERIFY(gripper.takeAll().isEmpty());  // no newline after it: clients compare exactly
+        // No newline after the reply, because clients compare the exact text.
+        QVERIFY(gripper.takeAll().isEmpty());
         QCOMPARE(gripper.get("SPE"), QByteArray("SPE 100\n"));
         QVERIFY(gripper.set("FOR 12 POS 300"));
         QCOMPARE(gripper.get("FOR"), QByteArray("FOR 12\n"));
@@ -86,13 +87,13 @@ private Q_SLOTS:
         const QByteArray addresses = ask("SID", 17);
         QCOMPARE(addresses[1], '9');
         QVERIFY(gripper.takeAll().isEmpty());
-        // A line in two pieces: its end is not another request.
+        // The line is sent in two pieces. Its end must not be treated as another request.
         gripper.send("\n");
         QCOMPARE(gripper.get("PRE"), QByteArray("PRE 7\n"));
         QVERIFY(gripper.set("LBP 1") && gripper.set("LRD 0") && gripper.set("MSC 40") &&
                 gripper.set("SCN_BLOCK 1"));
         QCOMPARE(ask("MSC", 3), QByteArray("040"));
-        // An incomplete line is waited for.
+        // The gripper waits for the end of an incomplete line.
         gripper.send("SET POS");
         QVERIFY(gripper.takeAll().isEmpty());
         gripper.send(" 9\n");
@@ -101,7 +102,7 @@ private Q_SLOTS:
 
     void programReachesTheGripperAtTheControllerAddress() {
         auto options = VirtualRobot::options();
-        options.listenAddress = "127.0.0.7";  // of the controller; its programs use 127.0.0.1
+        options.listenAddress = "127.0.0.7";  // address of the controller; its programs use 127.0.0.1
         VirtualRobot robot(options);
         RawClient scripts(robot.host(), robot.controller.ports().secondary);
         scripts.send(
@@ -129,7 +130,7 @@ private Q_SLOTS:
         robot.controller.step();
         QCOMPARE(gripper.value("STA"), 1);
         robot.controller.stepSeconds(0.5);
-        QVERIFY(gripper.value("POS") > 100);  // it closes and opens once
+        QVERIFY(gripper.value("POS") > 100);  // during activation, the gripper closes and opens once
         gripper.activate();
         QCOMPARE(gripper.value("STA"), 3);
         QCOMPARE(gripper.value("FLT"), 0);
@@ -186,7 +187,8 @@ private Q_SLOTS:
         QVERIFY(gripper.set("POS 100 GTO 1"));
         robot.controller.stepSeconds(2);
         QCOMPARE(gripper.value("POS"), 3);
-        // The end of the release alone does not restore it, nor does a second activation without a reset.
+        // Neither the end of the release nor a second activation without a reset makes the gripper ready
+        // again.
         QVERIFY(gripper.set("ATR 0"));
         robot.controller.stepSeconds(2);
         QCOMPARE(gripper.value("STA"), 0);
@@ -200,7 +202,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.move("POS 100"), 3);
     }
 
-    // The emergency release has priority over everything except a reset.
+    // The emergency release has priority over all commands except a reset.
     void anAutomaticReleaseEndsAnActivation() {
         VirtualRobot robot;
         GripperClient gripper(robot);
@@ -215,7 +217,8 @@ private Q_SLOTS:
         QCOMPARE(gripper.value("STA"), 0);
     }
 
-    // For a program, its controller is 127.0.0.1 with the standard ports, whatever address this one has.
+    // A program reaches its controller at 127.0.0.1 with the standard ports, regardless of the actual
+    // address.
     void programReachesTheGripperOfItsController() {
         VirtualRobot robot;
         GripperClient gripper(robot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Port 30020: statements and commands as lines, with one reply per line.
+// Port 30020 receives statements and commands as lines, and sends one reply per line.
 
 #include <QTest>
 
@@ -12,7 +12,7 @@ namespace {
 
 const char* const kMode = "def ready():\n  global n = 0\n  interpreter_mode()\n  n = -1\nend\n";
 
-/// A robot in interpreter mode and a client of it.
+/// A robot in interpreter mode and a client connected to it.
 struct Interpreting {
     VirtualRobot robot;
     RawPrimary primary = robot.primary();

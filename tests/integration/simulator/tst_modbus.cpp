@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Programs with signals of a Modbus device whose values change while they run.
+// Programs that use signals of a Modbus device. The values of the signals change while the programs run.
 #include <QTest>
 
 #include "tests/support/primary_listener.h"
@@ -65,7 +65,7 @@ private Q_SLOTS:
         const QByteArray say = "textmsg(to_str(modbus_get_signal_status(\"s\")))\n";
         QCOMPARE(cell.told(kAdd + signal + '\n' + say), QByteArrayList{before});
         QCOMPARE(cell.fault("modbus-signal s " + values), QString());
-        cell.robot.controller.stepSeconds(0.2);  // polled ten times per second
+        cell.robot.controller.stepSeconds(0.2);  // the device is polled ten times per second
         QCOMPARE(cell.told("textmsg(to_str(modbus_get_signal_status(\"s\", False)))\n"),
                  QByteArrayList{after});
         QCOMPARE(cell.error, QByteArray());
@@ -92,7 +92,7 @@ private Q_SLOTS:
                            0.5),
                  (QByteArrayList{"[11, 21, 30, 40]", "21", "True"}));
         QCOMPARE(cell.error, QByteArray());
-        // Signals outlive the program until they are deleted.
+        // Signals remain after the end of the program until they are deleted.
         QCOMPARE(cell.told("textmsg(modbus_get_signal_status(\"one\"))\nmodbus_delete_signal(\"one\")\n"
                            "textmsg(modbus_get_signal_status(\"one\"))"),
                  QByteArrayList{"21"});
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(cell.told(errors), (QByteArrayList{"0", "0", "0"}));
     }
 
-    // Within the watchdog time the last valid value is returned, afterwards an error.
+    // Within the watchdog time, the last valid value is returned. Afterwards, an error is returned.
     void aSignalThatIsNotAnsweredKeepsItsValueForAWhile() {
         Cell cell;
         QVERIFY(cell.told(kAdd + "1, 2, \"s\")\nmodbus_set_signal_watchdog(\"s\", 3)").isEmpty());
@@ -180,7 +180,7 @@ private Q_SLOTS:
         rtde.setupOutputs(500, "robot_status_bits");
         QVERIFY(rtde.start());
         cell.robot.controller.step();
-        QVERIFY((wordAt(rtde.next().payload, 1) & 4U) != 0);  // teach button pressed
+        QVERIFY((wordAt(rtde.next().payload, 1) & 4U) != 0);  // the teach button is pressed
     }
 
     void updatesFollowTheFrequency() {

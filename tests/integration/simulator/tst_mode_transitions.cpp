@@ -15,7 +15,7 @@ using namespace tiller::test;
 namespace {
 
 enum Mode { Disconnected, ConfirmSafety, Booting, PowerOff, PowerOn, Idle, Backdrive, Running };
-// Intermediate states last until the arm is at standstill or has reached its speed.
+// Intermediate states last until the arm has stopped or has reached its speed.
 enum Program { Stopping, Stopped, Playing, Pausing, Paused, Resuming };
 
 const char* const kEndless = "p:def forever():\n  while True:\n    sync()\n  end\nend";
@@ -28,7 +28,8 @@ const char* const kMoving =
 class TestModeTransitions : public QObject {
     Q_OBJECT
 
-    /// "d:" sends a line to the dashboard, "p:" to the primary port, "f:" is a fault, "t:" advances time [s].
+    /// Prefixes of actions: "d:" sends a line to the dashboard, "p:" sends to the primary port, "f:" triggers
+    /// a fault, and "t:" advances time [s].
     static void act(VirtualRobot& robot, ModeObserver& observer, const QByteArray& action) {
         const QByteArray words = action.mid(2);
         if (action.startsWith("d:")) {
@@ -225,7 +226,7 @@ private Q_SLOTS:
         for (const QByteArray& action : event) {
             act(robot, observer, action);
         }
-        // Steps until the transition is complete, then for the interval of a primary state.
+        // Step until the transition is complete, and then for the interval of a primary state.
         for (int i = 0;
              i < 200 && (observer.robotModes() != robotModes || observer.runtimeStates() != runtimeStates);
              ++i) {
@@ -239,7 +240,7 @@ private Q_SLOTS:
         QVERIFY2(observer.complaints().isEmpty(), qPrintable(observer.complaints().join('\n')));
     }
 
-    // A start of the controller closes all connections, so each of its modes is observed by new clients.
+    // A start of the controller closes all connections, so new clients observe each mode of the start.
     void theStartOfAControllerIsSeenAlikeOnAllInterfaces() {
         VirtualRobot robot;
         {
@@ -267,7 +268,7 @@ private Q_SLOTS:
         look(5, Running);
     }
 
-    // PolyScope X has no dashboard; there the Robot API must be consistent.
+    // PolyScope X has no dashboard, so the Robot API must be consistent with the other interfaces.
     void robotApiOfPolyScopeXReportsTheSame() {
         auto options = VirtualRobot::options();
         options.software = {10, 12, 0, 0};

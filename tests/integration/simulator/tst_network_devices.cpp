@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Programs that talk to cameras and grippers over the network: a device answers as its table says, late or not at all.
+// Programs that communicate with cameras and grippers over the network. A device replies as specified in its
+// table, late, or not at all.
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -26,7 +27,7 @@ struct Cell {
         options.devices = {{QStringLiteral("camera"), file.fileName()}};
         return options;
     }
-    /// Runs a program until its last text, "end".
+    /// Runs a program until it prints its last text, "end".
     bool play(const QByteArray& body) {
         texts.clear();
         times.clear();
@@ -50,7 +51,7 @@ struct Cell {
     VirtualRobot robot;
     RawPrimary primary;
     QList<QByteArray> texts;  ///< text messages and errors
-    QList<double> times;      ///< of the controller [s]
+    QList<double> times;      ///< controller times [s]
 };
 
 const QByteArray kCamera =
@@ -106,7 +107,7 @@ private Q_SLOTS:
         Cell cell("protocol lines\naddress 127.0.0.1:8500\nTRIGGER | | OK\nGET | POS | (1.5, 2.5)\n");
         QVERIFY(
             cell.play("if socket_open(\"127.0.0.1\", 8500, \"cam\"):\n"
-                      "socket_send_string(\"TRIGGER\", \"cam\")\n"  // without its end
+                      "socket_send_string(\"TRIGGER\", \"cam\")\n"  // without the line end
                       "textmsg(socket_read_line(\"cam\"))\n"
                       "socket_send_line(\"GET POS\", \"cam\")\n"
                       "textmsg(socket_read_ascii_float(2, \"cam\"))\n"

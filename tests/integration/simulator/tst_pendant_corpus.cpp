@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Programs as saved by the pendant (tests/data/pendant): each is loaded and played in virtual time, and the
-// events visible to clients are compared with its trace. Some programs also have a script exported by the
-// pendant (exports/), which must have the same effect.
+// Programs as saved by the pendant (tests/data/pendant). Each program is loaded and played in virtual time,
+// and the events visible to clients are compared with the program's trace. For some programs there is also a
+// script exported by the pendant (exports/), which must have the same effect.
 //
-// To write the traces again:  TILLER_UPDATE=1 tst_pendant_corpus
+// To update the traces, run:  TILLER_UPDATE=1 tst_pendant_corpus
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
@@ -26,7 +26,7 @@ QString contentOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// Loads and plays a program, answers its popups and questions, and records what a client sees.
+/// Loads and plays a program, answers its popups and questions, and records the events visible to a client.
 class Player {
 public:
     explicit Player(const QString& folder)
@@ -133,7 +133,7 @@ void addPrograms(const QString& folder, const QString& ending) {
     }
 }
 
-/// The trace without labels: the order of two threads within a period is irrelevant.
+/// The trace without labels, because the order of two threads within a period is not relevant.
 QStringList effects(QStringList trace) {
     trace.removeIf([](const QString& line) { return line.startsWith("label "); });
     return trace;
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(trace, contentOf(path).split('\n', Qt::SkipEmptyParts));
     }
 
-    // Checks that the corpus contains every kind of node.
+    // The corpus must contain every kind of node.
     void theCorpusHasEveryNode() {
         QString all;
         for (const QString& file : QDir(kFolder).entryList({"*.urp"}, QDir::Files)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Model, software and serial number: configured once, consistent on all interfaces.
+// Model, software version and serial number are configured once and are consistent on all interfaces.
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(QByteArray::number(wordAt(told, 0)) + '.' + QByteArray::number(wordAt(told, 4)) + '.' +
                      QByteArray::number(wordAt(told, 8)) + '.' + QByteArray::number(wordAt(told, 12)),
                  number);
-        // The control period.
+        // Check the control period.
         rtde.setupOutputs(1000, "timestamp");
         QVERIFY(rtde.start());
         robot.controller.step(2);
@@ -99,7 +99,7 @@ private Q_SLOTS:
         RawDashboard dashboard = robot.dashboard();
         const QByteArray polyscope = dashboard.ask("PolyscopeVersion");
         QVERIFY2(polyscope.startsWith("URSoftware " + number + " ("), polyscope);
-        // The same day in both formats.
+        // The same date appears in both formats.
         const QByteArray year = polyscope.mid(polyscope.indexOf(')') - 4, 4);
         QVERIFY2(message.mid(35).contains(year), message.mid(35));
         if (version->major == 5) {

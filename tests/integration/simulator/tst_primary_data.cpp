@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Data sent by the primary and realtime ports without a request: version, state, variables, realtime record.
+// Data that the primary and realtime ports send without a request: version, state, variables and realtime
+// record.
 #include <QTest>
 
 #include "tests/support/primary_listener.h"
@@ -9,7 +10,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// Sub-packages of a RobotState by type.
+/// Returns the sub-packages of a RobotState by type.
 QMap<int, QByteArray> partsOf(const QByteArray& state) {
     QMap<int, QByteArray> parts;
     for (qsizetype at = 5; at + 5 <= state.size();) {
@@ -46,7 +47,7 @@ private Q_SLOTS:
         const QByteArray message = primary.next();
         QCOMPARE(message.size(), 55);
         QCOMPARE(int(message[4]), 20);
-        QCOMPARE(message.mid(5, 8), QByteArray(8, '\xff'));  // without a time
+        QCOMPARE(message.mid(5, 8), QByteArray(8, '\xff'));  // the message has no time
         QCOMPARE(int(message[13]), -2);
         QCOMPARE(int(message[14]), int(kVersion));
         QCOMPARE(message.mid(15, 10), QByteArray("\x09URControl"));
@@ -57,7 +58,7 @@ private Q_SLOTS:
 
     void theFirstStateDescribesTheArmAndLaterOnesDoNot() {
         auto options = VirtualRobot::options();
-        options.software = {5, 8, 0, 0};  // the recorded version
+        options.software = {5, 8, 0, 0};  // software version of the recorded data
         VirtualRobot robot(options);
         RawPrimary primary = robot.primary();
         primary.next();
@@ -70,7 +71,7 @@ private Q_SLOTS:
         for (int type = 0; type <= 12; ++type) {
             QCOMPARE(parts[type].size(), sizes[type]);
         }
-        // The order of the vendor's simulator.
+        // The order is that of the vendor's simulator.
         QCOMPARE(int(first[5 + 4]), 0);
         QCOMPARE(int(first[52 + 4]), 1);
         QCOMPARE(int(first[303 + 4]), 4);
@@ -114,7 +115,7 @@ private Q_SLOTS:
         QCOMPARE(parts[13].size(), 7);
     }
 
-    // Clients read it to the last byte and fail if one is missing.
+    // Clients read the sub-package to its last byte and fail if a byte is missing.
     void theMasterboardHasTheLengthOfItsSoftware_data() {
         QTest::addColumn<int>("major");
         QTest::addColumn<int>("minor");
@@ -238,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(first.size(), size);
         const QByteArray second = realtime.next();
         QVERIFY(std::abs(doubleAt(second, 4) - doubleAt(first, 4) - robot.controller.stepTime()) < 1e-9);
-        QVERIFY(std::abs(doubleAt(first, 252) - -1.6007) < 1e-3);  // q actual
+        QVERIFY(std::abs(doubleAt(first, 252) - -1.6007) < 1e-3);  // actual joint position q
         QCOMPARE(doubleAt(first, 756), 7.0);                       // robot mode
         QCOMPARE(doubleAt(first, 812), 1.0);                       // safety mode
     }

@@ -9,7 +9,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// The safety mode of a robot state package; -1 if it has none.
+/// Returns the safety mode in a robot state package; -1 if the package does not contain it.
 int safetyModeIn(const QByteArray& state) {
     constexpr int kMasterboard = 3, kOffset = 65;
     for (qsizetype at = 5; at + 5 <= state.size() && intAt(state, at) >= 5; at += intAt(state, at)) {
@@ -197,7 +197,7 @@ private Q_SLOTS:
         QVERIFY(robot.stepUntil([&] { return mode() == RobotMode::Running; }));
     }
 
-    // A control script for both series contains functions of one series only, in a condition.
+    // A control script for both series contains functions that exist in only one series, inside a condition.
     void gainScalingCompilesOnACb3AndFailsOnlyWhenCalled() {
         auto options = VirtualRobot::options();
         options.model = RobotModelId::UR5;
@@ -215,7 +215,7 @@ private Q_SLOTS:
         QVERIFY(called.exceptions[0].contains("force_mode_set_gain_scaling"));
     }
 
-    // Of the permanent frames, only the base can be moved, relative to the world.
+    // Of the permanent frames, only the base can be moved relative to the world.
     void theBaseCanBeMovedInTheWorld() {
         auto options = VirtualRobot::options();
         options.software = {10, 12, 0, 0};
@@ -249,13 +249,13 @@ private Q_SLOTS:
         QCOMPARE(heard.keys, (QByteArrayList{"STARTED p", "STOPPED p"}));
         QCOMPARE(robot.controller.truth().robotMode, RobotMode::Running);
 
-        // An early unlock through this port is not lost.
+        // An early unlock command through this port is not lost.
         const Heard unlocked = run(robot, primary, "set unlock protective stop\n", 0.5);
         QCOMPARE(unlocked.safetyModes.size(), std::size_t(1));
         QCOMPARE(int(unlocked.safetyModes[0][8]), 1);
     }
 
-    // Clients wait for the message and then read the newest state.
+    // Clients wait for the message and then read the newest state, which must match.
     void safetyModeIsReportedAfterTheMatchingState_data() {
         QTest::addColumn<QString>("fault");
         QTest::addColumn<QByteArray>("script");
@@ -292,7 +292,8 @@ private Q_SLOTS:
                 primary.send(script);
                 robot.controller.drainSockets();
             }
-            robot.controller.stepSeconds(script.contains("movel") ? 15 : 1);  // to the end of the reach
+            // A line moves to the end of the reach.
+            robot.controller.stepSeconds(script.contains("movel") ? 15 : 1);
             int shown = 1;
             QList<int> told;
             for (const QByteArray& package : primary.packages()) {
@@ -307,7 +308,7 @@ private Q_SLOTS:
         }
     }
 
-    // Changes during a pause are reported once, with the current value.
+    // Changes during a pause are reported only once, with the current value.
     void lastSafetyModeIsReportedAfterASilence() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
@@ -364,7 +365,7 @@ private Q_SLOTS:
         QCOMPARE(intAt(heard.errors[0], 0), 210);
         QVERIFY(heard.keys.isEmpty());
 
-        // A connection opened in Local stays read-only; a new one may write.
+        // A connection that was opened in Local remains read-only. A new connection may write.
         robot.controller.setRemoteControl(true);
         QVERIFY(run(robot, local, "def p():\n  sleep(1)\nend\n", 0.2).keys.isEmpty());
         RawPrimary remote = robot.primary();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Programs as saved by the pendant: variables that are defined once and then referenced, sequences, branches,
-// loops, threads, and waypoints given by a variable.
+// Programs as saved by the pendant. Variables are defined once and then referenced. The tests also cover
+// sequences, branches, loops, threads, and waypoints given by a variable.
 #include <QFile>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -14,8 +14,8 @@ using namespace tiller::test;
 
 namespace {
 
-/// The saved form of an expression, character by character. `@path@` is a reference to a variable defined
-/// elsewhere.
+/// Returns the saved form of an expression, character by character. `@path@` is a reference to a variable
+/// defined elsewhere in the file.
 QString signs(const QString& text) {
     QString xml;
     for (qsizetype i = 0; i < text.size(); ++i) {
@@ -55,10 +55,10 @@ QString program(const QString& parts) {
     return withChildren(QStringLiteral("URProgram name=\"p\" createdIn=\"5.11.0\""), parts);
 }
 
-/// A robot with one program in its folder, loaded.
+/// A robot with one loaded program in its folder.
 struct Loaded {
-    /// `beside`: other files of the folder, by name.
-    /// `assumption`: NAME=VALUE; empty for the defaults.
+    /// beside      other files of the folder, by name
+    /// assumption  NAME=VALUE; empty: the defaults
     explicit Loaded(const QString& xml, const QMap<QString, QString>& beside = {},
                     const QString& assumption = {})
         : assumed(assumption) {
@@ -101,8 +101,9 @@ class TestProgramFiles : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The program that the vendor supplies with its RTDE control loop: a thread reads set points into a
-    // variable defined in Before Start; the program moves to it on command and reports when it has arrived.
+    // The program that the vendor supplies with its RTDE control loop. A thread reads set points into a
+    // variable defined in Before Start. On command, the program moves to the set point and reports when it
+    // has arrived.
     void aProgramFollowsSetpointsOfAnRtdeClient() {
         const QString goal = QStringLiteral("SpecialSequence/children/Assignment/variable");
         const QString up = QStringLiteral("../");
@@ -162,11 +163,11 @@ private Q_SLOTS:
                 values += bigEndian(v);
             }
             rtde.sendPackage('U', values);
-            QVERIFY(until(1, 0));  // the thread reads the set points
+            QVERIFY(until(1, 0));  // the thread has read the set points
             QVERIFY(until(0, 1));
             QVERIFY(std::abs(doubleAt(state, 5 + 16) - z) < 1e-3);
         }
-        // Without the client, the watchdog performs its configured action.
+        // Without the client, the watchdog performs the configured action.
         QVERIFY(cell.robot.stepUntil([&] { return cell.robot.programState() == RuntimeState::Paused; }, 3));
     }
 
@@ -229,7 +230,8 @@ private Q_SLOTS:
         QCOMPARE(cell.outputs(), quint64(1) << 6);
     }
 
-    // The nodes used by published pendant programs: each sets output 1 if it should, and no other output.
+    // The nodes used by published pendant programs. Each program sets output 1 and no other output if the
+    // node works.
     void theNodesOfThePendantRun_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<quint64>("outputs");
@@ -458,7 +460,8 @@ private Q_SLOTS:
         row("node of a URCap", mainProgram("<Contributed strategyURCapName=\"Welding\"/>"), "Welding");
         row("unknown part", mainProgram(good) + "<Riddle/>", "Riddle");
         row("variable from nowhere",
-            mainProgram(assign("reference=\"../../../../../../nothing/variable\"", "1")), "no variable");
+            mainProgram(assign("reference=\"../../../../../../nothing/variable\"", "1")),
+            "refer to a variable");
         row("variable waypoint in another frame",
             mainProgram(withChildren("Move motionType=\"MoveL\" speed=\"1\" acceleration=\"1\"",
                                      "<Waypoint type=\"Variable\" name=\"w1\"><variable "
@@ -482,7 +485,7 @@ private Q_SLOTS:
         row("wait of another kind", mainProgram("<Wait type=\"Riddle\"/>"), "Riddle");
         row("sub program from nowhere",
             mainProgram("<CallSubProgram><subprogram reference=\"../nowhere\"/></CallSubProgram>"),
-            "no subprogram");
+            "refer to a subprogram");
         row("sub program that cannot be told",
             mainProgram("<CallSubProgram>" + withChildren("subprogram name=\"s\"", "<Palletizing/>") +
                         "</CallSubProgram>"),
@@ -525,7 +528,7 @@ private Q_SLOTS:
         QVERIFY2(heard.texts[0].startsWith("Error while loading program: p.urp: "), heard.texts[0]);
     }
 
-    // As on the pendant, an unfinished program can be edited but not run.
+    // As on the pendant, an unfinished program can be edited but not played.
     void anUnfinishedProgramLoadsAndDoesNotPlay_data() {
         QTest::addColumn<QString>("parts");
         QTest::addColumn<QString>("why");
@@ -536,7 +539,7 @@ private Q_SLOTS:
         row("loop without condition", withChildren("Loop type=\"While\"", line("sync()")), "Loop");
         row("no pin",
             "<Assignment><variable name=\"a\"/><expression><ExpressionIO/></expression></Assignment>",
-            "names no pin");
+            "does not name a pin");
         row("wait for no input", "<Wait type=\"DigitalInput\"/>", "Wait");
         row("set of no output", "<Set type=\"DigitalOutput\"/>", "Set");
         row("assignment to nothing", "<Assignment/>", "the variable is missing");
@@ -558,12 +561,12 @@ private Q_SLOTS:
         QVERIFY(!cell.play());
     }
 
-    // Reduced versions of user programs: older spellings, references, and elements of the installation.
+    // Reduced versions of users' programs with old syntax, references, and elements of the installation.
     void programsOfUsersRun_data() {
         QTest::addColumn<QString>("parts");
-        QTest::addColumn<QString>("text");  ///< what the program reports
+        QTest::addColumn<QString>("text");  ///< text that the program reports
         QTest::addColumn<quint64>("outputs");
-        QTest::addColumn<double>("base");  ///< final position of the base joint; NaN: it does not move
+        QTest::addColumn<double>("base");  ///< final position of the base joint; NaN if it does not move
         const QString joints =
             "<position><JointAngles angles=\"%1, -1.5, 1.5, -1.5, -1.5, 0.0\"/></position>";
         const auto waypoint = [&joints](const char* name, const char* base) {
@@ -742,7 +745,7 @@ private Q_SLOTS:
         QCOMPARE(Heard(primary).texts.join('|'), texts);
     }
 
-    // "Level" is the default: the event runs again while its condition stays true.
+    // "Level" is the default, so the event runs again while its condition is true.
     void anEventRunsOnceWhenItNeedsAnEdge_data() {
         QTest::addColumn<QString>("assumption");
         QTest::addColumn<bool>("again");
@@ -763,7 +766,7 @@ private Q_SLOTS:
         QCOMPARE(Heard(primary).texts.size() > 1, again);
     }
 
-    // Subprograms that are only called by a script belong to the program as well.
+    // A subprogram that is called only by a script is also part of the program.
     void aScriptMayCallASubProgram() {
         Loaded cell(program(mainProgram(line("Sub_1()")) +
                             withChildren("SubProgram name=\"Sub 1\"", line("set_digital_out(3, True)"))));
@@ -772,7 +775,7 @@ private Q_SLOTS:
         QCOMPARE(cell.outputs(), quint64(0b1000));
     }
 
-    // A file may be damaged between load and play.
+    // The file may be damaged between load and play.
     void playSaysWhyTheProgramIsNoMore() {
         Loaded cell(program(mainProgram(line("sync()"))));
         RawPrimary primary = cell.robot.primary();

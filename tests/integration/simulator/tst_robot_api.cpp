@@ -89,13 +89,13 @@ private Q_SLOTS:
         QCOMPARE(web.ask("GET", "/programs/v1/").status, 404);
         QCOMPARE(web.ask("GET", "/program/v1/state").status, 200);
         QCOMPARE(web.ask("PUT", "/program/v1/load", R"({"programName":"x"})").status, 404);
-        QCOMPARE(web.ask("PUT", "/program/v1/load", "{}").status, 422);  // it exists, unlike in 10.12
+        QCOMPARE(web.ask("PUT", "/program/v1/load", "{}").status, 422);  // the path exists, unlike in 10.12
         VirtualRobot twelve(polyScopeX(12));
         QVERIFY(!Web(twelve).ask("PUT", "/program/v1/load", "{}").body.contains("programName"));
         QCOMPARE(VirtualRobot(polyScopeX(10)).controller.ports().robotApi, quint16(0));
     }
 
-    // The server must neither read nor write through the link.
+    // The server must not read or write through the link.
     void aLinkOutOfTheProgramsFolderIsNoProgram() {
         QTemporaryDir place;
         const QDir outside(place.path());
@@ -205,7 +205,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("PUT", "/program/v1/state", R"({"action":"play"})").status, 200);
         robot.controller.stepSeconds(3);
         QCOMPARE(web.ask("GET", "/program/v1/state").json()["state"].toString(), QStringLiteral("PLAYING"));
-        // The program of a new controller replaces it again.
+        // The default program of a new controller replaces the loaded program.
         QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"Default program"})").status, 200);
         QCOMPARE(web.ask("GET", "/program/v1/loaded").json()["name"].toString(),
                  QStringLiteral("Default program"));
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("GET", "/robotstate/v1/robotmode//").status, 404);
     }
 
-    // Clients query the new state, or request the next step, immediately after the answer.
+    // Clients query the new state or request the next step immediately after the reply.
     void slowRequestsAreAnsweredOnCompletion() {
         auto options = polyScopeX();
         options.time = simulator::Time::Real;
@@ -244,7 +244,8 @@ private Q_SLOTS:
         QCOMPARE(act("/robotstate/v1/state", "BRAKE_RELEASE"), 200);
         QCOMPARE(mode(), QStringLiteral("RUNNING"));
         robot.controller.protectiveStop();
-        QTRY_COMPARE(value("/robotstate/v1/safetymode", "mode"), QStringLiteral("PROTECTIVE_STOP"));
+        QTRY_COMPARE_WITH_TIMEOUT(value("/robotstate/v1/safetymode", "mode"),
+                                  QStringLiteral("PROTECTIVE_STOP"), 60'000);
         QCOMPARE(act("/robotstate/v1/state", "UNLOCK_PROTECTIVE_STOP"), 200);
         QCOMPARE(value("/robotstate/v1/safetymode", "mode"), QStringLiteral("NORMAL"));
 
@@ -284,7 +285,7 @@ private Q_SLOTS:
         const Answer refused = web.ask("PUT", "/robotstate/v1/state", R"({"action":"POWER_OFF"})");
         QCOMPARE(refused.status, 403);
         QCOMPARE(refused.json()["message"].toString(), QStringLiteral("Forbidden - Operation Not Allowed"));
-        QCOMPARE(web.upload("POST", kProgram).status, 200);  // storing a program does not move anything
+        QCOMPARE(web.upload("POST", kProgram).status, 200);  // storing a program does not move the arm
         QCOMPARE(web.ask("PUT", "/program/v1/loaded", R"({"name":"wait"})").status, 403);
         QCOMPARE(web.ask("GET", "/robotstate/v1/robotmode").json()["mode"].toString(),
                  QStringLiteral("RUNNING"));
@@ -299,7 +300,7 @@ private Q_SLOTS:
         VirtualRobot robot(polyScopeX());
         Web web(robot);
         const QByteArray path = "/universal-robots/robot-api/robotstate/v1/robotmode";
-        // Two requests in one piece, the second byte by byte, then a chunked body.
+        // Send two requests in one piece, the second of them byte by byte, then a chunked body.
         web.send("GET " + path + " HTTP/1.1\r\n\r\nGET " + path + "?x=1 HTT");
         QCOMPARE(web.next().status, 200);
         for (const char c : QByteArray("P/1.1\r\nX: y\r\n\r\n")) {

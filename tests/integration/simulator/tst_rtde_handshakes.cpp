@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The start-up packages of unmodified clients, step by step, and their requirements on the answers.
+// The start-up packages of unmodified clients, step by step, and the replies that these clients require.
 
 #include <QTest>
 
@@ -68,7 +68,7 @@ private Q_SLOTS:
         robot.controller.drainSockets();
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Playing; }, 5));
 
-        // A command arrives in the script and is echoed.
+        // A command arrives in the script, and the script echoes it.
         rtde.sendPackage('U', QByteArray(1, '\x04') + bigEndian(qint32(255)));
         robot.controller.step(3);
         const auto packages = rtde.packages();
@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().digitalOutputs, (1ULL << 2) | (1ULL << 16) | (1ULL << 15));
         QCOMPARE(robot.controller.truth().speedSlider, 0.5);
 
-        // The client sends a PAUSE at the end although it never started, and waits for the answer.
+        // The client sends PAUSE at the end although it never sent START, and waits for the reply.
         QCOMPARE(io.request('P').payload, QByteArray(1, '\1'));
     }
 
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(types.count(','), outputs.count(','));
         QVERIFY(rtde.start());
 
-        // The client reads data until the time stamp indicates that the controller has booted.
+        // The client reads data until the time stamp shows that the controller has booted.
         robot.controller.step();
         const auto first = rtde.next();
         QCOMPARE(first.type, 'U');

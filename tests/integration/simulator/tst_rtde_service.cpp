@@ -22,16 +22,16 @@ private Q_SLOTS:
                      QByteArray("\x02INT32,INT32"));
             const QByteArray refused = second.setupInputs("input_int_register_24,input_int_register_30");
             QCOMPARE(refused, QByteArray("\0IN_USE,INT32", 13));
-            // A refused recipe does not reserve any field.
+            // A rejected recipe does not reserve any field.
             QCOMPARE(first.setupInputs("input_int_register_30"), QByteArray("\x03INT32"));
             first.close();
         }
-        QTRY_COMPARE(robot.controller.rtdeClients(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(robot.controller.rtdeClients(), 1, 60'000);
         QCOMPARE(second.setupInputs("input_int_register_24,input_int_register_30"),
                  QByteArray("\x01INT32,INT32"));
     }
 
-    // Source: RTDE guide: version 2 from 3.4 on, RTDE from 3.2 on.
+    // Source: RTDE guide. Version 2 is available from 3.4 on, and RTDE from 3.2 on.
     void oldSoftwareHasOnlyTheFirstProtocol() {
         auto options = VirtualRobot::options();
         options.model = RobotModelId::UR5;
@@ -78,7 +78,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(spacing - 0.002 * periods) < 1e-9);
     }
 
-    // As on a real robot: clients that read the answer and the data with one call must not get both at once.
+    // As on a real robot. Clients that read the reply and the data with one call must not receive both at
+    // once.
     void theFirstPackageFollowsTheAnswerToStartByOneInterval_data() {
         QTest::addColumn<double>("frequency");
         QTest::addColumn<int>("periods");
@@ -132,7 +133,7 @@ private Q_SLOTS:
             options.software = {3, 15, 8, 106339};
         }
         VirtualRobot robot(options);
-        const RawRtde writer = robot.rtde();  // a client that only writes does not count
+        const RawRtde writer = robot.rtde();  // a client that only writes does not use a slot
         std::vector<std::unique_ptr<RawRtde>> clients;
         for (int i = 0; i < 4; ++i) {
             clients.push_back(std::make_unique<RawRtde>(robot.host(), robot.controller.ports().rtde));
@@ -147,7 +148,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.rtdeClients(), stays ? 5 : 4);
         if (!stays) {
             QVERIFY(clients.back()->waitClosed());
-            // A client that disconnects releases a slot.
+            // A client that disconnects frees a slot.
             clients.pop_back();
             clients.erase(clients.begin());
             QVERIFY(robot.stepUntil([&] { return robot.controller.rtdeClients() == 3; }, 5));
@@ -225,8 +226,8 @@ private Q_SLOTS:
         QCOMPARE(values.size(), 16);
         QCOMPARE(values.left(8), bigEndian(static_cast<quint16>(major)) +
                                      bigEndian(static_cast<quint16>(minor)) + QByteArray("\0\3\0\0", 4));
-        QCOMPARE(int(values[8]), 5);   // of the control box
-        QCOMPARE(int(values[12]), 1);  // of the tool flange
+        QCOMPARE(int(values[8]), 5);   // values of the control box
+        QCOMPARE(int(values[12]), 1);  // values of the tool flange
         QCOMPARE(rtde.request('R', "v1.software.version,v1.nothing").payload, counted("UINT64,NOT_FOUND"));
     }
 
@@ -235,7 +236,7 @@ private Q_SLOTS:
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());
         rtde.sendPackage('R', "v1.software.version");
-        QCOMPARE(rtde.request('v').type, 'v');  // the next answer belongs to the next request
+        QCOMPARE(rtde.request('v').type, 'v');  // the next reply belongs to the next request
     }
 
     void versionThreeHasRoomForMoreConfigurableOutputs() {
@@ -258,7 +259,7 @@ private Q_SLOTS:
         QCOMPARE(wordAt(data, 5), 0b010U << 8);
     }
 
-    // Default recipe of the vendor's client, for any robot.
+    // The default recipe of the vendor's client must work with every robot.
     void defaultRecordingFieldsExistOnEverySoftware_data() {
         QTest::addColumn<RobotModelId>("model");
         QTest::addColumn<int>("major");
@@ -385,11 +386,11 @@ private Q_SLOTS:
             return robot.controller.truth();
         };
         QCOMPARE(write(1, char(255), 0, 0.1).digitalOutputs, 1ULL);  // value 255, one bit in the mask
-        QCOMPARE(robot.controller.truth().speedSlider, 1.0);         // mask 0: unchanged
+        QCOMPARE(robot.controller.truth().speedSlider, 1.0);         // mask 0: the value does not change
         QCOMPARE(write(4, 4, 1, 0.25).digitalOutputs, 5ULL);
         QCOMPARE(robot.controller.truth().speedSlider, 0.25);
         QCOMPARE(write(1, 0, 1, 7.0).digitalOutputs, 4ULL);
-        QCOMPARE(robot.controller.truth().speedSlider, 1.0);  // limited to its range
+        QCOMPARE(robot.controller.truth().speedSlider, 1.0);  // the value is limited to its range
         QCOMPARE(write(0, char(255), 1, qQNaN()).digitalOutputs, 4ULL);
         QCOMPARE(robot.controller.truth().speedSlider, 1.0);
     }
@@ -406,7 +407,7 @@ private Q_SLOTS:
         rtde.sendPackage('U', QByteArray("\x01\x02\x02") + bigEndian(0.5) + bigEndian(0.5));
         robot.controller.step();
         const QByteArray payload = rtde.next().payload;
-        QCOMPARE(doubleAt(payload, 1), 4.0);  // mA, untouched
+        QCOMPARE(doubleAt(payload, 1), 4.0);  // mA; not changed
         QCOMPARE(doubleAt(payload, 9), 5.0);  // V
         QCOMPARE(wordAt(payload, 17) & 0xCU, 8U);
     }
@@ -431,7 +432,7 @@ private Q_SLOTS:
                 1, Deadline::after(std::chrono::milliseconds(kWaitTimeoutMs))));
             writer.close();
         }
-        QTRY_COMPARE(robot.controller.rtdeClients(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(robot.controller.rtdeClients(), 1, 60'000);
         robot.controller.step();
         const QByteArray payload = reader.next().payload;
         QCOMPARE(intAt(payload, 1), -5);
@@ -480,7 +481,7 @@ private Q_SLOTS:
         robot.controller.step();
         const auto packages = rtde.packages();
         QCOMPARE(packages.size(), std::size_t(1));
-        QVERIFY(doubleAt(packages[0].payload, 1) > 60.02);  // time advanced meanwhile
+        QVERIFY(doubleAt(packages[0].payload, 1) > 60.02);  // time has advanced in the meantime
     }
 
     void closedClientsMayComeBack() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A client that writes commands to a program at the maximum rate: the program continues, the newest command takes
-// effect soon, and unread data stay with the client.
+// A client writes commands to a program at the maximum rate. The program continues, the newest command takes
+// effect soon, and unread data remain in the client's buffers.
 #include <QDeadlineTimer>
 #include <QTcpServer>
 #include <QTest>
@@ -14,14 +14,14 @@ using namespace tiller::test;
 
 namespace {
 
-constexpr int kNumbers = 8;  ///< in a command, as in the vendor's library
+constexpr int kNumbers = 8;  ///< numbers per command, as in the vendor's library
 constexpr qsizetype kCommand = 4 * kNumbers;
 
 QByteArray command(qint32 number) {
     return bigEndian(number).repeated(kNumbers);
 }
 
-/// A robot whose program reads commands in a loop without sync() and writes the last one to a register.
+/// A robot whose program reads commands in a loop without sync() and writes the last command to a register.
 struct Cell {
     explicit Cell(const simulator::SimulatorOptions& options = VirtualRobot::options()) : robot(options) {
         server.listen(QHostAddress::LocalHost);
@@ -32,16 +32,17 @@ struct Cell {
         rtde.setupOutputs(500, "output_int_register_0");
         rtde.start();
     }
-    /// The client's end of the program's socket.
+    /// The client side of the program's socket.
     QTcpSocket* client() {
-        for (int i = 0; i < 1000 && !server.waitForNewConnection(1); ++i) {
+        const QDeadlineTimer hangs(std::chrono::minutes(1));
+        while (!server.waitForNewConnection(1) && !hangs.hasExpired()) {
             robot.controller.step();
         }
         QTcpSocket* const socket = server.nextPendingConnection();
         robot.controller.step(5);
         return socket;
     }
-    /// The active command, while the robot's time does not advance.
+    /// The command in effect. Robot time does not advance during the call.
     qint32 acting() {
         for (const RawRtde::Package& package : rtde.packages()) {
             last = package.type == 'U' ? intAt(package.payload, 1) : last;
@@ -75,19 +76,19 @@ private Q_SLOTS:
             client->write(burst);
             while (client->bytesToWrite() > 0 && client->waitForBytesWritten(kWaitTimeoutMs)) {
             }
-            cell.robot.controller.drainSockets();  // the network is faster than a period
+            cell.robot.controller.drainSockets();  // the network is faster than a control period
             cell.robot.controller.step(2);
             QCOMPARE(cell.acting(), newest);
         }
         QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
     }
 
-    // Time does not advance for the program while the client writes: TCP blocks the client.
+    // While the client writes, time does not advance for the program, and TCP blocks the client.
     void unreadDataStayAtTheClient() {
         Cell cell;
         QTcpSocket* const client = cell.client();
         QVERIFY(client != nullptr);
-        // Data that are not accepted stay in the client's buffers.
+        // Data that are not accepted remain in the client's buffers.
         constexpr qsizetype kFlood = 64 << 20;
         client->write(command(1).repeated(kFlood / kCommand));
         for (int i = 0; i < 200; ++i) {
@@ -97,7 +98,8 @@ private Q_SLOTS:
         QVERIFY2(client->bytesToWrite() > kFlood / 2, qPrintable(QString::number(client->bytesToWrite())));
         // The client continues to send as the program reads.
         const qint64 before = client->bytesToWrite();
-        for (int i = 0; i < 500 && client->bytesToWrite() == before; ++i) {
+        const QDeadlineTimer hangs(std::chrono::minutes(1));
+        while (client->bytesToWrite() == before && !hangs.hasExpired()) {
             cell.robot.controller.step();
             client->waitForBytesWritten(1);
         }
@@ -105,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(cell.robot.programState(), RuntimeState::Playing);
     }
 
-    // Sends in real time, from a thread that does nothing else.
+    // Send in real time, from a thread that does nothing else.
     void aFloodDoesNotEndTheProgram() {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
@@ -117,7 +119,7 @@ private Q_SLOTS:
             many += command(i);
         }
         const double begin = cell.robot.controller.truth().timestamp;
-        // Measured in robot time, independent of the speed of the machine.
+        // Measured in robot time, so the speed of the computer does not matter.
         while (cell.robot.controller.truth().timestamp < begin + 0.3) {
             client->write(many);
             while (client->bytesToWrite() > (1 << 20) && client->waitForBytesWritten(100)) {
@@ -129,7 +131,7 @@ private Q_SLOTS:
         }
         client->write(command(424242));
         client->waitForBytesWritten(kWaitTimeoutMs);
-        // Packages arrive without a pause: there is no end to wait for.
+        // Packages arrive without a pause, so there is no end to wait for.
         QDeadlineTimer deadline(kWaitTimeoutMs);
         qint32 acting = 0;
         while (acting != 424242 && !deadline.hasExpired()) {
@@ -140,7 +142,7 @@ private Q_SLOTS:
         QVERIFY(!Heard(cell.primary).texts.contains("Runtime"));
     }
 
-    // A text longer than the buffer for a flood arrives completely.
+    // A text that is longer than the receive buffer arrives completely.
     void aLongTextArrivesWhole() {
         Cell cell;
         cell.primary.send("stop program\n");

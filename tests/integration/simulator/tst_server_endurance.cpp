@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A hundred thousand invalid inputs for each service, and clients that connect and disconnect: no crash, no leaked
-// descriptor, no blocked control period, and a proper client is served as before. Short by default;
+// A hundred thousand invalid inputs for each service, and clients that connect and disconnect. There must be
+// no crash, no leaked descriptor and no blocked control period, and a proper client must be served as before.
+// The default run is short. Longer runs:
 //
 //     tst_server_endurance --seconds 3600        clients connect and disconnect for an hour
 //     tst_server_endurance --inputs 1000000 --seed 7
@@ -42,12 +43,12 @@ qint64 residentMemory() {
     return 0;
 }
 
-/// A proper client is served as before.
+/// Returns true if a proper client is served as before.
 bool servesAsBefore(VirtualRobot& robot) {
     if (!robot.controller.inject("clear").ok()) {
         return false;
     }
-    // Clients that have just connected are included.
+    // Also process clients that have just connected.
     robot.controller.drainSockets();
     robot.controller.drainSockets();
     const int others = robot.controller.rtdeClients();
@@ -110,12 +111,13 @@ private Q_SLOTS:
                 ++connections;
                 QVERIFY(client->isConnected());
             }
-            // A few at a time: input after the one that causes a disconnection is lost.
+            // Send only a few inputs at a time, because the inputs after one that causes a disconnection are
+            // lost.
             QByteArray batch;
             for (int i = 0; i < 5; ++i, ++done) {
                 batch += service.input(in);
             }
-            // Does not use send(), because the other end may have closed the connection.
+            // Do not use send(), because the other end may have closed the connection.
             client->socket().write(batch);
             client->socket().flush();
             robot.controller.drainSockets();
@@ -145,12 +147,12 @@ private Q_SLOTS:
         QElapsedTimer timer;
         timer.start();
         int connections = 0;
-        // No leaks: the memory after a tenth of the time equals the memory at the end, except for the reserve of
-        // the allocator. Useful for long runs only.
+        // No leaks: the memory at the end equals the memory after a tenth of the time, except for the reserve
+        // of the allocator. Only long runs can show leaks.
         constexpr qint64 kReserve = 24 * 1024;
         qint64 settledMemory = 0;
         qint64 told = 0;
-        qint64 slowest = 0;  // step [ms]
+        qint64 slowest = 0;  // longest step [ms]
         const auto goesOn = [&] {
             return churnSeconds > 0 ? timer.elapsed() < qint64(churnSeconds) * 1000 : connections < 600;
         };
@@ -179,7 +181,7 @@ private Q_SLOTS:
                         (*leaving)->socket().disconnectFromHost();
                         break;
                     default:
-                        break;  // unchanged
+                        break;  // the memory has not changed
                 }
                 clients.erase(leaving);
             }

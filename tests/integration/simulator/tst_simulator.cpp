@@ -14,7 +14,7 @@ const QByteArray kEchoScript =
     "def echo():\n  while True:\n    write_output_integer_register(24, read_input_integer_register(24))\n"
     "    sync()\n  end\nend\n";
 
-/// Loopback addresses that no other test on this machine uses at the same time.
+/// Returns loopback addresses that no other test on this computer uses at the same time.
 QString ownAddress(int number) {
     const auto pid = static_cast<unsigned>(QCoreApplication::applicationPid());
     return QStringLiteral("127.%1.%2.%3").arg(210 + pid % 40).arg((pid / 40) % 250).arg(number);
@@ -76,7 +76,7 @@ private Q_SLOTS:
         auto options = VirtualRobot::options();
         options.listenAddress = "robot";
         QCOMPARE(simulator::Simulator(options).start().error().code, ErrorCode::AddressInvalid);
-        options.listenAddress = "192.0.2.1";  // reserved for documentation: not assigned to any machine
+        options.listenAddress = "192.0.2.1";  // reserved for documentation, so no computer has this address
         QCOMPARE(simulator::Simulator(options).start().error().code, ErrorCode::AddressInvalid);
     }
 
@@ -167,7 +167,8 @@ private Q_SLOTS:
         robot.controller.step();
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::RobotEmergencyStop);
         QCOMPARE(robot.controller.truth().runtimeState, RuntimeState::Stopped);
-        QVERIFY(robot.controller.truth().qd[0] > 0.8);  // category 1: a controlled stop, not an abrupt one
+        // Category 1: a controlled stop instead of an abrupt one.
+        QVERIFY(robot.controller.truth().qd[0] > 0.8);
         QVERIFY(
             robot.stepUntil([&] { return robot.controller.truth().robotMode == RobotMode::PowerOff; }, 1));
         QVERIFY(robot.controller.truth().qd.values.norm() < 0.05);
@@ -217,7 +218,7 @@ private Q_SLOTS:
         robot.controller.stepSeconds(2);
         QCOMPARE(robot.controller.truth().safetyMode, SafetyMode::Normal);
         QVERIFY(std::abs(robot.controller.truth().q[0] - stopped) < 1e-3);
-        // A new program may start.
+        // A new program can start.
         send(robot, primary, "def q():\n  movej([-1.0,-1.7,-2.2,-0.8,1.6,0], a=1.4, v=1)\nend\n");
         robot.controller.step(2);
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 5));
@@ -286,7 +287,7 @@ private Q_SLOTS:
         peer->write("(2.5)\n");
         peer->flush();
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 20));
-        QTRY_COMPARE(peer->state(), QAbstractSocket::UnconnectedState);
+        QTRY_COMPARE_WITH_TIMEOUT(peer->state(), QAbstractSocket::UnconnectedState, 60'000);
 
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());
@@ -320,7 +321,7 @@ private Q_SLOTS:
         robot.controller.stop();
         QVERIFY(rtde.waitClosed());
         QVERIFY(!robot.controller.isRunning());
-        robot.controller.step();  // no effect
+        robot.controller.step();  // no effect on a controller that is not running
         robot.controller.protectiveStop();
         QVERIFY(robot.controller.start().ok());
         QVERIFY(robot.rtde().useVersion());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A simulated robot for programs written for the ur_rtde interface. Its virtual time advances as fast as the client
-// answers: a slow machine makes the robot slow, not the client late.
+// A simulated robot for programs that use the ur_rtde interface. Its virtual time advances only as fast as
+// the client replies. A slow computer therefore makes the robot slow instead of the client late.
 
 #include <QCoreApplication>
 #include <QString>
@@ -36,9 +36,9 @@ public:
     }
 
     std::string host() const { return robot.listenAddress().toStdString(); }
-    /// Stops time, as for a controller that hangs: connections remain open.
+    /// Stops time, as in a controller that hangs. Connections remain open.
     void freeze(bool frozen) { frozen_ = frozen; }
-    /// Waits for the condition, in real time and with a limit for hanging tests.
+    /// Waits for the condition in real time, with a timeout for hanging tests.
     bool until(const std::function<bool(const simulator::SimulatedState&)>& condition) {
         for (int i = 0; i < 30'000; ++i) {
             if (condition(robot.truth())) {
@@ -48,14 +48,15 @@ public:
         }
         return false;
     }
-    /// Advances robot time, immediately if no client answers.
+    /// Advances robot time. Without a client that replies, time advances immediately.
     bool pass(double seconds) {
         const double end = robot.truth().timestamp + seconds;
         return hurried([&] {
             return until([end](const simulator::SimulatedState& truth) { return truth.timestamp >= end; });
         });
     }
-    /// Waits for a call that takes robot time, which advances immediately if no client answers.
+    /// Waits for a call that takes robot time. Without a client that replies, robot time advances
+    /// immediately.
     bool hurried(const std::function<bool()>& call) {
         hurry_ = true;
         const bool done = call();
@@ -79,8 +80,8 @@ private:
         return options;
     }
 
-    // Waits for a client that answers every packet, as the control interface does, in periods with a packet;
-    // other clients get a little time.
+    // In periods with a packet, waits for a client that answers every packet, like the control interface.
+    // Other clients get a short time.
     void pump() {
         bool answered = false;
         while (!quit_.isCancelled()) {
@@ -92,7 +93,7 @@ private:
             const std::uint64_t outputs = robot.outputPackages();
             robot.step();
             if (robot.truth().runtimeState == RuntimeState::Paused) {
-                // The client may have the program stopped on another connection, at its own pace.
+                // The client may have the program stopped over another connection, at its own speed.
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
             const bool asked = robot.outputPackages() != outputs;

@@ -2,9 +2,9 @@
 // A program for ur_rtde that moves the arm in one way until it is ended:
 //     face_mover <host> <type of motion>
 // Like many programs, it ignores the return values of its calls. It prints "ready", then executes the lines
-// of its standard input and answers each with "<line> done": "begin", "again" (from the first start
-// position), "release" (the function that ends this type of motion), "disconnect", "leave" (disconnect
-// unattended), or a way to end the process: see endProcess().
+// of its standard input and replies to each with "<line> done". The lines are "begin", "again" (from the
+// first start position), "release" (the function that ends this type of motion), "disconnect", "leave"
+// (disconnect while the motion continues unattended), or a way to end the process (see endProcess()).
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <atomic>
@@ -31,7 +31,7 @@ constexpr double kTurn = 0.4;  // [rad/s]
 
 struct Way {
     std::function<void(Control&)> begin;          ///< called once
-    std::function<void(Control&, double)> cycle;  ///< called every 4 ms, with the time since the start [s]
+    std::function<void(Control&, double)> cycle;  ///< called every 4 ms with the time since the start [s]
     std::function<void(Control&)> release;
 };
 
@@ -75,7 +75,7 @@ std::string risingFile() {
     return name;
 }
 
-/// Runs a call that returns at the end of the script in a separate thread.
+/// Runs a call that returns at the end of the script, in a separate thread.
 template <class Call>
 std::function<void(Control&)> waiting(Call call) {
     return [call](Control& c) { std::thread([&c, call] { call(c); }).detach(); };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The socket of the Robotiq URCap according to its documentation, in a separate thread. A motion takes three
-// queries of its status.
+// The socket of the Robotiq URCap according to its documentation, in a separate thread. A motion ends after
+// three queries of its status.
 
 #include <QHostAddress>
 #include <QTcpServer>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Invalid arguments fail before anything is sent, with the name of the argument; destruction is quick independent
-// of the peer.
+// Invalid arguments fail before anything is sent, and the error names the argument. Destruction is quick,
+// regardless of the peer.
 #include <ur_rtde/dashboard_client.h>
 #include <ur_rtde/robotiq_gripper.h>
 #include <ur_rtde/rtde_control_interface.h>
@@ -250,7 +250,7 @@ private Q_SLOTS:
         }
         QVERIFY2(rightKind, message.constData());
         QVERIFY2(message.startsWith(wrong.argument), message.constData());
-        // No operation was started by it.
+        // The call did not start an operation.
         QVERIFY(status.equals(control_->getAsyncOperationProgressEx()));
     }
 
@@ -293,8 +293,9 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(gripper.connect(), std::runtime_error);
     }
 
-    // The robot hangs during all activities: connections remain open, no data arrive. Its time does not advance, so
-    // waiting for it would make the test hang. The duration is measured by tests/benchmarks/backend_performance.
+    // The robot hangs during all activities: connections remain open, and no data arrive. Robot time does not
+    // advance, so waiting for it would make the test hang. tests/benchmarks/backend_performance measures the
+    // duration.
     void endsAreQuickWithARobotThatHangs() {
         test::FaceCell hanging([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         auto control = std::make_unique<RTDEControlInterface>(hanging.host());
@@ -332,7 +333,7 @@ private Q_SLOTS:
         QVERIFY(!gripper.isConnected());
     }
 
-    // The controller's URCap requests the program from this machine.
+    // The URCap of the controller requests the program from this computer.
     void theUrCapGetsTheProgram() {
         QTcpServer free;
         QVERIFY(free.listen(QHostAddress::LocalHost));
@@ -343,7 +344,7 @@ private Q_SLOTS:
                                          RTDEControlInterface::FLAG_NO_WAIT |
                                          RTDEControlInterface::FLAG_UPPER_RANGE_REGISTERS,
                                      port);
-        // Other connections that send nothing, e.g. from a port scanner, do not delay the request.
+        // Other connections that send nothing, e.g. from a port scanner, must not delay the request.
         std::vector<std::unique_ptr<QTcpSocket>> silent;
         for (int i = 0; i < 12; ++i) {
             silent.push_back(std::make_unique<QTcpSocket>());

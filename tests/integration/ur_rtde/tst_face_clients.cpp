@@ -113,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(robot->until([](const simulator::SimulatedState& truth) {
             return truth.safetyMode == SafetyMode::ProtectiveStop;
         }));
-        QVERIFY_EXCEPTION_THROWN(dashboard.unlockProtectiveStop(), std::logic_error);  // refused for 5 s
+        QVERIFY_EXCEPTION_THROWN(dashboard.unlockProtectiveStop(), std::logic_error);  // rejected for 5 s
         QVERIFY(robot->pass(6));
         dashboard.unlockProtectiveStop();
         QVERIFY(robot->until(
@@ -150,7 +150,7 @@ private Q_SLOTS:
         dashboard.setUserRole(ur_rtde::UserRole::RESTRICTED);
         QCOMPARE(role(), std::string("RESTRICTED"));
 
-        // An e-Series has no user roles and reports an error.
+        // An e-Series robot has no user roles and reports an error.
         const auto later =
             cell([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         DashboardClient other(later->host());
@@ -176,7 +176,8 @@ private Q_SLOTS:
                                "$6.0   unknown_function()\n# place\n  sync()\nend\n";
         client.setScriptFile(file);
         client.setScriptInjection("# place\n", "  set_standard_digital_out(3, True)\n");
-        client.setScriptInjection("# place\n", "  set_standard_digital_out(2, True)\n");  // replaces it
+        // Replaces the previous injection.
+        client.setScriptInjection("# place\n", "  set_standard_digital_out(2, True)\n");
         const QString text = QString::fromStdString(client.getScript());
         QVERIFY(text.contains("set_standard_digital_out(2, True)"));
         QVERIFY(!text.contains("unknown_function"));

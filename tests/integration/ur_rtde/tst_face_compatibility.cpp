@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Behaviour of ur_rtde 1.5.8 that programs rely on beyond names and types: exceptions, results without a running
-// program, behaviour during a stop.
+// Behaviour of ur_rtde 1.5.8 that programs rely on, in addition to names and types: exceptions, results
+// without a running program, and behaviour during a stop.
 #include <ur_rtde/dashboard_client.h>
 #include <ur_rtde/rtde_control_interface.h>
 
@@ -123,7 +123,7 @@ private Q_SLOTS:
     void duringAProtectiveStopTheProgramIsHandedOver() {
         QVERIFY(control_->triggerProtectiveStop());
         QVERIFY(control_->reuploadScript());
-        QVERIFY_EXCEPTION_THROWN(control_->unlockProtectiveStop(), std::logic_error);  // refused for 5 s
+        QVERIFY_EXCEPTION_THROWN(control_->unlockProtectiveStop(), std::logic_error);  // rejected for 5 s
         QVERIFY(cell_->pass(6));
         control_->unlockProtectiveStop();
         QVERIFY(until([&] { return cell_->robot.truth().safetyMode == SafetyMode::Normal; }));
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(!control_->moveUntilContact({0, 0, -0.05, 0, 0, 0}));
         QVERIFY(!control_->startContactDetection());
         QVERIFY(control_->setTcp({0, 0, 0.123, 0, 0, 0}));
-        QCOMPARE(control_->getTCPOffset()[2], 0.123);  // and this value is in the registers
+        QCOMPARE(control_->getTCPOffset()[2], 0.123);  // the registers also contain this value
         QCOMPARE(control_->toolContact(List(6, 0.0)), 0);
         const List q = control_->getActualJointPositionsHistory();
         QCOMPARE(q.size(), std::size_t(6));
@@ -166,7 +166,7 @@ private Q_SLOTS:
         QVERIFY((cell_->robot.truth().q.values - before.q.values).norm() < 1e-3);
     }
 
-    // Complete before any package reports a running program.
+    // The scripts end before any package reports a running program.
     void theShortestScriptsAreNotMissed() {
         for (int i = 0; i < 5; ++i) {
             QVERIFY(control_->sendCustomScriptFunction("blink", "set_standard_digital_out(1, True)"));

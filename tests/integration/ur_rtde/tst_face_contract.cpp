@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The stop contract of the ur_rtde interface: every type of motion, in a separate process that ignores return
-// values, and every event that must end it. The arm is at standstill within 250 ms of robot time, and only a
-// new command moves it again. In real time if the process itself is killed or suspended or the cable is cut;
-// otherwise in virtual time.
+// The stop contract of the ur_rtde interface. Every type of motion runs in a separate process that ignores
+// return values, and is tested with every event that must end it. The arm must stop within 250 ms of robot
+// time, and only a new command may move it again. The test runs in real time if the process is killed or
+// suspended or the cable is cut; otherwise in virtual time.
 //
 //     tst_face_contract --assume NAME=VALUE    with another assumption about real controllers
-//     tst_face_contract --all                  with each of them, one after the other
+//     tst_face_contract --all                  with each of these assumptions, one after the other
 #include <ur_rtde/dashboard_client.h>
 
 #include <QTest>
@@ -19,17 +19,18 @@ using namespace tiller;
 namespace {
 
 constexpr double kContractMs = 250;
-constexpr double kLooksOnFor = 0.6;  // [s] of robot time in which nothing may move again
-constexpr double kNothing = 0.0003;  // [m]: the remaining motion of one or two steps, and the noise
-constexpr double kPatience = 20;     // [s] of robot time in which the motion must begin
+constexpr double kLooksOnFor = 0.6;  // [s] robot time during which no motion may resume
+constexpr double kNothing = 0.0003;  // [m] remaining motion of one or two steps, and noise
+constexpr double kPatience = 20;     // [s] robot time within which the motion must begin
 constexpr int kAttempts = 3;
 
 struct Way {
     const char* name;
-    double fast;          ///< speed of the TCP at which the motion is ended [m/s]
-    bool hand;            ///< an external force moves the arm
-    bool finishes;        ///< continues if disconnect() is asked to let it finish
-    bool yields = false;  ///< yields to forces
+    double fast;  ///< TCP speed at which the motion is ended [m/s]
+    bool hand;    ///< true if an external force moves the arm
+    /// True if the motion continues when disconnect() is called with the option to let it finish.
+    bool finishes;
+    bool yields = false;  ///< true if the arm yields to forces
 };
 
 constexpr Way kWays[] = {
@@ -48,7 +49,7 @@ constexpr Way kWays[] = {
     {"jog in the tool's frame", 0.05, false, false},
     {"move until contact", 0.05, false, false},
     {"force mode", 0.02, false, false, true},
-    // The external force continues: an arm at standstill has left freedrive.
+    // The external force continues, so if the arm stops, it has left freedrive.
     {"freedrive", 0.03, true, false, true},
     {"teach mode", 0.03, true, false, true},
 };
@@ -57,20 +58,20 @@ constexpr const char* kEnds[] = {
     "release",   "disconnect",  "leave",          "kill -9",         "kill -9 after a silence", "SIGSTOP",
     "cut cable", "silent link", "debugger pause", "protective stop", "safeguard stop",          "pause"};
 
-// Servo targets of the mover follow its own clock.
+// The servo targets of the mover follow its own clock, so these motions also need real time.
 bool isInRealTime(const QByteArray& end, const QByteArray& way) {
     return end.startsWith("kill -9") || end == "SIGSTOP" || end == "cut cable" || end == "debugger pause" ||
            way == "servoJ" || way == "servoL";
 }
 
-/// Returns true if the robot has no builtin for this motion.
+/// Returns true if the robot has no built-in function for this motion.
 bool isMissing(const simulator::BehaviourOptions& assumptions, const QByteArray& way) {
     using Builtin = simulator::BehaviourOptions::Builtin;
     return (way == "teach mode" && assumptions.teachMode == Builtin::Missing) ||
            (way == "servoC" && assumptions.servoc == Builtin::Missing);
 }
 
-QStringList assumed;  ///< assumptions for every row
+QStringList assumed;  ///< assumptions that apply to every row
 bool runsAll = false;
 
 simulator::BehaviourOptions assumptionsOf(const QString& more) {
@@ -116,7 +117,7 @@ private Q_SLOTS:
                 }
             }
         }
-        // A paused program cannot prevent this; its client must.
+        // A paused program cannot prevent this, so its client must.
         for (int way = 0; way < kWayCount && !runsAll && assumed.isEmpty(); ++way) {
             if (kWays[way].yields) {
                 row("pause=frees", "pause", way);
@@ -163,12 +164,12 @@ private Q_SLOTS:
         while (watcher.speed < moving.fast) {
             QVERIFY(watcher.look());
             if (watcher.time - begin > kPatience) {
-                // On a busy machine the mover may have missed its heartbeat and been stopped.
+                // On a busy computer, the mover may have missed its heartbeat and been stopped.
                 QVERIFY2(++attempts <= kAttempts, "the arm never moved");
                 mover.tell("again");
                 begin = watcher.time;
             }
-            // Not earlier: an external force at the start of freedrive causes a protective stop.
+            // Not earlier, because an external force at the start of freedrive causes a protective stop.
             if (moving.hand && watcher.time > begin + 0.2) {
                 cell.robot.pressHand({{0, 0, 12}, {0, 0, 0}});
             }
@@ -204,7 +205,7 @@ private Q_SLOTS:
             return;
         }
         if (end == "cut cable" || end == "silent link") {
-            // No client receives data either, so the robot itself is queried.
+            // No client receives data, so query the robot itself.
             const double ms = test::movesOn(cell.robot, endedAt, endedAt + 0.7) * 1000;
             qInfo("%s: %.0f ms", QTest::currentDataTag(), ms);
             QVERIFY2(ms <= kContractMs, qPrintable(QString::number(ms)));
@@ -220,7 +221,8 @@ private Q_SLOTS:
             return;
         }
         QVERIFY(watcher.lookUntil(obeyedAt + 0.3));
-        // On a busy machine the signal may be delayed: the last packet received by the robot counts.
+        // On a busy computer, the signal may be delayed, so measure from the last packet received by the
+        // robot.
         const bool isSilent = end.startsWith("kill -9") || end == "disconnect" || end == "leave" ||
                               end == "SIGSTOP" || end == "debugger pause";
         const double from = isSilent ? std::clamp(watcher.heardAt, endedAt, obeyedAt) : endedAt;
@@ -245,7 +247,7 @@ private Q_SLOTS:
             try {
                 pendant.play();
             } catch (const std::runtime_error&) {
-                QVERIFY(moving.yields);  // its program has been stopped
+                QVERIFY(moving.yields);  // the program was stopped because of the pause
             }
         }
         QVERIFY(watcher.look());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All functions of RTDEControlInterface with the simulated robot.
+// Tests of all functions of RTDEControlInterface with the simulated robot.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/script_client.h>
 
@@ -48,7 +48,7 @@ private Q_SLOTS:
     }
 
     void takesOverFromAProgramThatRuns() {
-        control_.reset();  // its program keeps running
+        control_.reset();  // the program keeps running
         control_ = std::make_unique<RTDEControlInterface>(cell_->host());
         QVERIFY(control_->moveJ(with(kStart, 5, 0.1)));
     }
@@ -113,7 +113,7 @@ private Q_SLOTS:
         }
     }
 
-    // A program customized for ur_rtde, as far as the interface is concerned.
+    // A customized program for ur_rtde, limited to the parts that the interface uses.
     void customProgramWorksLikeTheBuiltInOne() {
         QTemporaryDir folder;
         const std::string file = folder.filePath("custom.script").toStdString();
@@ -141,16 +141,17 @@ $6.0   P = 6
         control_->setCustomScriptFile("");
         QCOMPARE(control_->getStepTime(), 0.002);
 
-        // A complete program with a comment of its author at the start.
+        // A complete program that begins with a comment of its author.
         std::ifstream body(file);
         const std::string whole = folder.filePath("whole.script").toStdString();
         std::ofstream(whole) << "# mine\n\ndef rtde_control():\n" << body.rdbuf() << "end\nrun program\n";
         control_->setCustomScriptFile(whole);
         QCOMPARE(control_->getStepTime(), 5.0);
-        control_->stopJ(2.0, true);  // which it does not support
+        control_->stopJ(2.0, true);  // the custom script does not support this command
         QCOMPARE(control_->getStepTime(), 5.0);
 
-        // The value written by the watchdog thread before it ends a script; the next script starts without it.
+        // The watchdog thread writes this value before it ends a script. The next script must start without
+        // it.
         QVERIFY(!control_->sendCustomScript(
             "def cut():\n  write_output_integer_register(1, 100004)\n  sync()\nend\n"));
         QVERIFY2(control_->lastError().find("heartbeat") != std::string::npos, control_->lastError().c_str());
@@ -215,7 +216,7 @@ $6.0   P = 6
             return position;
         };
         List slow = row(kStart, 0);
-        slow[6] = 0.05;  // [rad/s] slow enough to be observed
+        slow[6] = 0.05;  // [rad/s]; slow enough to be observed
         Path path;
         path.appendMovejPath({row(with(kStart, 0, 0.3), 0), row(with(kStart, 0, 0.6), 0), slow});
         QVERIFY(control_->movePath(path, true));
@@ -265,7 +266,7 @@ $6.0   P = 6
             return !control_->servoJ(target, 0.5, 0.5, 0.002, 0.1, 300) || near(jointsOf(t), target, 5e-3);
         }));
         QVERIFY(near(joints(), target, 5e-3));
-        QVERIFY(control_->moveJ(kStart));  // no servoStop() needed
+        QVERIFY(control_->moveJ(kStart));  // servoStop() is not needed
         QVERIFY(near(joints(), kStart));
         const List above = with(pose(), 2, 0.02);
         QVERIFY(cell_->until([&](const simulator::SimulatedState& t) {
@@ -275,7 +276,8 @@ $6.0   P = 6
         QVERIFY(near(pose(), above, 1e-2));
         const List higher = with(above, 2, 0.03);
         QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));
-        QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));  // one after the other, without a hang
+        // The calls run one after the other without hanging.
+        QVERIFY(control_->servoC(higher, 0.1, 1.0, 0.0));
         QVERIFY(
             cell_->until([&](const simulator::SimulatedState& t) { return near(poseOf(t), higher, 5e-3); }));
         QVERIFY(control_->servoStop());
@@ -293,14 +295,14 @@ $6.0   P = 6
             QVERIFY(cell_->pass(0.4));
             QVERIFY(control_->jogStop());
             QVERIFY(untilStanding());
-            // The tool of the start pose points down, and so does the custom frame.
+            // In the start pose the tool points down, and so does the custom frame.
             const bool up = feature == RTDEControlInterface::FEATURE_BASE;
             QVERIFY2(up ? pose()[2] > z + 0.01 : pose()[2] < z - 0.01,
                      qPrintable(QString::number(pose()[2] - z)));
         }
     }
 
-    // Motions without a target end with their client.
+    // Motions without a target must end if their client stops sending.
     void streamsEndWhenTheClientFallsSilent() {
         QVERIFY(control_->speedJ({0, 0, 0, 0, 0, 0.2}, 2.0));
         QVERIFY(untilMoving());
@@ -350,7 +352,7 @@ $6.0   P = 6
         QVERIFY(control_->enableExternalFtSensor(false));
         QVERIFY(control_->ftRtdeInputEnable(true, 0.5));
         QVERIFY(control_->ftRtdeInputEnable(false));
-        // The measurement does not block other commands.
+        // The measurement must not block other commands.
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
         QVERIFY(untilMoving());
         for (int i = 0; i < 3; ++i) {
@@ -374,7 +376,7 @@ $6.0   P = 6
         QVERIFY(control_->endFreedriveMode());
         QVERIFY(control_->teachMode());
         QVERIFY(control_->endTeachMode());
-        QVERIFY(control_->moveJ(kStart));  // it accepts commands again
+        QVERIFY(control_->moveJ(kStart));  // the interface accepts commands again
     }
 
     void contactsAreSeen() {
@@ -443,7 +445,7 @@ $6.0   P = 6
     }
 
     void watchdogStopsTheProgramWithoutKicks() {
-        QVERIFY(control_->setWatchdog(0.1));  // as long as a slow test may hang
+        QVERIFY(control_->setWatchdog(0.1));  // long enough for a slow test
         for (int i = 0; i < 10; ++i) {
             QVERIFY(control_->kickWatchdog());
             QVERIFY(cell_->pass(0.02));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All functions of RTDEReceiveInterface and RTDEIOInterface with the simulated robot.
+// Tests of all functions of RTDEReceiveInterface and RTDEIOInterface with the simulated robot.
 #include <ur_rtde/rtde_io_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 
@@ -21,12 +21,12 @@ private:
     std::unique_ptr<test::FaceCell> cell_;
     std::unique_ptr<RTDEReceiveInterface> receive_;
 
-    /// Waits until the setting is reported.
+    /// Waits until the robot reports the setting.
     template <class Condition>
     bool until(Condition condition) {
         return cell_->until([&](const simulator::SimulatedState&) { return condition(); });
     }
-    /// Advances robot time and receives all its data.
+    /// Advances robot time and receives all data of that time.
     bool pass(double seconds, RTDEReceiveInterface& receive) {
         if (!cell_->pass(seconds)) {
             return false;
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(std::chrono::steady_clock::now() - begin >= std::chrono::microseconds(1999));
     }
 
-    // If reconnect() fails, for example while a robot is being restarted, the interface still recovers.
+    // If reconnect() fails, e.g. during a restart of the robot, the interface must still recover.
     void aFailedReconnectDoesNotEndTheAutomaticOne() {
         simulator::SimulatorOptions options;
         options.listenAddress = test::ownAddress(7);
@@ -156,7 +156,8 @@ private Q_SLOTS:
     }
 
     void upperRegistersAreFollowed() {
-        RTDEReceiveInterface upper(cell_->host(), 10.0, {}, true, true, -1);  // no priority requested
+        // No realtime priority is requested.
+        RTDEReceiveInterface upper(cell_->host(), 10.0, {}, true, true, -1);
         QCOMPARE(upper.getOutputIntRegister(36), 0);
         QCOMPARE(upper.getOutputDoubleRegister(43), 0.0);
         QVERIFY_EXCEPTION_THROWN(upper.getOutputIntRegister(12), std::range_error);
@@ -190,7 +191,7 @@ private Q_SLOTS:
         QVERIFY(second.open(QIODevice::ReadOnly));
         QVERIFY(second.readLine().startsWith("timestamp,actual_q_0,actual_q_1,actual_q_2,actual_q_3"));
 
-        // Exactly the requested fields: programs identify columns by number.
+        // The file contains exactly the requested fields, because programs identify columns by number.
         const std::string two = folder.filePath("two.csv").toStdString();
         QVERIFY(receive_->startFileRecording(two, {"robot_mode", "payload_cog"}));
         QVERIFY(pass(0.1, *receive_));
@@ -256,7 +257,7 @@ private Q_SLOTS:
         QVERIFY2(row.startsWith("42,1.5,"), row.constData());
     }
 
-    // An output used by another client: only this one cannot be set.
+    // If another client uses an output, only that output cannot be set.
     void anOwnedInputIsRefusedAlone() {
         RTDEIOInterface first(cell_->host());
         RTDEIOInterface second(cell_->host());

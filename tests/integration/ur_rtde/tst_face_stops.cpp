@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stops of RTDEControlInterface: any motion is stopped, even if a thread is late, if a stop follows immediately,
-// and if other threads wait.
+// Stops of RTDEControlInterface. Any motion must be stopped, even if a thread is late, if a stop follows
+// immediately, or if other threads wait.
 #include <ur_rtde/dashboard_client.h>
 #include <ur_rtde/rtde_control_interface.h>
 
@@ -29,7 +29,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveL(with(pose(), 2, 0.3), 0.05, 0.5, true));
         QVERIFY(untilMoving());
         control_->stopL(5.0, true);
-        QVERIFY(control_->moveJ(kStart));  // not before the end of the stop
+        QVERIFY(control_->moveJ(kStart));  // must not return before the end of the stop
         QVERIFY(near(joints(), kStart));
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
         QVERIFY(untilMoving());
@@ -40,8 +40,8 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // Ctrl-C in Python, while the connection is blocked: the program receives no "none" between the move and its
-    // stop.
+    // Like Ctrl-C in Python while the connection is blocked. The program does not receive "none" between the
+    // move and its stop.
     void aStopIsObeyedEvenWhenItFollowsTheMoveAtOnce() {
         static std::atomic<bool> impatient;
         impatient = false;
@@ -61,8 +61,8 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // The move starts only after the previous one has been stopped; its answer must not be taken for that of the
-    // stop.
+    // The move starts only after the previous move has been stopped. Its reply must not be taken for the
+    // reply to the stop.
     void aStopBehindAChangeOfCourseIsNotLost() {
         static std::atomic<bool> impatient;
         for (const bool interrupted : {false, true}) {
@@ -84,7 +84,8 @@ private Q_SLOTS:
                 }
                 impatient = false;
             } else {
-                // A stop before the change would be another test: the arm then continues with it.
+                // The stop must come after the change of direction. Before it, the arm would continue with
+                // the change, which would be a different test.
                 QVERIFY(
                     cell_->until([](const simulator::SimulatedState& t) { return t.qd.array()[0] < 0.98; }));
             }
@@ -102,7 +103,8 @@ private Q_SLOTS:
         }
     }
 
-    // A command that waits for standstill reads its numbers afterwards: they must not be overwritten.
+    // A command that waits for standstill reads its values afterwards. They must not be overwritten in the
+    // meantime.
     void obsoleteSetpointIsNotFollowed() {
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 1.0, 1.4, true));
         QVERIFY(cell_->until(
@@ -161,7 +163,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(kStart));
     }
 
-    // At run time and at compile time: the message of the controller contains the line of the program.
+    // Errors at run time and at compile time. The message of the controller contains the line of the program.
     void runtimeErrorOfAScriptIsReportedWithItsLine() {
         QVERIFY(!control_->sendCustomScript("def late():\n  sync()\n  a = [1, 2]\n  b = a[7]\nend\n"));
         const std::string late = control_->lastError();
@@ -206,7 +208,7 @@ private Q_SLOTS:
         QVERIFY(!control_->isProgramRunning());
     }
 
-    // Reader and writers detect it at the same time: a race visible to ThreadSanitizer.
+    // The reader and the writers detect the loss at the same time, so that ThreadSanitizer can find a race.
     void aLinkMayBreakWhileSetPointsAreSent_data() {
         QTest::addColumn<bool>("custom");
         QTest::newRow("our program") << false;
@@ -262,7 +264,7 @@ private Q_SLOTS:
         QVERIFY(control_->speedStop());
     }
 
-    // A loop that reads the progress of an asynchronous motion ends with it, for any cause.
+    // A loop that reads the progress of an asynchronous motion must end when the motion ends for any reason.
     void theProgressEndsWithTheProgramAndTheLink_data() {
         QTest::addColumn<int>("end");
         QTest::newRow("protective stop") << 0;

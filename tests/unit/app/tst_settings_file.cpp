@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The settings file: its content is restored unchanged, and a damaged file is refused with an error message
-// and changes nothing.
+// The settings file. Its content is restored unchanged; a damaged file is refused with an error message and
+// changes nothing.
 
 #include <QDir>
 #include <QFile>
@@ -48,7 +48,7 @@ QByteArray content(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// Conditions for all accepted bundles.
+/// Conditions that hold for all accepted bundles.
 void checkAccepted(const SettingsBundle& bundle) {
     for (auto it = bundle.values.constBegin(); it != bundle.values.constEnd(); ++it) {
         QVERIFY2(!it.key().isEmpty() && it.key().size() <= 200, qPrintable(it.key()));
@@ -125,7 +125,7 @@ private Q_SLOTS:
         row("values are a list", withValues("[]"));
         row("no key", withValues(R"({"": 1})"));
         row("a key of groups only",
-            withValues("{\"a//b\": 1}"));  // not a raw string: moc would detect a comment
+            withValues("{\"a//b\": 1}"));  // not a raw string, because moc would detect a comment in it
         row("a key that begins with a group", withValues(R"({"/a": 1})"));
         row("a key that ends with a group", withValues(R"({"a/": 1})"));
         row("a key with a line break", withValues(R"({"a\nb": 1})"));
@@ -233,7 +233,7 @@ private Q_SLOTS:
         QVERIFY(before.ok());
         QCOMPARE(before->values.value("look/theme").toString(), QString("light"));
         QCOMPARE(before->values.value("robots/size").toInt(), 2);
-        // The reverse direction.
+        // Tests the reverse direction.
         QVERIFY(settings.replace(*before, {SettingsPart::Look, SettingsPart::Robots}).ok());
         QCOMPARE(Settings(file).rememberedRobots().size(), 2);
         QCOMPARE(Settings(file).theme(), QString("light"));
@@ -241,7 +241,7 @@ private Q_SLOTS:
 
     void withoutACopyNothingIsReplaced() {
         QTemporaryDir folder;
-        // A file in place of the folder: neither the backup nor the settings can be written.
+        // There is a file instead of the folder, so neither the backup nor the settings can be written.
         QFile obstacle(folder.filePath("place"));
         QVERIFY(obstacle.open(QIODevice::WriteOnly));
         obstacle.close();

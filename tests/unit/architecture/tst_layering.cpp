@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Permitted includes between the folders, checked in the whole source tree. A new folder needs a row in the table.
+// Permitted includes between the folders, checked in the whole source tree. A folder that is added needs a
+// row in the table.
 
 #include <QDirIterator>
 #include <QFile>
@@ -16,9 +17,9 @@
 namespace {
 
 struct Folder {
-    const char* path;         ///< folder, longest match wins
-    QStringList mayInclude;   ///< permitted folders or single headers in addition to its own
-    QStringList forbiddenQt;  ///< forbidden Qt modules by the first letters of their headers
+    const char* path;         ///< folder; the longest match applies
+    QStringList mayInclude;   ///< permitted folders or headers in addition to the folder itself
+    QStringList forbiddenQt;  ///< forbidden Qt modules, given by the first letters of their headers
 };
 
 const QStringList kGui = {"QWidget",  "QApplication", "QMainWindow", "QPainter", "QtWidgets", "QtGui",
@@ -198,8 +199,8 @@ bool isDetail(const QString& file) {
 }
 
 bool isAllowed(const Folder& folder, const QString& included) {
-    // Headers in detail/ are for the same folder only and change without notice; exceptions are listed in the
-    // table.
+    // Headers in detail/ may be used only in their own folder and may change without notice. The table lists
+    // exceptions.
     if (isDetail(included)) {
         return included.startsWith(QString::fromLatin1(folder.path) + '/') ||
                folder.mayInclude.contains(included);
@@ -241,7 +242,7 @@ QByteArray contentsOf(const QString& file) {
     return f.open(QIODevice::ReadOnly) ? f.readAll() : QByteArray();
 }
 
-/// "widgets/jog/jog_pad" for its header and its source.
+/// A unit is a header and its source, e.g. "widgets/jog/jog_pad".
 QString unitOf(const QString& file) {
     return file.section('.', 0, 0);
 }
@@ -260,7 +261,7 @@ QStringList includesOf(const QString& unit) {
     return included;
 }
 
-/// True for a header of Qt Gui, Widgets, Charts or Svg, and of the libraries of displays and devices.
+/// True for a header of Qt Gui, Widgets, Charts or Svg, and of the display and device libraries.
 bool isOfDisplay(const QString& header) {
     static const QDir kHeaders(QLibraryInfo::path(QLibraryInfo::HeadersPath));
     static const QRegularExpression kOthers("^(xcb/|SDL|spnav|X11/)");
@@ -281,7 +282,7 @@ bool needsDisplay(const QString& unit, QSet<QString>& seen) {
     });
 }
 
-/// Units of widgets/ that need no display, with the reason why they are in widgets/.
+/// Units of widgets/ that need no display, with the reasons why they are in widgets/.
 const QHash<QString, QString>& withoutDisplay() {
     static const QString kView = "values of the 3D view";
     static const QString kPlots = "layout of plots on the screen";
@@ -305,7 +306,7 @@ const QHash<QString, QString>& withoutDisplay() {
     return table;
 }
 
-/// Headers that other programs can include, except those of the ur_rtde interface.
+/// Headers that other programs may include, except those of the ur_rtde interface.
 QStringList publicHeaders() {
     static const QRegularExpression kOwn(
         "/(detail|custom|python|examples|ur_rtde|station)/|simulator/"
@@ -328,7 +329,7 @@ QStringList functionsWithoutComment(const QByteArray& header) {
     const QStringList lines = QString::fromUtf8(header).split('\n');
     QStringList found;
     struct Scope {
-        bool declares;  ///< a namespace or a class, whose functions can be called
+        bool declares;  ///< a namespace or class whose functions can be called
         bool open;      ///< public
     };
     QList<Scope> scopes;
@@ -430,7 +431,7 @@ private Q_SLOTS:
         for (const QString& file : sourceFiles()) {
             const Folder* folder = folderOf(file);
             if (folder == nullptr) {
-                continue;  // tests may include everything
+                continue;  // tests may include all headers
             }
             auto it = include.globalMatch(QString::fromUtf8(contentsOf(file)));
             while (it.hasNext()) {
@@ -450,7 +451,8 @@ private Q_SLOTS:
         QVERIFY2(violations.isEmpty(), qPrintable(violations.join('\n')));
     }
 
-    // Logic without pixels belongs to robot/station, where tiller-cli and tests in virtual time can use it.
+    // Logic without a display belongs in robot/station, where tiller-cli and tests in virtual time can use
+    // it.
     void widgetsNeedADisplay() {
         QVERIFY(isOfDisplay("QWidget") && isOfDisplay("QUndoStack"));
         QVERIFY(!isOfDisplay("QObject") && !isOfDisplay("QTcpSocket"));
@@ -473,13 +475,14 @@ private Q_SLOTS:
                             "; in it without need: " + QStringList((expected - found).values()).join(' ')));
     }
 
-    // Detail headers are not installed: a public header that includes one would not compile for a user.
+    // Headers in detail/ are not installed, so a public header that includes one would not compile for a
+    // user.
     void publicHeadersDoWithoutDetails() {
         QStringList violations;
         int headers = 0;
         for (const QString& file : sourceFiles()) {
             if (!file.startsWith("robot/") || !file.endsWith(".h") || isDetail(file) ||
-                file.startsWith("robot/ur_rtde/custom/")) {  // not installed either
+                file.startsWith("robot/ur_rtde/custom/")) {  // these are not installed either
                 continue;
             }
             ++headers;
@@ -533,6 +536,18 @@ private Q_SLOTS:
         process.start(formatter, QStringList{"--dry-run", "-Werror"} + sourceFiles());
         QVERIFY(process.waitForFinished(120'000));
         QVERIFY2(process.exitCode() == 0, process.readAllStandardError().left(2000).constData());
+    }
+
+    // The default of Qt Test, five seconds, is too short for a busy machine.
+    void testsThatWaitGiveTheirTimeout() {
+        static const QRegularExpression withoutTimeout(QStringLiteral("\\bQTRY_(VERIFY|VERIFY2|COMPARE)\\("));
+        QStringList found;
+        for (const QString& file : sourceFiles()) {
+            if (file.startsWith("tests/") && withoutTimeout.match(contentsOf(file)).hasMatch()) {
+                found << file;
+            }
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
     }
 
     void everyFileNamesItsLicence() {

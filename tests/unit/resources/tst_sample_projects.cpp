@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sample projects are valid: complete files of the current format, with positions that the simulated UR5e
-// reaches one after the other, above the floor.
+// The sample projects are valid: they are complete files in the current format, and the simulated UR5e
+// reaches their positions one after the other, above the floor.
 
 #include <QDir>
 #include <QJsonDocument>
@@ -23,9 +23,9 @@ const QString kFolder = QStringLiteral(":/tiller/samples");
 /// The start pose of the simulated robot [rad].
 const JointPositions kStart{-1.6007, -1.7271, -2.2030, -0.8080, 1.5951, -0.0310};
 constexpr double kSamePlace = 1e-6;  ///< [m, rad]
-constexpr double kFloor = 0.03;      ///< [m] above the mounting surface, for flange and joints
-/// Sine of the minimum angle of elbow and wrist 2 from a singularity, and minimum distance of the wrist from the
-/// base axis [m].
+constexpr double kFloor = 0.03;      ///< [m] minimum height of flange and joints above the mounting surface
+/// Sine of the minimum angular distance of elbow and wrist 2 from a singularity, and minimum distance of the
+/// wrist from the base axis [m].
 constexpr double kMinSine = 0.2;
 constexpr double kMinShoulder = 0.1;
 
@@ -75,7 +75,7 @@ private Q_SLOTS:
         const QJsonObject root = QJsonDocument::fromJson(bytes).object();
         QCOMPARE(root["format"].toString(), QStringLiteral("tiller-project"));
         QCOMPARE(root["version"].toInt(), project::kProjectFileVersion);
-        // No unknown fields.
+        // The file contains no unknown fields.
         QVERIFY(parsed->extra.isEmpty());
         const Result<QByteArray> again = project::serializeProject(*parsed);
         QVERIFY(again.ok() && *project::parseProject(*again) == *parsed);
@@ -145,7 +145,7 @@ private Q_SLOTS:
             const project::MovePreview move = project::previewMove(model_, point, sample.frames, at);
             QVERIFY2(move.reach.ok(), qPrintable(point.name));
             QVERIFY2(std::abs(move.largestTurn) < toRadians(120), qPrintable(point.name));
-            // A line ends with the configuration of the waypoint.
+            // A linear move ends with the configuration of the waypoint.
             QVERIFY2((move.reach.q.values - point.joints.values).cwiseAbs().maxCoeff() < 1e-4,
                      qPrintable(point.name));
             at = point.joints;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Qt Test: each test function has a robot of its own, in virtual time.
+// Qt Test: each test function has its own robot, in virtual time.
 #include <QTest>
 #include <optional>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// RAII wrappers for identifiers of libhdf5, and the calls used by this library. Private to robot/recording/hdf5.
+// RAII wrappers for libhdf5 identifiers, and the libhdf5 calls used by this library. Private to
+// robot/recording/hdf5.
 
 #include <hdf5.h>
 
@@ -12,7 +13,7 @@
 
 namespace tiller::recording::hdf5 {
 
-/// An identifier with the function that closes it.
+/// An identifier and the function that closes it.
 class Handle {
 public:
     using Close = herr_t (*)(hid_t);

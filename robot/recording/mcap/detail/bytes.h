@@ -35,14 +35,14 @@ inline void putFacts(std::string& out, const Facts& facts) {
     }
     putText(out, entries);
 }
-/// Header and content of a record.
+/// Writes the header and content of a record.
 inline void putRecord(std::string& out, Opcode opcode, std::string_view content) {
     out.push_back(static_cast<char>(opcode));
     put(out, static_cast<std::uint64_t>(content.size()));
     out.append(content);
 }
 
-/// Reads sequentially; missing data are 0 or empty, and `ok` is then false.
+/// Reads values sequentially. Missing data are returned as 0 or empty, and `ok` becomes false.
 class ByteReader {
 public:
     explicit ByteReader(std::string_view bytes) : rest_(bytes) {}

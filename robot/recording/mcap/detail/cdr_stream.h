@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Encodes numbers and strings as in ROS 2 messages: CDR, little endian. Supports Fast CDR 1 (Debian 12) and Fast
-// CDR 2
-// (Debian 13), which has different names.
+// Encodes numbers and strings as in ROS 2 messages: little-endian CDR. Supports Fast CDR 1 (Debian 12) and
+// Fast CDR 2 (Debian 13), whose names differ.
 
 #include <fastcdr/Cdr.h>
 
@@ -22,7 +21,7 @@ public:
     void take(double* numbers, std::size_t count) {
         deserialize_array(numbers, count);
     }
-    /// Number of bytes written, including the encapsulation header of four bytes.
+    /// Number of bytes written, including the four-byte encapsulation header.
     std::size_t size() const {
         return get_serialized_data_length();
     }
@@ -34,7 +33,7 @@ public:
     void take(double* numbers, std::size_t count) {
         deserializeArray(numbers, count);
     }
-    /// Number of bytes written, including the encapsulation header of four bytes.
+    /// Number of bytes written, including the four-byte encapsulation header.
     std::size_t size() const {
         return getSerializedDataLength();
     }

@@ -9,13 +9,13 @@
 
 namespace tiller::recording {
 
-/// The samples of the last minute, in preallocated memory.
+/// Stores the samples of the last minute in preallocated memory.
 class SampleStore {
 public:
     SampleStore(std::size_t capacity, const std::shared_ptr<const receive::SampleLayout>& layout)
         : samples_(capacity, receive::Sample(layout)), missing_(capacity, 0) {}
 
-    /// The slot for the next sample; overwrites the oldest one if all slots are used.
+    /// Returns the slot for the next sample. If all slots are in use, the oldest sample is overwritten.
     receive::Sample& next() { return samples_[(first_ + count_) % samples_.size()]; }
     void keepNext(std::uint64_t missing) {
         missing_[(first_ + count_) % samples_.size()] = missing;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Summaries of 32, 128, 512 ... rows of all columns, computed during recording. Private to robot/recording/mcap.
+// Computes summaries of 32, 128, 512 ... rows of all columns during recording. Private to
+// robot/recording/mcap.
 
 #include <functional>
 #include <span>
@@ -14,7 +15,7 @@ namespace tiller::recording::mcap {
 
 inline constexpr std::uint32_t kFinestSummary = 32;
 inline constexpr std::uint32_t kCoarserBy = 4;
-inline constexpr std::size_t kSummaryLevels = 8;  ///< the coarsest covers 524 288 rows, 17 minutes at 500 Hz
+inline constexpr std::size_t kSummaryLevels = 8;  ///< coarsest: 524 288 rows, 17 minutes at 500 Hz
 
 constexpr std::uint32_t rowsOfLevel(std::size_t level) {
     std::uint32_t rows = kFinestSummary;
@@ -27,7 +28,7 @@ constexpr std::uint32_t rowsOfLevel(std::size_t level) {
 /// Threads  one
 class SummaryLevels {
 public:
-    /// sink  called with the level for each complete summary
+    /// sink  called for each complete summary, with its level
     SummaryLevels(std::size_t columns, std::function<void(std::size_t, const SummaryMessage&)> sink)
         : sink_(std::move(sink)), levels_(kSummaryLevels) {
         for (Level& level : levels_) {

@@ -5,7 +5,7 @@
 
 namespace tiller::recording::mcap {
 
-inline constexpr const char* kFactsName = "recording";  ///< of the metadata record
+inline constexpr const char* kFactsName = "recording";  ///< name of the metadata record
 inline constexpr const char* kLogTopic = "/rosout";
 inline constexpr const char* kSummaryTopic =
     "/robot_state/summary_";  ///< followed by the number of rows per summary

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Appends numbers in network order to a byte buffer, for the packages of the primary, secondary and realtime
+// Appends numbers in network byte order to a buffer, for the packages of the primary, secondary and realtime
 // interfaces.
 
 #include <bit>
@@ -41,7 +41,7 @@ public:
         return *this;
     }
 
-    /// Reserves a length field of four bytes; closeLength() fills it in, including its own size.
+    /// Reserves a length field of four bytes, which closeLength() fills in. The length includes the field.
     std::size_t openLength() {
         const std::size_t at = out_.size();
         u32(0);

@@ -17,7 +17,7 @@ std::string lowered(std::string_view text) {
     return out;
 }
 
-/// Whitespace in HTTP consists of spaces and tabs only.
+/// In HTTP, only spaces and tabs count as whitespace.
 std::string_view withoutBlanks(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) {
         text.remove_prefix(1);
@@ -149,7 +149,7 @@ bool HttpParser::readHead() {
     while (const auto text = line()) {
         if (!request_.method.empty() && text->empty()) {
             if (chunked_ && sawLength_) {
-                fail(400);  // contradicting lengths are not permitted
+                fail(400);  // contradictory lengths are not permitted
                 return false;
             }
             inBody_ = true;
@@ -299,7 +299,7 @@ std::optional<std::string> percentDecoded(std::string_view text) {
 
 namespace {
 
-/// The value of name="value" in a header. Nothing when it is missing.
+/// Returns the value of name="value" in a header. Empty if it is missing.
 std::optional<std::string> parameter(std::string_view header, std::string_view name) {
     std::size_t at = header.find(';');
     while (at != std::string_view::npos) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// HTTP/1.1 on byte level: parses requests from a stream, writes responses to one, and parses multipart forms
-// with files.
+// HTTP/1.1 at byte level: parses requests from a stream, writes responses, and parses multipart forms with
+// files.
 //
-// Not Qt's QHttpServer, because its license is GPL-3.0-only and robot/ is MIT, to be linked by others; it
-// also owns its sockets, so that link faults could not be simulated on them.
+// Qt's QHttpServer is not used because its license is GPL-3.0-only, whereas robot/ has the MIT license so
+// that others can link it. QHttpServer also owns its sockets, so that link faults could not be simulated on
+// them.
 
 #include <cstdint>
 #include <functional>
@@ -18,13 +19,14 @@
 namespace tiller::simulator {
 
 struct HttpRequest {
-    std::string method;                                        ///< "GET"
+    std::string method;                                        ///< e.g. "GET"
     std::string path;                                          ///< decoded, without the query
     std::vector<std::pair<std::string, std::string>> headers;  ///< names in lower case
     std::string body;
     bool keepAlive = true;
 
-    /// Empty when there is no such header. name  in lower case
+    /// Empty if there is no such header.
+    /// name  in lower case
     std::string_view header(std::string_view name) const;
 };
 
@@ -33,23 +35,23 @@ struct HttpResponse {
     std::string body;
     std::string contentType = "application/json";
     std::vector<std::pair<std::string, std::string>> headers;
-    std::function<bool()> due;  ///< the answer is delayed until this returns true; empty: immediate
+    std::function<bool()> due;  ///< the response is delayed until this returns true; empty: sent at once
 
     std::string toBytes(bool keepAlive, bool withBody) const;
 };
 
-/// Memory is bounded for any input.
+/// Uses a limited amount of memory for any input.
 class HttpParser {
 public:
     static constexpr std::size_t kLargestHead = 32 * 1024;
     static constexpr std::size_t kLargestBody = 16 * 1024 * 1024;
 
     void feed(std::string_view bytes);
-    /// The next complete request; nothing if none is complete, or after an error.
+    /// Returns the next complete request. Empty if no request is complete, or after an error.
     std::optional<HttpRequest> next();
-    /// Status to answer with before closing the connection; 0 without an error: 400, 413, 431, 501, 505.
+    /// HTTP status to send before closing the connection: 400, 413, 431, 501 or 505; 0 if there is no error.
     int fault() const { return fault_; }
-    /// True once after a head that expects "100 Continue" before the body.
+    /// Returns true once after a head that expects "100 Continue" before the body.
     bool takeContinue() { return std::exchange(continue_, false); }
 
 private:
@@ -61,7 +63,7 @@ private:
     void fail(int status) { fault_ = fault_ == 0 ? status : fault_; }
 
     std::string buffer_;
-    std::size_t at_ = 0;  ///< number of processed bytes of the buffer
+    std::size_t at_ = 0;  ///< number of buffer bytes already processed
     HttpRequest request_;
     std::size_t headSize_ = 0;
     bool inBody_ = false;
@@ -74,14 +76,14 @@ private:
     int fault_ = 0;
 };
 
-/// Decodes %41 and similar; nothing if a % is not followed by a hexadecimal number.
+/// Decodes sequences such as %41. Empty if a % is not followed by a hexadecimal number.
 std::optional<std::string> percentDecoded(std::string_view text);
 
 struct FormFile {
     std::string fileName;
     std::string content;
 };
-/// The field of that name from a multipart/form-data body.
+/// Returns the field with this name from a multipart/form-data body.
 std::optional<FormFile> fileOfForm(std::string_view contentType, std::string_view body,
                                    std::string_view field);
 

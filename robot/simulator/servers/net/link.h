@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The network cable between a controller and its clients, with simulated faults. One object for all
-// connections of a controller; without faults it costs only a branch.
+// The network cable between a controller and its clients, with simulated faults. One object serves all
+// connections of a controller. Without faults, its only cost is a branch.
 //
 // Times are controller times, so that a test in virtual time determines when a delayed package arrives.
 
@@ -17,17 +17,17 @@ namespace tiller::simulator {
 
 struct LinkConditions {
     double delay = 0;   ///< [s] in each direction
-    double jitter = 0;  ///< [s] maximum, added to the delay; the order of bytes is kept
+    double jitter = 0;  ///< [s] maximum, added to the delay; does not change the order of bytes
     std::size_t splitAt =
         0;  ///< data are delivered in two pieces, the first with this number of bytes; 0: unsplit
     double coalesce = 0;  ///< [s] data sent within this time are delivered together
-    double drop = 0;      ///< fraction of RTDE data packages not sent, as by a busy controller
-    /// the cable is unplugged: no data pass and connections do not notice; when it is plugged in again, buffered
-    /// data are delivered
+    double drop = 0;      ///< fraction of RTDE data packages not sent, as with a busy controller
+    /// The cable is unplugged: no data pass, and the connections do not detect this. When the cable is
+    /// plugged in again, buffered data are delivered.
     bool lost = false;
 };
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 class Link {
 public:
     explicit Link(std::uint64_t seed) : random_(seed) {}
@@ -41,24 +41,25 @@ public:
     void setTime(double now) { now_ = now; }
     double now() const { return now_; }
 
-    /// Detects data at the controller.
+    /// Detects data that arrive at the controller.
     SocketPoller& poller() { return poller_; }
     /// True if bytes pass unchanged and without delay.
     bool isPlain() const { return plain_; }
     bool isLost() const { return conditions_.lost; }
-    /// Returns whether this RTDE data package is dropped.
+    /// Returns whether to drop this RTDE data package.
     bool drops();
-    /// Arrival time of data that enter the cable now [s].
+    /// Arrival time of data sent at the current time [s].
     double arrival();
-    /// The same for data from the controller, which may be delayed to be sent together.
+    /// Like arrival(), for data from the controller, which may be delayed so that they are sent together.
     double departure();
 
-    /// While set, connections closed by the controller do not notify the other end: they stay half open until
-    /// the cable is plugged in again, or until unbury().
+    /// While this is set, connections closed by the controller do not notify the other end. They remain half
+    /// open until the cable is plugged in again, or until unbury() is called.
     void setForgetting(bool forgetting) { forgetting_ = forgetting; }
-    /// Takes over the descriptor of a closed connection if the other end must not be notified.
+    /// Takes ownership of the descriptor of a closed connection if the other end must not be notified.
     bool bury(native_socket::Descriptor descriptor);
-    /// Ends the half-open connections. As on a real network, the other end notices it when it sends.
+    /// Closes the half-open connections. As on a real network, the other end only detects this when it sends
+    /// data.
     void unbury();
     std::size_t buried() const { return buried_.size(); }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A listening port that returns plain descriptors, so that the simulator's loop can read and write them
-// without Qt's buffers.
+// A listening port that returns plain descriptors, which the simulator reads and writes without Qt's buffers.
 
 #include <QHostAddress>
 #include <QTcpServer>
@@ -13,15 +12,15 @@
 
 namespace tiller::simulator {
 
-/// Threads  the one that constructed it, which has to process events regularly.
+/// Threads  the thread that constructed this object, which must process events regularly
 class Listener : public QTcpServer {
 public:
-    /// service  name of the service for the message: "RTDE"
-    /// Errors   Rejected, naming port, address and a solution; AddressInvalid when the address is not one of
-    /// this machine
+    /// service  name of the service for the message, e.g. "RTDE"
+    /// Errors   Rejected, naming port, address and a solution; AddressInvalid if this machine does not have
+    /// the address
     Result<void> open(const QHostAddress& address, std::uint16_t port, const char* service);
 
-    /// Connections accepted since the last call, already configured; the caller owns them.
+    /// Returns the connections accepted since the last call, already configured. The caller takes ownership.
     std::vector<native_socket::Descriptor> takeAccepted();
 
 protected:

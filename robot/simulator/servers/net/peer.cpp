@@ -10,14 +10,14 @@
 namespace tiller::simulator {
 
 namespace {
-/// Capacity of the socket buffer of the system while the cable is unplugged [bytes].
+/// Capacity of the system's socket buffer while the cable is unplugged [bytes].
 constexpr std::size_t kSystemBuffer = 256 * 1024;
 /// Large enough for the longest delay at the highest data rate [bytes].
 constexpr std::size_t kMaxBuffered = 16 * 1024 * 1024;
-/// With more waiting segments than this, segments are not split, because they could never be sent in time.
+/// If more segments than this are waiting, they are not split, because they could never be sent in time.
 constexpr std::size_t kMaxSplitWaiting = 64;
-/// Delay of the second piece of a split [s]: it is sent in the next control period, independent of the cycles
-/// of the loop.
+/// Delay of the second piece of a split segment [s]. The piece is sent in the next control period, regardless
+/// of the cycles of the loop.
 constexpr double kMoment = 1e-6;
 }  // namespace
 
@@ -65,7 +65,7 @@ std::size_t Peer::receiveNow(std::span<std::uint8_t> into) {
     const native_socket::Transfer got = native_socket::receive(descriptor_, into);
     switch (got.status) {
         case native_socket::Status::Ok:
-            // A partial read means that all data have been read.
+            // A partial read means that no more data are available.
             hasArrived_ = !isWatched_ || got.bytes == into.size();
             return got.bytes;
         case native_socket::Status::WouldBlock:
@@ -128,8 +128,8 @@ std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
     return done;
 }
 
-// The client has closed the connection. Data sent before are still processed, e.g. a program whose sender did
-// not wait for an answer.
+// Called after the client has closed the connection. Data that the client sent before are still processed,
+// e.g. a program whose sender did not wait for a reply.
 void Peer::endSending() {
     isUnresponsive_ = true;
     std::array<std::uint8_t, 16 * 1024> buffer;
@@ -173,7 +173,7 @@ bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp
     return true;
 }
 
-// Called after sending; data that the socket has not accepted do not count as delivered, because the client
+// Called after sending. Data that the socket has not accepted do not count as delivered, because the client
 // does not read.
 void Peer::noteDelivered(std::optional<double> stamp) {
     if (stamp && pending() == 0) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One accepted connection: reads received data, sends as much as possible, buffers a limited rest. Never blocks.
-// The link conditions (see Link) are applied here, so that services do not need to know them.
+// One accepted connection: reads received data, sends as much as possible, and buffers a limited amount of
+// remaining data. Never blocks. This class applies the link conditions (see Link), so that services need not
+// handle them.
 
 #include <cstdint>
 #include <deque>
@@ -19,7 +20,7 @@ class Link;
 
 class Peer {
 public:
-    /// backlog  maximum number of bytes buffered for a client that currently does not read
+    /// backlog  maximum number of bytes buffered for a client that does not read at the moment
     Peer(native_socket::Descriptor descriptor, std::size_t backlog);
     ~Peer();
     Peer(const Peer&) = delete;
@@ -31,28 +32,30 @@ public:
     bool isOpen() const { return open_; }
     void close();
 
-    /// Receives once. Returns the number of received bytes; closes when the client has ended the connection.
+    /// Reads from the socket once. Closes the connection if the client has ended it.
+    /// Returns  the number of bytes received
     std::size_t receive(std::span<std::uint8_t> into);
 
-    /// Sends the data, or buffers what the socket does not accept now. False, without sending anything, when
-    /// they do not fit into the backlog because the client does not read.
+    /// Sends the data, or buffers what the socket does not accept at the moment.
     /// stamp  time stamp of the bytes, for delivered()
+    /// Returns  false, without sending anything, if the data do not fit into the backlog because the client
+    /// does not read
     bool send(std::span<const std::uint8_t> bytes, std::optional<double> stamp = {});
     bool send(std::string_view text);
-    /// Time stamp of the newest bytes that the client can read completely; nothing if they have none.
+    /// Time stamp of the newest bytes that the client can read completely; empty if these bytes have none.
     std::optional<double> delivered() const { return delivered_; }
-    std::uint16_t port() const { return port_; }  ///< Of the client's end.
-    /// Sends everything that is due and accepted by the socket.
+    std::uint16_t port() const { return port_; }  ///< Port of the client.
+    /// Sends all data that are due and that the socket accepts.
     void flush();
-    /// Bytes not yet accepted by the socket; data delayed by a slow link do not count.
+    /// Number of bytes not yet accepted by the socket. Data delayed by a slow link do not count.
     std::size_t pending() const { return out_.size() - sent_; }
 
-    /// Closes once all data have been sent.
+    /// Closes the connection when all data have been sent.
     void closeAfterFlush();
 
 private:
     struct Segment {
-        double due;  ///< [s] controller time
+        double due;  ///< [s] controller time of delivery
         std::vector<std::uint8_t> bytes;
         std::size_t gone = 0;
         std::optional<double> stamp = {};
@@ -78,12 +81,12 @@ private:
     std::deque<Segment> held_;      ///< in transit to the client
     std::deque<Segment> arriving_;  ///< in transit from the client
     std::size_t heldBytes_ = 0;
-    bool isWatched_ = false;  ///< by the poller of the link, which sets hasArrived_
+    bool isWatched_ = false;  ///< the link's poller watches the socket and sets hasArrived_
     bool hasArrived_ = true;  ///< data may be available
     bool open_ = true;
     bool closing_ = false;
-    bool isUnresponsive_ = false;  ///< no data reach the client any more
-    bool ended_ = false;           ///< the client has closed the connection; remaining data were sent before
+    bool isUnresponsive_ = false;  ///< data no longer reach the client
+    bool ended_ = false;           ///< the client has closed the connection; remaining data were sent earlier
 };
 
 }  // namespace tiller::simulator

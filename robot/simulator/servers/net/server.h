@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common part of all services of the controller: one port, any number of clients, and two steps: reading in each
-// cycle of the loop, and writing after each control period.
+// Common base of all services of the controller. A service has one port and any number of clients, and works
+// in two steps: it reads in each cycle of the loop, and writes after each control period.
 
 #include <QHostAddress>
 #include <cstdint>
@@ -16,12 +16,12 @@
 
 namespace tiller::simulator {
 
-/// Threads  the simulator's, open() included.
+/// Threads  the simulator thread, also for open()
 class Server {
 public:
     virtual ~Server() = default;
 
-    /// The cable of its clients.
+    /// Sets the cable between this service and its clients.
     void setLink(Link* link) { link_ = link; }
     /// poller  watches the port; must outlive this object
     Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name,
@@ -38,7 +38,7 @@ public:
     }
     std::uint16_t port() const { return listener_.serverPort(); }
 
-    /// Accepts new clients, reads all and answers.
+    /// Accepts new clients, reads all data and sends replies.
     virtual void service() = 0;
     /// Sends the data of a control period.
     virtual void publish() {}
@@ -46,7 +46,7 @@ public:
 
 protected:
     std::vector<native_socket::Descriptor> takeAccepted() { return listener_.takeAccepted(); }
-    /// For a new client's peer: attach(link()).
+    /// For the peer of a new client: attach(link()).
     Link* link() const { return link_; }
 
 private:
@@ -54,7 +54,8 @@ private:
     Listener listener_;
 };
 
-/// Removes clients whose connection has ended. leaving  is called for each of them before.
+/// Removes clients whose connection has ended.
+/// leaving  called for each of these clients before it is removed
 template <class Client, class Leaving>
 void removeClosed(std::vector<std::unique_ptr<Client>>& clients, Leaving leaving) {
     std::erase_if(clients, [&leaving](const std::unique_ptr<Client>& client) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Detects received data and new connections with one system call for all clients and ports. In most control periods
-// there is neither.
+// Detects received data and new connections with one system call for all clients and ports. In most control
+// periods, there are none.
 
 #include "robot/core/native_socket.h"
 
 namespace tiller::simulator {
 
 /// On systems without epoll, all clients and ports always count as readable.
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 class SocketPoller {
 public:
     SocketPoller();
@@ -17,15 +17,15 @@ public:
     SocketPoller(const SocketPoller&) = delete;
     SocketPoller& operator=(const SocketPoller&) = delete;
 
-    /// From now on poll() sets `rung` when data or the end of the connection can be read, until remove(),
-    /// which must be called before the descriptor is closed.
+    /// Makes poll() set `rung` whenever data or the end of the connection can be read. Call remove() before
+    /// the descriptor is closed.
     /// Returns  false if the descriptor cannot be watched
     bool add(native_socket::Descriptor descriptor, bool* rung);
     void remove(native_socket::Descriptor descriptor);
     /// Watches a listening port until it is closed.
     void addPort(native_socket::Descriptor descriptor);
 
-    /// Returns  true if a client may be waiting to connect. Blocks: never
+    /// Returns  true if a client may be waiting to connect. Does not block.
     bool poll();
 
 private:

@@ -37,13 +37,13 @@ Bytes message(std::uint64_t timestampNs, Source source, Kind kind, Body body) {
     return bytes;
 }
 
-/// Text preceded by its length in one byte.
+/// Writes a text preceded by its length in one byte.
 void counted(ByteWriter& out, std::string_view text) {
     text = text.substr(0, 255);
     out.u8(static_cast<unsigned>(text.size())).text(text);
 }
 
-/// Clients drop packages of 4092 bytes and more.
+/// Limits the length of a text, because clients drop packages of 4092 bytes and more.
 std::string_view bounded(std::string_view text) {
     return text.substr(0, 3800);
 }
@@ -51,7 +51,7 @@ std::string_view bounded(std::string_view text) {
 }  // namespace
 
 Bytes version(const SoftwareVersion& software) {
-    // As recorded from robots: all bits set instead of the time.
+    // Robots send this value, with all bits set, instead of a time stamp. Source: recorded messages.
     constexpr std::uint64_t kNoTime = ~std::uint64_t{0};
     return message(kNoTime, RobotInterface, Version, [&](ByteWriter& out) {
         counted(out, "URControl");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The messages of the primary interface as bytes: those shown by the pendant, and those that clients wait
-// for.
+// The messages of the primary interface as bytes: messages shown on the pendant, and messages that clients
+// wait for.
 
 #include <cstdint>
 #include <string>
@@ -37,7 +37,7 @@ Bytes errorCode(std::uint64_t timestampNs, const ErrorCode& error);
 Bytes runtimeException(std::uint64_t timestampNs, std::int32_t line, std::int32_t column,
                        std::string_view text);
 Bytes safetyMode(std::uint64_t timestampNs, tiller::SafetyMode mode);
-/// Returns whether a message is one of safetyMode().
+/// Returns whether safetyMode() created the message.
 bool isSafetyMode(const Bytes& message);
 
 struct PopupMessage {
@@ -47,7 +47,7 @@ struct PopupMessage {
 };
 /// kind  requestedType: 0 boolean, 1 integer, 2 float, 3 string
 Bytes requestValue(std::uint64_t timestampNs, std::uint32_t id, std::uint32_t kind, std::string_view text);
-/// software  before 3.12 and 5.6 there are no request id and no type, as in the layout that older clients read
+/// software  before 3.12 and 5.6, the message has no request ID and no type; older clients read this layout
 Bytes popup(std::uint64_t timestampNs, const PopupMessage& popup, const SoftwareVersion& software);
 
 }  // namespace tiller::simulator::primary

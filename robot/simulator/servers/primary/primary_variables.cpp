@@ -16,7 +16,7 @@ using urscript::Value;
 
 constexpr unsigned kProgramState = 25;
 enum Content : unsigned { kSetup = 0, kUpdate = 1 };
-enum : unsigned { kNone = 0, kString = 3 };  // in all software
+enum : unsigned { kNone = 0, kString = 3 };  // same numbers in all software versions
 /// Numbers of the other types, which changed when matrices were introduced.
 struct TypeNumbers {
     unsigned pose, boolean, integer, real, list, matrix;
@@ -34,7 +34,8 @@ constexpr std::size_t kLargest = 3000;
 /// Maximum size of one value of any type.
 constexpr std::size_t kLargestValue = 2800;
 
-/// Divides a sequence of items into packages. item  appends the n-th one
+/// Divides a sequence of items into packages.
+/// item  appends the item with the given index
 std::vector<Bytes> packed(Content kind, std::size_t count,
                           const std::function<void(std::size_t, Bytes&)>& item) {
     std::vector<Bytes> all;
@@ -51,7 +52,7 @@ std::vector<Bytes> packed(Content kind, std::size_t count,
     return all;
 }
 
-/// Writes successive values, each preceded by its type.
+/// Writes consecutive values, each preceded by its type.
 class ValueWriter {
 public:
     ValueWriter(Bytes& into, const TypeNumbers& numbers) : into_(into), out_(into), types_(numbers) {}
@@ -98,7 +99,7 @@ public:
     }
 
 private:
-    /// Number of list elements that fit into a package; further ones are not reported.
+    /// Number of list elements that fit into a package. Further elements are not reported.
     std::size_t thatFit(std::size_t count, std::size_t bytesEach) const {
         const std::size_t room = kLargestValue - std::min(into_.size(), kLargestValue);
         return std::min(count, room / bytesEach);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The global variables of the running program for primary clients, package type 25: the names once, the values when
-// they change. Source: client interface manual, "Variable values", and clients that read it: every value ends with
-// a line break, the elements of a list do not; a struct, which has no encoding, is sent as None.
+// The global variables of the running program for primary clients, package type 25. The names are sent once,
+// and the values when they change. Source: client interface manual, "Variable values", and clients that read
+// this package: every value ends with a line break, but the elements of a list do not. A struct has no
+// encoding and is sent as None.
 
 #include <cstdint>
 #include <vector>
@@ -17,11 +18,12 @@ class Value;
 
 namespace tiller::simulator::primary {
 
-/// One or more packages, each small enough for every client. Without time stamp, because `body` is compared.
+/// The variables in one or more packages, each small enough for every client. The bodies contain no time
+/// stamp, so that they can be compared.
 struct VariableBodies {
     std::vector<Bytes> names, values;
 };
-/// For the program's own globals; empty for a program without globals.
+/// Variables of the program's own globals; empty if the program has none.
 VariableBodies variablesOf(const urscript::Interpreter& program, const SoftwareVersion& software);
 /// Adds the package frame to a body.
 Bytes variablePackage(std::uint64_t timestampNs, const Bytes& body);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The record that the realtime interface (ports 30003, 30013) sends every control period. Source: realtime
-// interface manual; its size increased with newer software.
+// The record that the realtime interface (ports 30003 and 30013) sends in every control period. Source:
+// realtime interface manual. The size of the record increased with newer software.
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +14,7 @@ namespace tiller::simulator {
 /// Size of the record [bytes] by software version, from 3.0 on.
 std::size_t realtimeRecordSize(const SoftwareVersion& software);
 
-/// Replaces `into` with the record.
+/// Writes the record to `into`, replacing its content.
 void writeRealtimeRecord(const Telemetry& now, std::vector<std::uint8_t>& into);
 
 }  // namespace tiller::simulator

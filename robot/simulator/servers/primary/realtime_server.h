@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The realtime service, port 30003 and its read-only version 30013: one record every control period, and
-// scripts in the other direction. A client that never reads stays connected and misses records.
+// The realtime service, port 30003, and its read-only version on port 30013. It sends one record in every
+// control period and receives scripts. A client that never reads stays connected and misses records.
 
 #include "robot/simulator/servers/net/server.h"
 #include "robot/simulator/servers/service/script_intake.h"

@@ -9,7 +9,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// The number after `prefix`, or nothing.
+/// Returns the number after `prefix`; empty if there is none.
 std::optional<std::size_t> numberAfter(std::string_view name, std::string_view prefix) {
     if (!name.starts_with(prefix)) {
         return std::nullopt;
@@ -82,13 +82,12 @@ void RtdeInputs::release(ClientId client) {
     }
 }
 
-// The fields of a package that are applied in the next period.
+// Returns which fields of a package are applied in the next period.
 std::vector<bool> RtdeInputs::lateFields(std::size_t count) const {
     std::vector<bool> late(count, false);
     const BehaviourOptions::Inputs reading = plant_.assumptions().inputs;
     for (std::size_t i = 0; i < count; ++i) {
-        // Any fixed pattern is suitable. It must not change, otherwise older values could overwrite newer
-        // ones.
+        // Any fixed pattern is suitable. If the pattern changed, older values could overwrite newer ones.
         const bool scattered = (i * 2654435761U >> 7U & 1U) != 0;
         late[i] = reading == BehaviourOptions::Inputs::FirstHalf   ? i >= count / 2
                   : reading == BehaviourOptions::Inputs::LastHalf  ? i < count / 2
@@ -127,7 +126,7 @@ bool RtdeInputs::apply(const InputRecipe& recipe, rtde::ByteView wire) {
     if (!rtde::decodeValues(recipe.layout, wire, values_)) {
         return false;
     }
-    // The rest of an earlier package must not be applied after this one.
+    // The remaining fields of an earlier package must not be applied after this one.
     applyRest();
     const std::vector<bool> late = lateFields(recipe.fields.size());
     storeFields(recipe, values_, late);
@@ -185,7 +184,7 @@ void RtdeInputs::store(const rtde::Field& field, const double* value) {
 }
 
 void RtdeInputs::applyMasks(const InputRecipe& recipe) {
-    // Only for the inputs of this package: an old mask of another client must not be applied again.
+    // Applies only the inputs of this package. An old mask of another client must not be applied again.
     bool slider = false, standard = false, configurable = false, tool = false, analog = false;
     for (const std::size_t index : recipe.fields) {
         const std::string_view name = rtde::inputFields()[index].name;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inputs written by RTDE clients: their owners, their values, and their effects on the robot. A value is kept
-// until its owner changes it; a mask selects the values that a package applies. Source: RTDE guide.
+// The inputs written by RTDE clients: their owners, their values, and their effects on the robot. An input
+// keeps its value until its owner changes it. A mask selects the values that a package applies. Source: RTDE
+// guide.
 
 #include <cstdint>
 #include <optional>
@@ -18,13 +19,13 @@ namespace tiller::simulator {
 
 class ControllerModel;
 
-/// One input recipe of one client.
+/// An input recipe of a client.
 struct InputRecipe {
     std::vector<std::size_t> fields;  ///< indices into rtde::inputFields()
     rtde::ValueLayout layout;
 };
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 class RtdeInputs {
 public:
     using ClientId = std::uint64_t;
@@ -33,18 +34,19 @@ public:
 
     struct Claim {
         std::vector<rtde::FieldAnswer> answers;
-        std::optional<InputRecipe> recipe;  ///< nothing when a name is unknown or owned by another client
+        std::optional<InputRecipe> recipe;  ///< empty if a name is unknown or owned by another client
     };
-    /// Takes ownership of all names, or of none. protocol: that of the client, which determines some types
+    /// Takes ownership of all names, or of none.
+    /// protocol  version used by the client, which determines some types
     Claim claim(ClientId client, const std::vector<std::string>& names, rtde::ProtocolVersion protocol);
-    /// Frees the inputs of the client; whether their values are kept is an option.
+    /// Frees the inputs of the client. A behaviour option determines whether their values are kept.
     void release(ClientId client);
 
-    /// Applies one data package. False, without change, when its length does not match the recipe.
+    /// Applies one data package. Returns false without any change if its length does not match the recipe.
     bool apply(const InputRecipe& recipe, rtde::ByteView values);
 
-    /// To be called once per control period before reading: applies the remaining fields of packages that
-    /// were applied only in part in the previous period.
+    /// Must be called once per control period, before reading. Applies the remaining fields of packages of
+    /// which only a part was applied in the previous period.
     void applyRest();
 
     /// Number of packages applied so far.
@@ -56,7 +58,7 @@ private:
         std::uint64_t period;
         InputRecipe recipe;
         std::vector<double> values;
-        std::vector<bool> late;  ///< by field of the recipe
+        std::vector<bool> late;  ///< for each field of the recipe
     };
 
     std::vector<bool> lateFields(std::size_t count) const;
@@ -67,8 +69,8 @@ private:
 
     ControllerModel& plant_;
     SoftwareVersion software_;
-    std::vector<ClientId> owners_;  ///< by field; 0: none
-    std::vector<double> values_;    ///< buffer of apply()
+    std::vector<ClientId> owners_;  ///< client ID for each field; 0: none
+    std::vector<double> values_;    ///< buffer used by apply()
     std::vector<Rest> rests_;
     std::uint64_t packages_ = 0;
 

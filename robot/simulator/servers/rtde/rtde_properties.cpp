@@ -7,15 +7,15 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Kind and subtype in the two upper bytes.
+/// Encodes kind and subtype in the two upper bytes.
 constexpr std::uint32_t hardware(std::uint32_t kind, std::uint32_t subtype) {
     return (kind << 24) | (subtype << 16);
 }
 
-/// Returns the name of the type; empty for an unknown property.
+/// Appends the value of a property. Returns the name of its type; empty for an unknown property.
 std::string_view append(ByteWriter& values, std::string_view name, const SoftwareVersion& software) {
     if (name == "v1.software.version") {
-        // The lowest word is reserved.
+        // The lowest 16 bits are reserved.
         values.u64((std::uint64_t{software.major} << 48) | (std::uint64_t{software.minor} << 32) |
                    (std::uint64_t{software.bugfix & 0xFFFFU} << 16));
         return "UINT64";

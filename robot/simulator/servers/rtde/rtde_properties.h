@@ -11,7 +11,7 @@
 
 namespace tiller::simulator {
 
-/// Returns whether this software answers RTDE_READ_PROPERTIES, which requires protocol version 3. Older
+/// Returns whether this software replies to RTDE_READ_PROPERTIES, which requires protocol version 3. Older
 /// software ignores the request.
 bool hasProperties(const SoftwareVersion& software);
 

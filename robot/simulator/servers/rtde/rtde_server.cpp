@@ -14,11 +14,11 @@ constexpr std::size_t kMaxInputRecipes = 255;
 /// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
 /// others.
 constexpr std::size_t kRtdeShare = 256 * 1024;
-/// Maximum number of clients of a CB3. A further one completes its handshake and is closed after this time
-/// [s]. Source: Universal Robots forum, threads 2793 and 3673
+/// Maximum number of clients of a CB3. An additional client completes its handshake and is closed after
+/// kExtraCb3Client [s]. Source: Universal Robots forum, threads 2793 and 3673
 constexpr int kMaxCb3Clients = 3;
 constexpr double kExtraCb3Client = 1.0;
-/// Owner of the inputs held by an injected fault; client ids start at 1.
+/// Owner of the inputs that an injected fault holds. Client IDs start at 1.
 constexpr RtdeInputs::ClientId kReservedClient = ~RtdeInputs::ClientId{0};
 }  // namespace
 
@@ -34,8 +34,8 @@ void RtdeServer::service() {
     for (const auto& client : clients_) {
         read(*client);
         if (!client->peer.isOpen()) {
-            // Immediately, not at the end of the round: the same program may already have reconnected and
-            // request them again.
+            // Release the inputs immediately instead of at the end of the loop, because the same program may
+            // already have reconnected and request them again.
             inputs_.release(client->id);
         }
         client->peer.flush();
@@ -44,8 +44,8 @@ void RtdeServer::service() {
 }
 
 void RtdeServer::greet(Client& client) {
-    // The only unsolicited text message, sent only by a PolyScope X with an unconfirmed safety configuration,
-    // because some clients take the first message for the answer they wait for.
+    // This is the only unsolicited text message. Only PolyScope X with an unconfirmed safety configuration
+    // sends it, because some clients take the first message for the reply they wait for.
     if (plant_.options().software.isPolyScopeX() && plant_.power().mode() == RobotMode::ConfirmSafety) {
         reply_.clear();
         rtde::writeControllerText(
@@ -111,7 +111,7 @@ void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
             onData(client, package.payload);
             break;
         case rtde::PackageType::TextMessage:
-            break;  // received, but never answered, as described in the guide
+            break;  // received, but never replied to, as described in the guide
         case rtde::PackageType::ReadProperties:
             if (hasProperties(plant_.options().software)) {
                 writeProperties(reply_, rtde::readPropertiesRequest(package.payload),
@@ -154,7 +154,8 @@ unsigned RtdeServer::dividerFor(double frequency) const {
     if (!(frequency > 0) || frequency >= most) {
         return 1;
     }
-    // A small margin, so that a third of the maximum frequency, rounded, still selects every third period.
+    // The small margin ensures that a rounded third of the maximum frequency still selects every third
+    // period.
     return static_cast<unsigned>(std::floor(most / std::max(frequency, 1.0) + 1e-9));
 }
 
@@ -232,7 +233,7 @@ void RtdeServer::send(Client& client, rtde::ByteView package) {
     if (client.peer.send(package, plant_.telemetry().timestamp)) {
         sent_.fetch_add(1, std::memory_order_acq_rel);
     } else {
-        client.peer.close();  // as described in the guide for a client that does not read
+        client.peer.close();  // for a client that does not read, as described in the guide
     }
 }
 
@@ -252,7 +253,7 @@ double RtdeServer::departure() const {
         case BehaviourOptions::Data::Late: {
             constexpr double kMinValue = 0.004;
             constexpr double kMore = 0.020;
-            // Any deterministic scatter is suitable; the queue keeps the order.
+            // Any deterministic scatter is suitable. The queue preserves the order of the packages.
             const auto scatter = static_cast<double>(plant_.tick() * 2654435761U >> 8U & 0xFFU) / 255.0;
             return now + kMinValue + kMore * scatter;
         }

@@ -4,15 +4,15 @@
 // The RTDE service, port 30004. Source: RTDE guide. Where the guide is not specific, this implementation
 // behaves as follows:
 //
-// - A size field below 3 ends the connection, because nothing after it could be parsed.
-// - A well-framed package of unknown type is ignored. A request with an invalid payload is refused in its
-// reply (version not accepted, recipe id 0); a data package of unknown recipe or wrong length is not applied.
-// No text message is sent, because clients take it for the answer they wait for.
-// - A frequency that is not a positive number, or is above the maximum, is set to the maximum; below 1 Hz it
-// is set to 1 Hz.
-// - A setup while started replaces the recipe from the next package on; an invalid one stops the stream.
+// - A size field below 3 ends the connection, because the following bytes cannot be parsed.
+// - A well-framed package of unknown type is ignored. The reply to a request with an invalid payload refuses
+//   it (version not accepted, recipe ID 0). A data package with an unknown recipe or wrong length is not
+//   applied. No text message is sent, because clients would take it for the reply they wait for.
+// - A frequency that is above the maximum or is not a positive number is set to the maximum. A frequency
+//   below 1 Hz is set to 1 Hz.
+// - A setup after START replaces the recipe from the next package on. An invalid setup stops the stream.
 // - START without a valid output recipe is refused; PAUSE is always accepted.
-// - PolyScope X informs new clients while its safety configuration has not been confirmed.
+// - PolyScope X notifies new clients while its safety configuration is unconfirmed.
 
 #include <QStringList>
 #include <atomic>
@@ -33,7 +33,7 @@ class RtdeServer final : public Server {
 public:
     explicit RtdeServer(ControllerModel& plant);
 
-    /// To be called once per control period, before reading.
+    /// Must be called once per control period, before reading.
     void beginPeriod() {
         ++period_;
         inputs_.applyRest();
@@ -42,12 +42,12 @@ public:
     void publish() override;
     void closeClients() override;
 
-    /// Marks inputs as owned by an absent client, e.g. a fieldbus or a crashed client. False, without change,
-    /// when one of them does not exist or already has an owner.
+    /// Marks inputs as owned by a client that is not simulated, e.g. a fieldbus or a crashed client. Returns
+    /// false without any change if one of the inputs does not exist or already has an owner.
     bool holdInputs(const QStringList& names);
     void releaseHeldInputs();
 
-    /// Total of all clients since the start.
+    /// Number of packages of all clients since the start.
     /// Threads  any
     std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }
     std::uint64_t outputPackages() const { return sent_.load(std::memory_order_acquire); }
@@ -70,11 +70,11 @@ private:
         rtde::PackageSplitter splitter;
         rtde::ProtocolVersion protocol = rtde::ProtocolVersion::V1;
         std::optional<OutputRecipe> output;
-        unsigned divider = 1;  ///< every n-th control period
+        unsigned divider = 1;  ///< a package is sent in every n-th control period
         bool started = false;
-        std::optional<double> leaves;     ///< when it is closed as a surplus client [s]
-        std::uint64_t startPeriod = 0;    ///< the period in which START was answered
-        std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe id
+        std::optional<double> leaves;     ///< time at which this surplus client is closed [s]
+        std::uint64_t startPeriod = 0;    ///< the period in which START was confirmed
+        std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe ID
         struct Waiting {
             double due;  ///< [s]
             rtde::Bytes package;
@@ -92,7 +92,7 @@ private:
     unsigned dividerFor(double frequency) const;
     void reply(Client& client);
     void send(Client& client, rtde::ByteView package);
-    /// Time at which a package created now is sent [s].
+    /// Time at which a package created in this period is sent [s].
     double departure() const;
     void sendDue(Client& client);
     bool placesAreTaken() const;
@@ -102,7 +102,7 @@ private:
     RtdeInputs inputs_;
     std::vector<std::unique_ptr<Client>> clients_;
     RtdeInputs::ClientId lastId_ = 0;
-    std::uint64_t period_ = 0;  ///< the current package, or the last one
+    std::uint64_t period_ = 0;  ///< number of the current control period
     rtde::Bytes reply_;
     std::atomic<std::uint64_t> packages_{0};
     std::atomic<std::uint64_t> sent_{0};

@@ -36,7 +36,7 @@ void put(double* into, Number v) {
     *into = static_cast<double>(v);
 }
 
-/// The value of the terminal as reported by RTDE: milliampere in the current domain, otherwise volt.
+/// The value of a terminal as reported by RTDE: [mA] in the current domain, otherwise [V].
 double analog(double terminal, unsigned domain) {
     return domain == 0 ? terminal * 1000.0 : terminal;
 }
@@ -217,7 +217,7 @@ OutputRecipe::OutputRecipe(const std::vector<std::string>& names, const Software
     values_.resize(layout_.components());
     package_.resize(rtde::dataPackageSize(layout_.wireBytes(), true));
     if (package_.size() > rtde::kMaxPackageSize) {
-        valid_ = false;  // its size cannot be reported to the client
+        valid_ = false;  // the protocol cannot report the size of this package to the client
     }
 }
 

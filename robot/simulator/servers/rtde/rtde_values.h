@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sources of the values of all RTDE output fields. All values are simulated; fields of missing equipment (Euromap,
-// conveyor encoders) have the values of unconnected equipment.
+// Sources of the values of all RTDE output fields. All values are simulated. Fields of missing equipment
+// (Euromap, conveyor encoders) have the values of unconnected equipment.
 
 #include <optional>
 #include <string_view>
@@ -19,25 +19,25 @@ namespace tiller::simulator {
 struct FieldSource {
     using Read = void (*)(const Telemetry& now, std::size_t number, double* into);
     Read read = nullptr;
-    std::size_t number = 0;  ///< of a register
+    std::size_t number = 0;  ///< register number
     std::size_t components = 1;
 };
 
-/// Nothing when this catalogue entry has no source; a test checks that every output field has one.
+/// Empty if this catalogue entry has no source. A test checks that every output field has one.
 std::optional<FieldSource> fieldSource(const rtde::Field& field);
 
 /// The fields of one output recipe.
 class OutputRecipe {
 public:
-    /// True for each field that exists in this software; answers() lists them.
+    /// answers() lists for each name whether the field exists in this software.
     OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software,
                  bool isListed = false);
 
-    /// In the order of the names.
+    /// One answer for each name, in the same order.
     const std::vector<rtde::FieldAnswer>& answers() const { return answers_; }
     /// True if there is at least one name and all were found.
     bool isValid() const { return valid_; }
-    /// Writes a complete data package; recipeId as in rtde::writeDataPackage.
+    /// Writes a complete data package. recipeId is used as in rtde::writeDataPackage.
     rtde::ByteView write(const Telemetry& now, std::optional<std::uint8_t> recipeId);
 
 private:

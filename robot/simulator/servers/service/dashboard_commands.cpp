@@ -37,7 +37,7 @@ std::string upper(std::string text) {
 
 }  // namespace
 
-// If one command begins with another, the longer one comes first.
+// If one command is the beginning of another, the longer command comes first.
 const DashboardCommands::KnownCommand DashboardCommands::kCommands[] = {
     {"load installation", &C::loadInstallation, true, true, {3, 2, 0, 0}, {}},
     {"load", &C::load, true, true, {}, {}},
@@ -85,13 +85,13 @@ const DashboardCommands::KnownCommand DashboardCommands::kCommands[] = {
 };
 
 DashboardCommands::Rights DashboardCommands::rightsOfNewClient() const {
-    // A connection opened in local control never gets rights.
+    // A connection opened in local control never gains the rights to control the robot.
     return plant_.isRemoteControl() ? plant_.controlEpoch() + 1 : 0;
 }
 
 bool DashboardCommands::mayControl(Rights rights) const {
-    // Clients on the controller itself are exempt. For a simulator on this machine this applies to every
-    // client, unless the option is set.
+    // Clients on the controller itself are exempt. For a simulator on this machine, this applies to every
+    // client unless gateLoopbackClients is set.
     const SimulatorOptions& options = plant_.options();
     const bool loopback = options.listenAddress.startsWith(QLatin1String("127."));
     const bool gated = options.gateLocalControl && (!loopback || options.gateLoopbackClients);
@@ -105,7 +105,7 @@ bool DashboardCommands::isKnown(const KnownCommand& command) const {
            (!isListed || software >= (software.isCb3() ? command.listedCb3 : command.listedESeries));
 }
 
-/// Software before 3.4 answers as if the command had been carried out.
+/// Software before 3.4 replies as if the command had been executed.
 std::string DashboardCommands::refused(const char* failure, const char* success) const {
     return plant_.options().software >= SoftwareVersion{3, 4, 0, 0} ? failure : success;
 }
@@ -189,7 +189,7 @@ std::string DashboardCommands::play(const std::string&) {
         return "Starting program";
     }
     if (programs.state() == RuntimeState::Stopping || programs.isStopRequested()) {
-        programs.stopNow();  // "stop" has been answered, so "play" may follow immediately
+        programs.stopNow();  // "stop" has been confirmed, so "play" may follow immediately
     }
     if (!store_.isLoaded() || programs.isActive()) {
         return failed;
@@ -208,8 +208,8 @@ std::string DashboardCommands::play(const std::string&) {
 }
 
 std::string DashboardCommands::stop(const std::string&) {
-    // Successful also if no program runs, because clients that stop a program which has just ended rely on
-    // it.
+    // Also successful if no program runs, because clients rely on this when they stop a program that has just
+    // ended.
     plant_.programs().requestStop();
     return "Stopped";
 }
@@ -229,7 +229,8 @@ std::string DashboardCommands::running(const std::string&) {
 
 std::string DashboardCommands::programState(const std::string&) {
     if (!store_.isLoaded()) {
-        // The name is always included: some clients wait for it, and none is affected by it.
+        // The name is always included, because some clients wait for it and no known client has problems with
+        // it.
         return "STOPPED <unnamed>";
     }
     const ProgramRunner& programs = plant_.programs();
@@ -402,8 +403,8 @@ std::string DashboardCommands::flightReport(const std::string& type) {
     if (!wanted.empty() && wanted != "CONTROLLER" && wanted != "SOFTWARE" && wanted != "SYSTEM") {
         return "Error: unknown flight report type: " + type;
     }
-    // A controller needs up to minutes for a report; two requests in quick succession both create one.
-    // Source: urcl tests.
+    // A controller can take minutes to create a report. Two requests in quick succession create one report
+    // each. Source: urcl tests.
     return "Flight Report generated with id:" + std::to_string(++flightReports_);
 }
 

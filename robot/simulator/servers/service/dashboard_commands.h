@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The commands of the dashboard, each with its exact reply. Source: Dashboard Server guide; replies that
-// clients compare literally are those of the vendor's simulator.
+// The commands of the dashboard, each with its exact reply. Source: Dashboard Server guide. Replies that
+// clients compare literally are copied from the vendor's simulator.
 
 #include <cstdint>
 #include <deque>
@@ -20,7 +20,8 @@ class DashboardCommands {
 public:
     DashboardCommands(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
-    /// Rights of a connection: determined when it is opened, revoked when the switch on the pendant changes.
+    /// Rights of a connection. They are determined when the connection is opened and revoked when the
+    /// Local/Remote switch on the pendant changes.
     using Rights = std::uint64_t;
     Rights rightsOfNewClient() const;
 
@@ -39,7 +40,7 @@ private:
         bool controls = false;  ///< refused in local control
         SoftwareVersion cb3{};
         SoftwareVersion eSeries{};
-        SoftwareVersion listedCb3{};  ///< the latest first version, where sources disagree
+        SoftwareVersion listedCb3{};  ///< where sources disagree, the latest of the first versions
         SoftwareVersion listedESeries{};
     };
     static const KnownCommand kCommands[];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The port for fault injection, 29990: lines as described in faults.h, with one answer each. Real robots do
-// not have it.
+// The port for fault injection, 29990. Each line is processed as described in faults.h and gets one reply.
+// Real robots do not have this port.
 
 #include <functional>
 
@@ -12,7 +12,7 @@ namespace tiller::simulator {
 
 class FaultServer final : public LineServer {
 public:
-    /// Answers a line, newline included.
+    /// Returns the reply to a line, including the newline.
     using Handler = std::function<std::string(std::string_view)>;
     explicit FaultServer(Handler handler) : handler_(std::move(handler)) {}
 

@@ -16,17 +16,17 @@ namespace {
 
 using urscript::InterpreterMode;
 
-constexpr std::size_t kInterpreterShare = 256 * 1024;  ///< read from one client at a time [bytes]
+constexpr std::size_t kInterpreterShare = 256 * 1024;  ///< bytes read from one client at a time
 
 std::string discard(std::string_view reason, std::string_view line) {
-    // The reason ends before the statement.
+    // Remove the colon at the end of the reason, because the statement follows.
     while (!reason.empty() && reason.back() == ':') {
         reason.remove_suffix(1);
     }
     return "discard: " + std::string(reason) + ": " + std::string(line) + "\n";
 }
 
-/// Answer to a command that is executed immediately; empty if the line is a statement.
+/// Returns the reply to a command that is executed immediately; empty if the line is a statement.
 std::string stateReply(InterpreterMode* mode, const std::string& line) {
     const InterpreterMode::Counts counts = mode == nullptr ? InterpreterMode::Counts() : mode->counts();
     std::uint32_t number = 0;

@@ -18,9 +18,10 @@ class ControllerModel;
 
 class InterpreterServer final : public Server {
 public:
-    /// Maximum length of a line [bytes]; a longer one is refused with a message.
+    /// Maximum length of a line [bytes]. A longer line is refused with a message.
     static constexpr std::size_t kMaxLine = 64 * 1024;
-    /// Maximum number of lines per client that may wait for a clear_interpreter(); then reading stops.
+    /// Maximum number of lines per client that may wait for a clear_interpreter(). Reading stops at this
+    /// limit.
     static constexpr std::size_t kMaxWaiting = 1000;
 
     /// Maximum number of lines compiled per cycle, so that many lines do not delay the robot.
@@ -37,13 +38,13 @@ private:
             : peer(descriptor, 1 << 20), mayWrite(writes) {}
         Peer peer;
         bool mayWrite;
-        bool overlong = false;  ///< within a line that is too long
-        std::string line;       ///< begun, not ended
+        bool overlong = false;  ///< true while receiving a line that is too long
+        std::string line;       ///< incomplete line
         std::deque<std::string> lines;
     };
     void read(Client& client);
     void answer(Client& client, int& lines);
-    /// The reply; nothing if it is not available yet.
+    /// Returns the reply; empty if it is not available yet.
     std::string replyTo(const Client& client, const std::string& line);
 
     ControllerModel& plant_;

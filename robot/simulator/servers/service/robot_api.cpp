@@ -50,7 +50,8 @@ HttpResponse invalid(const QString& what) {
     return refuse(422, QStringLiteral("Validation error"), what);
 }
 
-/// Description stored in a program file; handwritten files without nesting may have it at the root.
+/// Returns the description stored in a program file. Handwritten files without nesting may have it at the
+/// root.
 QJsonObject informationOf(const QJsonObject& root) {
     const QJsonObject program = root.value(QLatin1String("program")).toObject();
     const QString key = QStringLiteral("programInformation");
@@ -177,8 +178,8 @@ HttpResponse RobotApi::docs(const HttpRequest&, const std::string&) {
 
 // ---- robot ----------------------------------------------------------------------------------------------
 
-// Requests are answered when the robot has completed them, because clients query the new state, or request
-// the next step, immediately.
+// The response is sent when the robot has completed the request, because clients immediately query the new
+// state or request the next step.
 HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::string&) {
     const auto body = bodyOf(request);
     const QString action = body ? body->value(QLatin1String("action")).toString() : QString();
@@ -211,7 +212,7 @@ HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::stri
             return refuse(409, QStringLiteral("Not possible now"),
                           QStringLiteral("There is no protective stop"));
         }
-        safety.unlockProtectiveStop(false);  // the vendor's client unlocks within one second after the stop
+        safety.unlockProtectiveStop(false);  // no delay: the vendor's client unlocks within one second
         return done([&safety] { return !safety.isProtectiveStopped(); });
     }
     if (action == QLatin1String("RESTART_SAFETY")) {
@@ -240,7 +241,7 @@ HttpResponse RobotApi::controlMode(const HttpRequest&, const std::string&) {
 }
 
 HttpResponse RobotApi::operationalMode(const HttpRequest&, const std::string&) {
-    // Always reported: without a selector programs can run.
+    // This mode is always reported. Without a mode selector, programs can run.
     return mode(plant_.safety().operationalMode() == OperationalMode::Manual ? QStringLiteral("MANUAL")
                                                                              : QStringLiteral("AUTOMATIC"));
 }
@@ -323,7 +324,7 @@ HttpResponse RobotApi::play(bool resuming) {
     if (runner.isActive()) {
         return notNow(QStringLiteral("A program is running"));
     }
-    // The program of a fresh controller has no nodes yet.
+    // The default program of a new controller has no nodes.
     const Result<std::string> text =
         store_.isLoaded() ? store_.script() : Result<std::string>("def Default_program():\nend\n");
     if (!text) {

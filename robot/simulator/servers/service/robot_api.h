@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The Robot API of PolyScope X: action and answer of each method on each path. Source: Robot API documentation of
-// the manufacturer and the tests of its client library.
+// The Robot API of PolyScope X: action and response for each method and path. Source: Robot API documentation
+// of the manufacturer and the tests of its client library.
 
 #include <QJsonObject>
 #include <string>
@@ -15,22 +15,22 @@ namespace tiller::simulator {
 class ControllerModel;
 class ProgramStore;
 
-/// Threads  the simulator's.
+/// Threads  the simulator thread
 class RobotApi {
 public:
     RobotApi(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
-    /// Requests that take time are answered on completion: see HttpResponse::due.
+    /// For requests that take time, the response is delayed until they are completed; see HttpResponse::due.
     HttpResponse run(const HttpRequest& request);
 
 private:
     using Handler = HttpResponse (RobotApi::*)(const HttpRequest& request, const std::string& rest);
     struct Route {
         std::string_view method;
-        std::string_view path;  ///< relative to the base; ending with '*': the rest goes to the handler
+        std::string_view path;  ///< relative to the base; if it ends with '*', the handler receives the rest
         Handler handler;
         bool changes = false;   ///< refused in local control
-        bool since1012 = true;  ///< first version: 10.12, otherwise 10.11
+        bool since1012 = true;  ///< true: exists from 10.12 on; false: from 10.11 on
         bool until1012 = false;
     };
     static const Route kRoutes[];

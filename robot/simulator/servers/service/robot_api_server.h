@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The web server of a PolyScope X controller, for the Robot API only: HTTP/1.1 with persistent connections.
+// The web server of a PolyScope X controller, which only provides the Robot API: HTTP/1.1 with persistent
+// connections.
 
 #include <optional>
 
@@ -31,7 +32,7 @@ private:
             bool withBody = true;
             double asked = 0;  ///< time of the request [s]
         };
-        std::optional<HttpAnswer> next;  ///< delayed; later ones wait for it
+        std::optional<HttpAnswer> next;  ///< delayed response; later responses wait for it
     };
     void read(Client& client);
     void answer(Client& client);

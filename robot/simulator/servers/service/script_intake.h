@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The receiving side of a script port for one client: passes received programs to the runner.
+// The receiving side of a script port for one client. Passes received programs to the runner.
 
 #include "robot/simulator/servers/net/peer.h"
 #include "robot/simulator/urscript/source_splitter.h"
@@ -12,10 +12,11 @@ class ControllerModel;
 
 class ScriptIntake {
 public:
-    /// mayWrite  false: received scripts are not run, because the robot is in local control
+    /// mayWrite  false: received scripts do not run, because the robot is in local control
     explicit ScriptIntake(bool mayWrite) : mayWrite_(mayWrite) {}
 
-    /// Reads the received data. plant  null: a read-only port, all data are discarded
+    /// Reads the received data.
+    /// plant  null for a read-only port: all data are discarded
     void read(Peer& peer, ControllerModel* plant);
 
 private:

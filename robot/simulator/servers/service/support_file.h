@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The archive created by `generate support file`: a zip file with one text.
+// The archive created by `generate support file`: a zip file with one text file.
 
 #include <QByteArray>
 
 namespace tiller::simulator {
 
-/// A zip archive of one file, not compressed.
+/// Creates an uncompressed zip archive of one file.
 QByteArray zipOf(const QByteArray& fileName, const QByteArray& content);
 
 }  // namespace tiller::simulator

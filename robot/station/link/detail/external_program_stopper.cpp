@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/link/detail/external_program_stopper.h"
 
+#include <utility>
+
 #include "robot/receive/robot_state.h"
 
 namespace tiller {
@@ -54,7 +56,7 @@ bool ExternalProgramStopper::isMeant(StopCause cause, const SessionState& state)
     }
     const bool button = cause == StopCause::StopButton;
     if (state.control == ControlState::Taking) {
-        return true;  // a program that ours is replacing, or ours being uploaded
+        return true;  // stops the program being replaced, and the control script being uploaded
     }
     if (state.control == ControlState::InControl) {
         return false;
@@ -89,7 +91,8 @@ void ExternalProgramStopper::request(StopCause cause, const receive::Receiver& r
 
 void ExternalProgramStopper::askService() {
     const auto stop = [wanted = wanted_](RobotService& service, const Deadline& deadline) -> Result<void> {
-        // The job may have waited for a connection: it must not stop a program started since.
+        // The job may have waited for a connection. It must not stop a program that was started in the
+        // meantime.
         return *wanted ? service.perform(dashboard::RobotCommand::StopProgram, deadline) : Result<void>();
     };
     service_.post(
@@ -117,10 +120,20 @@ void ExternalProgramStopper::withdraw() {
 
 void ExternalProgramStopper::measure(const SampleBatch& batch) {
     for (const receive::Sample& sample : batch.samples) {
-        if (meter_.isMeasuring() && sample.sequence > measuredFrom_) {
+        if (isSafetyStop(sample) && !meter_.isMeasuring() && meter_.isMoving()) {
+            measuredFrom_ = 0;
+            meter_.begin(StopCause::UnsafeMode, sample.hostTimeNs);
+        }
+        if (!meter_.isMeasuring() || sample.sequence > measuredFrom_) {
             meter_.add(measured(sample));
         }
     }
+}
+
+/// True for the first sample of a stop by the safety system while a program of another client may run.
+bool ExternalProgramStopper::isSafetyStop(const receive::Sample& sample) {
+    const bool allowed = allowsMotion(receive::RobotState(sample).safetyMode());
+    return std::exchange(motionAllowed_, allowed) && !allowed && isExternal_;
 }
 
 bool ExternalProgramStopper::isStopped(const SessionState& state) const {
@@ -145,10 +158,11 @@ std::optional<Error> ExternalProgramStopper::failure() const {
 ExternalProgramStopper::Outcome ExternalProgramStopper::follow(const SessionState& state,
                                                                const SampleBatch& batch) {
     measure(batch);
+    isExternal_ = state.control == ControlState::None || state.control == ControlState::Refused;
     if (!request_) {
         return Outcome::None;
     }
-    // While control is being taken, our own program may still start.
+    // While control is being taken, Tiller's own program may still start.
     if (state.control != ControlState::Taking && isStopped(state)) {
         withdraw();
         return Outcome::Stopped;

@@ -2,10 +2,11 @@
 #pragma once
 
 // Stops any program that runs on the robot: an external one (from the pendant, another PC, or left running),
-// and our own when the control connection is unreliable. All routes are used at once: "stop program" on the
-// primary interface, and the stop command of the dashboard or the Robot API; each on a connection opened in
-// advance and on a new one, because the robot may have dropped the existing one silently. The robot's own
-// data decide whether the stop succeeded. Private to robot/station/link.
+// and Tiller's own program if the control connection is unreliable. All routes are used simultaneously: "stop
+// program" on the primary interface, and the stop command of the dashboard or the Robot API. Each route uses
+// a connection opened in advance and a new one, because the robot may have dropped the existing one without
+// closing it. The data received from the robot determine whether the stop succeeded. Private to
+// robot/station/link.
 
 #include <atomic>
 #include <memory>
@@ -20,52 +21,56 @@
 
 namespace tiller {
 
-/// Threads  GUI; the destructor any
+/// Threads  GUI; any thread for the destructor
 class ExternalProgramStopper {
 public:
-    /// context  receives the answers in its thread; must outlive this object
+    /// context  receives the replies in its thread; must outlive this object
     ExternalProgramStopper(QObject& context, const QString& host, int portOffset, const Clock& clock);
     ~ExternalProgramStopper();
     ExternalProgramStopper(const ExternalProgramStopper&) = delete;
     ExternalProgramStopper& operator=(const ExternalProgramStopper&) = delete;
 
-    /// True if the cause stops everything: STOP (also the stop key of a device), Esc, Space.
+    /// True if the cause stops everything: STOP (including the stop button of a device), Esc, Space.
     static bool isByStopKey(control::StopCause cause);
-    /// Returns whether a stop for this cause is sent on all routes at once. Only stop keys count. While
-    /// control is being taken: always. With fresh data: if an external program runs or is just being paused
-    /// or resumed, or if the arm moves; for STOP also if a program is paused. Without fresh data: always for
-    /// STOP; for the other keys if control is in doubt, if there were no data yet, or if the last data showed
-    /// a program. While in control, a stop goes to our own program first: see control::StopConfirmation.
+    /// Returns whether a stop for this cause is sent on all routes at once. Only the causes of isByStopKey()
+    /// are considered. While control is being taken, the stop is always sent. With fresh data, it is sent if
+    /// an external program runs or is just being paused or resumed, or if the arm moves; for STOP also if a
+    /// program is paused. Without fresh data, it is always sent for STOP, and for the other keys if control
+    /// is in doubt, if there were no data yet, or if the last data showed a program. While in control, a stop
+    /// is first sent to Tiller's own program, see control::StopConfirmation.
     static bool isMeant(control::StopCause cause, const SessionState& state);
 
     /// Opens missing connections so that a stop does not have to wait for them.
     void warmUp();
     /// True if the stop on the primary interface can be sent immediately, without connecting first.
     bool isReady() const { return stopper_.isConnected(); }
-    /// The robot applies a switch to Remote only to new connections.
+    /// Reconnects, because the robot applies a change to Remote only to new connections.
     void reconnect() { stopper_.reconnect(); }
 
     void request(control::StopCause cause, const receive::Receiver& receiver);
-    /// Cancels the request, because a program started from now on is meant to run.
+    /// Cancels the request, so that it does not stop a program started intentionally from now on.
     void withdraw();
 
-    bool isPending() const { return request_.has_value(); }  ///< Requested, and not confirmed yet.
+    bool isPending() const {
+        return request_.has_value();
+    }  ///< A stop was requested and is not confirmed yet.
 
     enum class Outcome { None, Stopped, Failed };
-    /// To be called once per frame with its samples: measures the stop, and repeats the request where useful.
+    /// Measures the stop, also one by the safety system, and repeats the request if useful. Call once per frame with
+    /// the samples of the frame.
     /// Returns  the result of the request, once
     Outcome follow(const SessionState& state, const SampleBatch& batch);
     /// Error of the last failed request.
     const Error& error() const { return error_; }
-    /// The last measured stop, from the request to standstill.
+    /// The last measured stop, from the request or the safety stop to standstill.
     const control::StopMeasurement& last() const { return meter_.last(); }
 
 private:
     struct StopRequest {
         std::int64_t ns = 0;
-        std::uint64_t sequence = 0;  ///< of the newest sample at that time
+        std::uint64_t sequence = 0;  ///< sequence number of the newest sample at this time
     };
-    /// Answer of the service; outlives this object while an answer is pending.
+    /// Reply of the service. Outlives this object while a reply is pending.
     struct ServiceAnswer {
         bool busy = false;
         Error error;
@@ -73,14 +78,15 @@ private:
 
     void askService();
     void measure(const SampleBatch& batch);
+    bool isSafetyStop(const receive::Sample& sample);
     bool isStopped(const SessionState& state) const;
     std::optional<Error> failure() const;
 
     QObject& context_;
     const Clock& clock_;
     script::ProgramStopper stopper_;
-    dashboard::ServiceWorker service_;       ///< on a connection opened in advance
-    dashboard::ServiceWorker freshService_;  ///< on a new connection each time
+    dashboard::ServiceWorker service_;       ///< uses a connection opened in advance
+    dashboard::ServiceWorker freshService_;  ///< uses a new connection each time
     std::shared_ptr<ServiceAnswer> answer_ = std::make_shared<ServiceAnswer>();
     std::shared_ptr<std::atomic<bool>> wanted_ = std::make_shared<std::atomic<bool>>(false);
     std::optional<StopRequest> request_;
@@ -88,6 +94,8 @@ private:
 
     control::StopMeter meter_;
     std::uint64_t measuredFrom_ = 0;  ///< number of the newest sample at the request
+    bool isExternal_ = false;         ///< not in control in the last frame: the controller does not measure
+    bool motionAllowed_ = false;      ///< safety mode of the previous sample
 };
 
 }  // namespace tiller

@@ -22,7 +22,7 @@ void ExtraFieldStream::follow(const QString& host, std::uint16_t port, const QSt
     receiver_ = std::make_shared<receive::Receiver>(options);
     stream_ = receiver_->subscribe();
     lost_ = 0;
-    static_cast<void>(receiver_->start());  // fields of the catalogue are not refused
+    static_cast<void>(receiver_->start());  // cannot fail, because all fields are in the catalogue
 }
 
 void ExtraFieldStream::end() {

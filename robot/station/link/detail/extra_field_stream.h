@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Additional fields requested by parts of the window: on a separate connection, so that changing them never
-// interrupts the stream used for motion.
+// Additional fields requested by parts of the window, received on a separate connection, so that changing the
+// fields never interrupts the stream used for motion.
 
 #include <QSet>
 #include <QStringList>
@@ -16,16 +16,16 @@
 
 namespace tiller {
 
-/// Threads  GUI; the receiver's own thread runs at normal priority
+/// Threads  GUI; the thread of the receiver has normal priority
 class ExtraFieldStream {
 public:
     /// cleanup  joins the threads of receivers that are no longer needed
     ExtraFieldStream(const Clock& clock, SerialExecutor& cleanup) : clock_(clock), cleanup_(cleanup) {}
 
-    /// Receives exactly these fields of this robot from now on. Empty: none.
+    /// Receives exactly these fields of this robot from now on; may be empty.
     void follow(const QString& host, std::uint16_t port, const QStringList& fields);
     void end();
-    /// Samples since the last call; valid as long as `into` exists.
+    /// Samples since the last call, stored in `into`.
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// The requested fields that the robot does not have.
     QSet<QString> absent() const;

@@ -10,8 +10,8 @@
 namespace tiller {
 namespace {
 
-/// The joint positions of a target; nothing if it cannot be reached, because the controller refuses such a
-/// target itself.
+/// The joint positions of a target. Empty if the target cannot be reached, because the controller rejects
+/// such a target.
 std::optional<JointPositions> jointsOf(const DhParameters& dh, const Pose& tcpOffset,
                                        const control::PathEntry::Target& target, const JointPositions& from) {
     if (const auto* q = std::get_if<JointPositions>(&target)) {
@@ -20,10 +20,10 @@ std::optional<JointPositions> jointsOf(const DhParameters& dh, const Pose& tcpOf
     return kinematics::inverseNearest(dh, std::get<Pose>(target), tcpOffset, from);
 }
 
-/// The first position along this path at which the TCP has this distance from the corner.
+/// The first position on this path at which the TCP has this distance from the corner.
 JointPositions positionAt(const DhParameters& dh, const Pose& tcpOffset,
                           std::span<const JointPositions> fromCorner, double distance) {
-    constexpr int kParts = 16;  // subdivisions between two positions
+    constexpr int kParts = 16;  // number of subdivisions between two positions
     const Eigen::Vector3d corner = kinematics::forwardTcp(dh, fromCorner.front(), tcpOffset).position;
     for (std::size_t i = 0; i + 1 < fromCorner.size(); ++i) {
         for (int part = 1; part <= kParts; ++part) {
@@ -127,7 +127,7 @@ Result<void> MoveGuard::permit(const JointPositions& start, const std::vector<Le
         }
         const std::vector<JointPositions> way = before;
         if (blend > 0 && reached.size() > 1 && way.size() > 1) {
-            // The controller blends the corner between the two.
+            // The controller blends the corner between the two segments.
             const collision::Move corner{positionAt(arm_.dh, tcpOffset_, reached, blend),
                                          positionAt(arm_.dh, tcpOffset_, way, blend), false};
             if (const auto error = examine(corner)) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The collision model of the arm and its surroundings, and the check of moves against it. Updated when the
-// arm, its tool or its surroundings change.
+// The collision model of the arm and its surroundings, used to check moves. Updated when the arm, its tool or
+// its surroundings change.
 
 #include <memory>
 #include <span>
@@ -22,16 +22,16 @@ public:
     /// Returns  true if check() has changed
     bool follow(const SessionState& state);
     void forget() { check_.reset(); }  ///< Call when no arm is connected.
-    /// Null while there is no arm.
+    /// Null if no arm is connected.
     const std::shared_ptr<const collision::CollisionCheck>& check() const { return check_; }
 
-    /// Checks moves in sequence from the position of the arm.
-    /// Errors  NoSolution with a sentence: the part of the arm, the object and the place on the path, or the object
-    ///         whose position is unknown
+    /// Checks moves in sequence from the current position of the arm.
+    /// Errors  NoSolution with a sentence that names the part of the arm, the object and the position on the
+    ///         path, or the object whose position is unknown
     Result<void> permit(const SessionState& state, std::span<const MoveRequest> moves) const;
-    /// The same for a path of joint positions from the position of the arm.
+    /// Checks a path of joint positions from the current position of the arm.
     Result<void> permit(const SessionState& state, std::span<const JointPositions> way) const;
-    /// The same for a path, with its blends.
+    /// Checks a path with its blends.
     Result<void> permit(const SessionState& state, const control::MotionPath& path) const;
 
 private:
@@ -50,7 +50,7 @@ private:
     Pose tcpOffset_;
     std::shared_ptr<const collision::CollisionCheck> check_;
     collision::NeverMeeting
-        neverMeeting_;  ///< for this arm; kept because the cell changes more often than the arm
+        neverMeeting_;  ///< for `arm_`; reused because the cell changes more often than the arm
 };
 
 }  // namespace tiller

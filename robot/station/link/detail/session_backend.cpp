@@ -15,8 +15,8 @@ namespace {
 constexpr std::int64_t kStaleNs = 300 * kNsPerMs;
 constexpr std::int64_t kLostNs = 1000 * kNsPerMs;
 
-/// According to the robot's own data, with or without control. 0.1 deg/s is above the noise of an arm at
-/// standstill.
+/// Whether the arm moves according to the robot data, with or without control. 0.1 deg/s is above the noise
+/// of an arm at standstill.
 bool moves(const JointVelocities& qd, const Twist& tcpSpeed) {
     constexpr double kStandstill = 0.0017;
     return qd.values.cwiseAbs().maxCoeff() > kStandstill || tcpSpeed.linear.norm() >= control::kStillTcpSpeed;
@@ -73,7 +73,7 @@ void SessionBackend::read() {
     }
     state.monitorOnly = monitorOnly;
     if (state.isFresh()) {
-        // Stops of external programs are not measured unless they were stopped here.
+        // Stops of external programs are only measured if Tiller stopped the program.
         const bool ours =
             state.control == ControlState::InControl || (link->foreignStop && link->foreignStop->isPending());
         movedBefore = state.motionActive || (state.moving && ours);
@@ -142,7 +142,7 @@ void SessionBackend::readSample() {
     state.q = robot.q();
     state.qd = robot.qd();
     state.tcpPose = robot.tcpPose();
-    // Software that does not report these values is shown with no tool and full speed.
+    // If the software does not report these values, no tool and full speed are shown.
     state.tcpOffset = robot.has("tcp_offset") ? robot.tcpOffset() : Pose();
     state.tcpSpeed = robot.tcpSpeed();
     state.tcpForce = robot.tcpForce();
@@ -161,7 +161,7 @@ void SessionBackend::readSample() {
     state.remoteControl = state.version.isCb3() || report.remoteControl.value_or(false);
     state.controlPlaceKnown = state.version.isCb3() || report.remoteControl.has_value() ||
                               report.kind == dashboard::ServiceKind::Unknown;
-    // Remote control may be disabled altogether; such a robot reports "Local" and accepts all commands.
+    // If remote control is disabled, the robot reports "Local" and accepts all commands.
     state.remoteNeeded = localRefuses && report.remoteControl == false;
     state.operationalMode = report.operationalMode;
     state.loadedProgram = report.program;
@@ -193,9 +193,9 @@ void SessionBackend::readControl() {
     state.controlInDoubt = isControlInDoubt();
 }
 
-/// After a loss of control, until the receiver has delivered fresh data for some time: then the window only
-/// monitors, and a running program is an external one. A control program that ended while its connection is
-/// alive has most likely been replaced.
+/// True after a loss of control until the receiver has delivered fresh data for some time. From then on the
+/// window only monitors, and a running program is an external one. A control program that ended while its
+/// connection still works has most likely been replaced.
 bool SessionBackend::isControlInDoubt() {
     using control::ControlLoss;
     constexpr std::int64_t kAfterDeadConnection = 15 * kNsPerSecond;
@@ -217,7 +217,7 @@ bool SessionBackend::isControlInDoubt() {
     return !doubtEnded;
 }
 
-/// The control program is sent again with a path in it, which is not a loss of control.
+/// True while the control program is uploaded again with a path in it. This is not a loss of control.
 bool SessionBackend::isSendingPath(const control::ControllerStatus& status) const {
     return link->path.sending > 0 && status.loss == control::ControlLoss::Taking && status.fresh;
 }
@@ -251,7 +251,7 @@ control::StopEvidence SessionBackend::stopEvidence() const {
     const control::ControllerStatus status = link->controller->status();
     const bool sending = isSendingPath(status);
     evidence.inControl = status.inControl || sending;
-    // A path that is being sent starts no motion after a stop.
+    // A path that is being sent does not start a motion after a stop.
     evidence.restingEpoch = sending ? std::numeric_limits<std::uint64_t>::max() : status.restingEpoch;
     evidence.executedEpoch = status.executing ? status.motion : 0;
     return evidence;

@@ -32,20 +32,20 @@
 
 namespace tiller {
 
-/// A path that is being sent to the robot. Its motion is known only afterwards, so the path has a number of
-/// its own.
+/// A path that is being sent to the robot. Its motion number is not known until it starts, so the path has a
+/// separate number.
 struct PathStart {
     enum class Phase {
         Sending,
-        Ready,  ///< starts with the next hold(), which proves that the key is still held
+        Ready,  ///< starts with the next hold(), which proves that the button is still held
         Begun,
         Failed
     };
-    control::MotionId ticket = control::kNoMotion;  ///< of the newest path
+    control::MotionId ticket = control::kNoMotion;  ///< number of the newest path
     Phase phase = Phase::Failed;
     control::PreparedPath prepared;
-    control::Motion motion;  ///< after the start
-    Error error;             ///< why it did not start
+    control::Motion motion;  ///< valid after the start
+    Error error;             ///< why the path did not start
     int sending = 0;         ///< number of paths being sent, including cancelled ones
 
     /// Path numbers start above all motion numbers of the controller.
@@ -58,16 +58,16 @@ struct RobotLink {
     receive::Subscription stream;  ///< every sample, fetched once per frame
     std::uint64_t lost = 0;        ///< samples lost by the stream up to the last frame
     std::shared_ptr<control::Controller> controller;
-    control::Jog jog;                                  ///< the newest one
+    control::Jog jog;                                  ///< the newest jog
     control::Motion move;                              ///< the newest move or freedrive
     control::MotionId freedrive = control::kNoMotion;  ///< the newest freedrive
     PathStart path;                                    ///< the newest path
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
-    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< queries, separate from commands
+    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< for queries, separate from commands
     std::unique_ptr<ExternalProgramStopper> foreignStop;
     std::unique_ptr<script::PrimaryClient> primary;
-    script::MessageLimiter messageLimiter;  ///< for messages received by `primary`
+    script::MessageLimiter messageLimiter;  ///< limits the messages received by `primary`
 };
 
 struct SessionBackend {
@@ -76,7 +76,7 @@ struct SessionBackend {
     const Clock* clock;
     SessionState state;
     RobotAddress address;
-    std::uint64_t generation = 0;  ///< number of the connection; answers to earlier ones are dropped
+    std::uint64_t generation = 0;  ///< number of the connection; replies to earlier ones are ignored
     std::unique_ptr<RobotLink> link;
     recording::Recorder recorder;
     QTimer frameClock;
@@ -86,8 +86,8 @@ struct SessionBackend {
     std::vector<receive::Sample> room;  ///< buffer for the samples of a frame, reused
     control::AbandonedProgram abandoned;
     const std::array<std::string, 2> stateFields = control::AbandonedProgram::fields();
-    dashboard::ServiceReport report;  ///< queried about once a second; Unknown until the first answer
-    bool localRefuses = false;  ///< was in Remote before, or has refused a command because it was in Local
+    dashboard::ServiceReport report;  ///< queried about twice a second; Unknown until the first reply
+    bool localRefuses = false;        ///< the robot was in Remote before, or has refused a command in Local
     bool takingControl = false;
     bool monitorOnly = false;
     CancelToken taking;  ///< cancels taking control
@@ -99,37 +99,37 @@ struct SessionBackend {
     bool movedBefore = false;  ///< according to the newest fresh data
 
     std::uint64_t stopsSeen = 0;
-    std::uint64_t ownStops = 0;  ///< stops measured by the controller that have been shown
+    std::uint64_t ownStops = 0;  ///< number of displayed stops that the controller measured
     std::uint64_t foreignStops = 0;
 
     SafetyMode safetySeen = SafetyMode::Normal;
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss loss = control::ControlLoss::NotTaken;
     std::optional<std::int64_t>
-        freshSinceLossNs;     ///< start of fresh data after a loss of control, by the monotonic host clock
-    bool doubtEnded = false;  ///< data have been fresh long enough
+        freshSinceLossNs;     ///< start of fresh data after a loss of control, on the monotonic host clock
+    bool doubtEnded = false;  ///< data have been fresh for long enough
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
 
     QStringList extraFields;                 ///< requested in addition to the standard fields
-    std::vector<receive::Sample> extraRoom;  ///< as `room`
+    std::vector<receive::Sample> extraRoom;  ///< reused buffer for extra samples
 
-    // Last: their jobs use the members above.
+    // Declared last, because their jobs use the members above.
     SerialExecutor files;
     SerialExecutor controlling;  ///< takes and releases control
     SerialExecutor worker;
-    SerialExecutor pulses;  ///< a pulse occupies it until its output is off
+    SerialExecutor pulses;  ///< blocked by a pulse until its output is off
     ExtraFieldStream further{*clock, worker};
 
     /// Requests extraFields from the connected robot.
     void followExtraFields();
 
-    /// Fetches the samples since the last frame, the last one into `sample`.
+    /// Fetches the samples since the last frame into `into`, and the last one into `sample`.
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// Fills `state` from the newest sample and the controller's status.
     void read();
-    /// The state of the last frame, with current values of everything relevant for a stop.
+    /// The state of the last frame, updated with the current values of everything relevant for a stop.
     SessionState stateNow() const;
-    /// Current evidence about a stop in control.
+    /// Current evidence about a stop during control.
     control::StopEvidence stopEvidence() const;
 
 private:

@@ -10,7 +10,8 @@
 
 namespace tiller::program {
 
-/// Ends a branch of an `if` with `end`, unless the next step is of one of these kinds and continues it.
+/// Closes a branch of an `if` with `end`, unless the next step is of one of these kinds and continues the
+/// `if`.
 inline void closeBranch(StepWriter& writer, std::initializer_list<const char*> continuations) {
     const StepKind* next = writer.next();
     const bool goesOn =

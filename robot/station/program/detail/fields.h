@@ -36,7 +36,7 @@ inline StepField choiceField(const char* key, const QString& label, std::vector<
     const QString first = QString::fromLatin1(choices.front().key);
     return {key, label, FieldType::Choice, first, false, Unit::None, 0, 0, std::move(choices)};
 }
-/// A field without a range: a text, an expression, a channel or a reference.
+/// A field without a range: a string, an expression, a channel or a reference.
 inline StepField plainField(const char* key, const QString& label, FieldType type,
                             const QJsonValue& initial = {}, bool optional = false) {
     return {key, label, type, initial, optional, Unit::None, 0, 0, {}};

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common code of the loops. Private to robot/station/program.
+// Code shared by the loop steps. Private to robot/station/program.
 
 #include "robot/station/program/detail/step_writer.h"
 
 namespace tiller::program {
 
-/// Writes the steps of a loop. If an iteration may take no time, it waits for the next control period.
+/// Writes the steps of a loop. If an iteration may take no time, the loop waits for the next control period.
 /// mayNotEnd  iterations are not counted, so a loop that never waits is an error
 void writeLoopBody(StepWriter& writer, bool mayNotEnd);
 
-/// Writes a loop that sets the step's `variable` to one pose after the other.  key  of the field with the
-/// poses
+/// Writes a loop that sets the step's `variable` to one pose after the other.
+/// key  field with the poses
 void writePlaceLoop(StepWriter& writer, const std::vector<project::Waypoint>& places, const char* key);
 
 }  // namespace tiller::program

@@ -172,7 +172,7 @@ QString StepWriter::Private::fieldError(const StepField& checked) const {
                 return wrong;
             }
             if (number < checked.minimum || number > checked.maximum) {
-                return ProgramText::tr("“%1” is %2; it can be %3 to %4.")
+                return ProgramText::tr("“%1” is %2; it must be between %3 and %4.")
                     .arg(checked.label, numberText(number, checked.unit),
                          numberText(checked.minimum, checked.unit),
                          numberText(checked.maximum, checked.unit));
@@ -206,7 +206,7 @@ QString StepWriter::Private::fieldError(const StepField& checked) const {
             return std::any_of(project.waypoints.begin(), project.waypoints.end(),
                                [&](const project::Waypoint& point) { return point.group == text; })
                        ? QString()
-                       : ProgramText::tr("No waypoint belongs to the group “%1”.").arg(text);
+                       : ProgramText::tr("The group “%1” contains no waypoints.").arg(text);
         case FieldType::Waypoint:
         case FieldType::Pattern:
         case FieldType::Frame:
@@ -215,7 +215,7 @@ QString StepWriter::Private::fieldError(const StepField& checked) const {
         case FieldType::Program:
             return isInProject(project, checked.type, QUuid(text))
                        ? QString()
-                       : ProgramText::tr("“%1” refers to something that is no longer in the project.")
+                       : ProgramText::tr("“%1” refers to an item that was deleted from the project.")
                              .arg(checked.label);
     }
     return wrong;
@@ -271,7 +271,9 @@ void StepWriter::Private::checkPosition() {
 void StepWriter::Private::writeStep() {
     place.kind = findStepKind(place.step->kind);
     if (place.kind == nullptr) {
-        report({}, ProgramText::tr("This version of Tiller has no step “%1”.").arg(place.step->kind));
+        report(
+            {},
+            ProgramText::tr("This version of Tiller does not support the step “%1”.").arg(place.step->kind));
         return;
     }
     place.fields = place.kind->fields();
@@ -287,7 +289,7 @@ void StepWriter::Private::writeStep() {
     if (good) {
         place.kind->write(writer);
     } else {
-        writer.steps();  // their problems are shown as well
+        writer.steps();  // report the problems of these steps as well
     }
     if (place.kind->isSection) {
         lastMove = {};
@@ -322,7 +324,7 @@ void StepWriter::Private::writeFrom(const project::Program& owner) {
                 "A program can start only at a top-level step, and not between parts such as If and Else."));
         return;
     }
-    // Writes the remaining steps as a separate list, which lives until the call returns.
+    // Write the remaining steps as a separate list, which exists until the call returns.
     const Steps rest(first, owner.steps.end());
     writeSteps(rest);
 }
@@ -330,12 +332,13 @@ void StepWriter::Private::writeFrom(const project::Program& owner) {
 ProgramScript StepWriter::Private::write(const QUuid& id) {
     program = project.programs.find(id);
     if (program == nullptr) {
-        report({}, ProgramText::tr("The project has no such program."));
+        report({}, ProgramText::tr("The project does not contain this program."));
         return result;
     }
-    result.name = QStringLiteral("program_") + scriptName(program->name);  // not the name of a function
+    result.name =
+        QStringLiteral("program_") + scriptName(program->name);  // must not be the name of a function
     if (options.model && project.robot && *options.model != *project.robot) {
-        report({}, ProgramText::tr("The project was taught with a %1, and the robot is a %2.")
+        report({}, ProgramText::tr("The project was taught with a %1, but the robot is a %2.")
                        .arg(QLatin1String(robotModel(*project.robot).name), QLatin1String(model.name)));
     }
     numberSteps(*program, program->steps);
@@ -528,8 +531,8 @@ void StepWriter::declare(const QString& variable, VariableType type) {
     if (known == d_.variables.end()) {
         d_.variables.emplace_back(variable, type);
     } else if (known->second != type) {
-        error("variable",
-              ProgramText::tr("The variable “%1” has another type elsewhere in the program.").arg(variable));
+        error("variable", ProgramText::tr("The variable “%1” has a different type elsewhere in the program.")
+                              .arg(variable));
     }
 }
 
@@ -601,8 +604,8 @@ std::optional<Pose> StepWriter::tcpFor(const project::Waypoint& waypoint, const 
     if (!d_.result.tcp) {
         d_.result.tcp = waypoint.tcpOffset;
     } else if (!(d_.result.tcp->transform().isApprox(waypoint.tcpOffset.transform(), 1e-6))) {
-        error(key, ProgramText::tr("“%1” was taught with another TCP than the waypoints before it. Set the "
-                                   "active TCP, or put the step in a TCP section.")
+        error(key, ProgramText::tr("“%1” was taught with a different TCP than the waypoints before it. Set "
+                                   "the active TCP, or put the step in a TCP section.")
                        .arg(waypoint.name));
     }
     return d_.result.tcp;

@@ -52,7 +52,7 @@ public:
     QString fieldError(const StepField& field) const;
     void checkPosition();
     void report(const QString& field, const QString& text);
-    /// Index of the previous (-1) or next (1) enabled sibling that is not a comment; -1: none.
+    /// Index of the previous (-1) or next (1) enabled sibling that is not a comment, or -1.
     std::ptrdiff_t neighbour(int direction) const;
     const StepField* field(const char* key) const;
     QJsonValue value(const char* key) const;
@@ -62,14 +62,14 @@ public:
     const ScriptOptions options;
     const RobotModel& model;
     ProgramScript result;
-    const project::Program* program = nullptr;  ///< the current one
+    const project::Program* program = nullptr;  ///< program being written
     Lines main;
     Lines functions;
     QMap<QString, QString> helpers;
     std::vector<std::pair<QString, VariableType>> variables;
-    QHash<std::pair<QUuid, QUuid>, int> numbers;  ///< by program and step
+    QHash<std::pair<QUuid, QUuid>, int> numbers;  ///< step numbers by program and step id
     QStringList calls;                            ///< ids of the programs being written, main program first
-    QHash<QString, QString> callFunctions;        ///< by program and scope
+    QHash<QString, QString> callFunctions;        ///< function names by program and scope
     Scope scope;
     Place place;
     Lines* lines = nullptr;

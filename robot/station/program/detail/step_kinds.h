@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The step kinds, each from a file of its own. Private to robot/station/program.
+// The step kinds. Each is defined in a separate file. Private to robot/station/program.
 
 #include "robot/station/program/step_kind.h"
 

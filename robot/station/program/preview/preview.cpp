@@ -16,7 +16,7 @@
 namespace tiller::program {
 namespace {
 
-constexpr int kCancelEvery = 500;  ///< control periods
+constexpr int kCancelEvery = 500;  ///< number of control periods
 
 RobotModelId modelFor(const project::Project& project, const ScriptOptions& options) {
     return options.model.value_or(project.robot.value_or(RobotModelId::UR5e));

@@ -2,8 +2,8 @@
 #pragma once
 
 // Predicts the behaviour of a program by running its actual script in the simulated controller, in virtual
-// time: the path, the time of each step, and problems by step. Everything is simulated: parts do not exist,
-// and inputs have the values given in the options.
+// time. The result contains the path, the time of each step, and problems by step. Everything is simulated:
+// there are no parts, and inputs have the values given in the options.
 
 #include <QString>
 #include <functional>
@@ -24,22 +24,22 @@ struct InputChange {
 };
 
 struct PreviewOptions {
-    std::optional<JointPositions> start;  ///< [rad]; empty: see startPosition()
+    std::optional<JointPositions> start;  ///< [rad]; if empty, see startPosition()
     std::vector<InputChange> inputs;
-    double timeLimit = 3600;       ///< of the program [s]; a program without end is stopped after it
-    double operatorTime = 1;       ///< until a message is closed, or a question answered [s]
-    double sampleInterval = 0.02;  ///< between two samples of the path [s]
-    std::function<bool()> isCancelled = {};  ///< polled; true ends the preview
+    double timeLimit = 3600;                 ///< duration [s] after which the program is stopped
+    double operatorTime = 1;                 ///< time until a message is closed or a question is answered [s]
+    double sampleInterval = 0.02;            ///< time between two samples of the path [s]
+    std::function<bool()> isCancelled = {};  ///< polled; if it returns true, the preview ends
 };
 
 struct PathSample {
     double time = 0;  ///< since the start [s]
     int step = 0;     ///< step number, see ProgramScript; 0: none
     JointPositions q;
-    Pose tcp;  ///< base frame
+    Pose tcp;  ///< in the base frame
 };
 
-/// How often and how long a step ran.
+/// Number and duration of the runs of a step.
 struct StepTiming {
     int count = 0;
     double first = 0;  ///< first start time [s]
@@ -51,32 +51,33 @@ struct Finding {
         ScriptError,     ///< the controller cannot compile the script
         RuntimeError,    ///< runtime error that ended the program
         ProtectiveStop,  ///< the arm stopped: reach, joint limits, speed, force
-        Collision,       ///< closer to itself or the cell than the safety distance
+        Collision,       ///< the arm violated the safety distance from itself or the cell
         StepFailed,      ///< a step failed and no On error section handled it
         TimeLimit,       ///< the program had not ended after `timeLimit`
         Cancelled,
     };
     Kind kind = Kind::RuntimeError;
-    int step = 0;     ///< step number; 0: none
+    int step = 0;     ///< step number; 0: no step
     double time = 0;  ///< since the start [s]
-    QString text;     ///< translated, or the message of the controller
+    QString text;     ///< translated text, or the message from the controller
 };
 
 struct Preview {
-    bool completed = false;  ///< the program ended by itself
+    bool completed = false;  ///< the program ended normally
     double duration = 0;     ///< [s]
     std::vector<PathSample> path;
-    std::vector<int> order;           ///< step numbers in the order they started
-    std::vector<StepTiming> timings;  ///< by step number, number 1 at index 0
+    std::vector<int> order;           ///< step numbers in the order of their start
+    std::vector<StepTiming> timings;  ///< one per step; step number 1 is at index 0
     std::vector<Finding> findings;    ///< in chronological order
     JointPositions endJoints;
-    Pose endPose;               ///< of the TCP, base frame
+    Pose endPose;               ///< TCP pose in the base frame
     std::uint64_t outputs = 0;  ///< digital outputs at the end
 
     bool isGood() const { return completed && findings.empty(); }  ///< The program ended without a finding.
 };
 
-/// A finding with its step and time: "Step 7 (MoveL) at 3.2 s: The arm comes too close to the floor."
+/// Text of a finding with its step and time, e.g. "Step 7 (MoveL) at 3.2 s: The arm comes too close to the
+/// floor."
 QString findingText(const project::Project& project, const ProgramScript& script, const Finding& finding);
 
 /// Positions of the TCP along the path, at least `spacing` [m] apart, in the base frame [m].
@@ -87,7 +88,7 @@ std::vector<Eigen::Vector3d> tcpPath(const Preview& preview, double spacing);
 JointPositions startPosition(const project::Project& project, const ProgramScript& script);
 
 /// script  without errors, see ProgramScript::ok()
-/// Threads  any. Blocks: some seconds per ten minutes of the program
+/// Threads  any. Blocks: a few seconds per ten minutes of program time
 Preview previewProgram(const project::Project& project, const ProgramScript& script,
                        const ScriptOptions& scriptOptions = {}, const PreviewOptions& options = {});
 

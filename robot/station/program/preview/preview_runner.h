@@ -12,7 +12,7 @@
 namespace tiller::program {
 
 /// Thread: one at a time, normal priority, started by start(), ended by cancel(), the next start() and the
-/// destructor. Copies of project and script are passed into it, the preview out of it.
+/// destructor. Copies of project and script are passed to the thread, which returns the preview.
 class PreviewRunner {
 public:
     PreviewRunner() = default;
@@ -21,8 +21,8 @@ public:
     PreviewRunner& operator=(const PreviewRunner&) = delete;
 
     /// Cancels the running preview and starts this one.
-    /// done     called in the thread of the preview, unless it is cancelled before
-    /// Threads  one. Blocks: some milliseconds while a running preview ends
+    /// done     called in the thread of the preview, unless the preview is cancelled first
+    /// Threads  one. Blocks: a few milliseconds while a running preview ends
     void start(project::Project project, ProgramScript script, ScriptOptions scriptOptions,
                PreviewOptions options, std::function<void(const Preview&)> done);
     void cancel();  ///< Ends the running preview; `done` is not called afterwards.

@@ -45,7 +45,7 @@ const StepKind& callStep() {
                 if (const qsizetype values = argumentCount(arguments); values != called.parameters.size()) {
                     writer.error(
                         "arguments",
-                        ProgramText::tr("The program “%1” needs %2 comma-separated values, but %3 are given.")
+                        ProgramText::tr("The program “%1” requires %2 comma-separated values, but has %3.")
                             .arg(called.name)
                             .arg(called.parameters.size())
                             .arg(values));

@@ -16,7 +16,7 @@ const StepKind& forceStep() {
                     choiceField("axes", ProgramText::tr("Along"),
                                 {{"tool", ProgramText::tr("Tool")},
                                  {"base", ProgramText::tr("Base")},
-                                 {"frame", ProgramText::tr("Frame of section")}}),
+                                 {"frame", ProgramText::tr("Section frame")}}),
                     choiceField(
                         "axis", ProgramText::tr("Axis"),
                         {{"z", QStringLiteral("Z")}, {"x", QStringLiteral("X")}, {"y", QStringLiteral("Y")}}),

@@ -28,7 +28,7 @@ const StepKind& gripperStep() {
                 if (writer.has("openOutput")) {
                     if (writer.whole("openOutput") == writer.whole("closeOutput")) {
                         writer.error("openOutput",
-                                     ProgramText::tr("Opening and closing need different outputs."));
+                                     ProgramText::tr("Select different outputs for opening and closing."));
                     }
                     writer.line(outputCall(writer.whole(closes ? "openOutput" : "closeOutput"), false));
                     writer.line(outputCall(writer.whole(closes ? "closeOutput" : "openOutput"), true));
@@ -41,7 +41,7 @@ const StepKind& gripperStep() {
                 if (writer.has("input")) {
                     writer.failIfChosen("otherwise",
                                         QStringLiteral("not %1").arg(inputCall(writer.whole("input"))),
-                                        ProgramText::tr("The gripper is not holding a part."));
+                                        ProgramText::tr("The gripper is not holding an object."));
                 }
             },
     };

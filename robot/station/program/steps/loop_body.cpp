@@ -9,7 +9,7 @@
 namespace tiller::program {
 namespace {
 
-/// With more, one function of the script would take longer than a control period.
+/// With more poses, one function of the script would take longer than a control period.
 constexpr std::size_t kMaxPlaces = 1000;
 
 bool mayTakeTime(const std::vector<project::ProgramStep>& steps) {

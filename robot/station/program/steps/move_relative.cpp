@@ -16,7 +16,7 @@ const StepKind& moveRelativeStep() {
                     choiceField("axes", ProgramText::tr("Along"),
                                 {{"tool", ProgramText::tr("Tool")},
                                  {"base", ProgramText::tr("Base")},
-                                 {"frame", ProgramText::tr("Frame of section")}}),
+                                 {"frame", ProgramText::tr("Section frame")}}),
                     numberField("x", ProgramText::tr("X"), Unit::Length, -3, 3, 0),
                     numberField("y", ProgramText::tr("Y"), Unit::Length, -3, 3, 0),
                     numberField("z", ProgramText::tr("Z"), Unit::Length, -3, 3, 0),

@@ -22,7 +22,7 @@ const StepKind& moveUntilStep() {
                     choiceField("axes", ProgramText::tr("Along"),
                                 {{"tool", ProgramText::tr("Tool")},
                                  {"base", ProgramText::tr("Base")},
-                                 {"frame", ProgramText::tr("Frame of section")}}),
+                                 {"frame", ProgramText::tr("Section frame")}}),
                     choiceField("direction", ProgramText::tr("Direction"),
                                 {{"+z", QStringLiteral("+Z")},
                                  {"-z", QStringLiteral("-Z")},

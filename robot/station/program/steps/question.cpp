@@ -32,7 +32,7 @@ const StepKind& questionStep() {
                                                                        : "string";
                 constexpr SoftwareVersion kFirst{5, 6, 0, 0};
                 if (writer.version() < kFirst) {
-                    writer.error("", ProgramText::tr("Questions need software 5.6 or newer."));
+                    writer.error("", ProgramText::tr("Questions require robot software 5.6 or newer."));
                 }
                 writer.declare(writer.text("variable"), variableType(type));
                 writer.line(QStringLiteral("global %1 = request_%2_from_primary_client(%3)")

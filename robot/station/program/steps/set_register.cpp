@@ -26,9 +26,9 @@ const StepKind& setRegisterStep() {
                 const QString type = writer.text("type");
                 const int number = writer.whole("register");
                 if (type != QLatin1String("boolean") && number >= kStepRegister) {
-                    writer.error("register",
-                                 ProgramText::tr("The last register that a program can set is %1.")
-                                     .arg(kStepRegister - 1));
+                    writer.error(
+                        "register",
+                        ProgramText::tr("Programs can set registers up to %1.").arg(kStepRegister - 1));
                 }
                 writer.line(QStringLiteral("write_output_%1_register(%2, %3)")
                                 .arg(type)

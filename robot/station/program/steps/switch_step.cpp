@@ -23,7 +23,7 @@ const StepKind& switchStep() {
                                     return !step.disabled && step.kind == QLatin1String("case");
                                 });
                 if (!hasCase) {
-                    writer.error("", ProgramText::tr("A Switch needs at least one Case."));
+                    writer.error("", ProgramText::tr("A Switch must contain at least one Case."));
                 }
                 for (const project::ProgramStep& step : writer.step().steps) {
                     if (!step.disabled && step.kind != QLatin1String("case") &&

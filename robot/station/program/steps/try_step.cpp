@@ -25,7 +25,7 @@ const StepKind& tryStep() {
             [](StepWriter& writer) {
                 if (writer.next() == nullptr ||
                     QLatin1String(writer.next()->id) != QLatin1String("onError")) {
-                    writer.error("", ProgramText::tr("“Try” needs “On error” directly after it."));
+                    writer.error("", ProgramText::tr("“Try” must be followed directly by “On error”."));
                 }
                 const int n = writer.number();
                 writer.function(QStringLiteral("def tiller_try_%1():").arg(n), [&] {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Uses one class of each component that needs more packages than the backend: records the simulated robot to MCAP, reads
-// the file back, compares it with the model, and starts a server for viewers.
+// Uses one class of each component that needs more packages than the backend. Records the simulated robot to
+// MCAP, reads the file back, compares it with the model, and starts a server for viewers.
 #include "robot/control/motions.h"
 
-// Identifiers that Qt's keyword macros would replace; Python.h also uses such names.
+// Identifiers that Qt's keyword macros would replace. Python.h also uses such names.
 struct Names {
     int signals = 1;
     int slots = 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot in this process, moved through the ur_rtde interface and read through the backend's API.
+// A robot in this process. It is moved through the ur_rtde interface and read through the backend's API.
 #include <ur_rtde/rtde_control_interface.h>
 
 #include <unistd.h>
@@ -14,7 +14,7 @@
 #include "robot/simulator/simulator.h"
 
 int main(int argc, char** argv) {
-    QCoreApplication application(argc, argv);  // required by the sockets of the robot
+    QCoreApplication application(argc, argv);  // the sockets of the robot need an application object
     tiller::simulator::SimulatorOptions options;
     options.listenAddress = QStringLiteral("127.%1.%2.1").arg(10 + getpid() % 200).arg(getpid() / 200 % 250);
     options.poweredOn = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Relies on indirect includes of ur_rtde's headers, as programs of its users do.
+// Relies on indirect includes of ur_rtde's headers, like the programs of its users.
 #include <ur_rtde/robot_state.h>
 #include <ur_rtde/rtde.h>
 #include <ur_rtde/rtde_control_interface.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common code of the programs in this folder. They are typical user programs: without Qt and without an application
-// object, using only the headers of the ur_rtde interface.
+// Common code of the programs in this folder. They are typical user programs without Qt and without an
+// application object, and use only the headers of the ur_rtde interface.
 
 #include <chrono>
 #include <cmath>
@@ -33,7 +33,7 @@ inline bool areNear(const std::vector<double>& a, const std::vector<double>& b, 
     return a.size() == b.size();
 }
 
-/// The result of a move arrives slightly later on the other connection.
+/// Waits for the result of a move, which arrives slightly later on the other connection.
 template <class Read>
 bool isNear(Read read, const std::vector<double>& place, double tolerance) {
     for (int i = 0; i < 20'000 && !areNear(read(), place, tolerance); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves down until contact; a second thread of the simulation applies the force (see the test).
+// Moves down until contact. A second thread of the simulation applies the force (see the test).
 #include <ur_rtde/rtde_control_interface.h>
 
 #include "common.h"

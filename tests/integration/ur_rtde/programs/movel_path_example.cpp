@@ -32,7 +32,7 @@ int main(int, char** argv) {
     home.insert(home.end(), {velocity, acceleration, 0.0});
     mixed.addEntry({PathEntry::MoveJ, PathEntry::PositionJoints, home});
     std::vector<double> last = path[1];
-    last.back() = 0.0;  // no move after it to blend into
+    last.back() = 0.0;  // there is no following move to blend into
     mixed.addEntry({PathEntry::MoveL, PathEntry::PositionTcpPose, last});
     rtde_control.movePath(mixed, true);
     while (rtde_control.getAsyncOperationProgress() >= 0) {

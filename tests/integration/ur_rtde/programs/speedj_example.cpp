@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotates joints at a given speed for a while.
+// Rotates joints at a given speed for some time.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The part of a joint-space dynamic movement primitive that listing 4 uses: a spring towards the goal, and a forcing
-term learned from the demonstration that decays with the phase."""
+term that is learned from the demonstration and decays with the phase."""
 import numpy as np
 
 

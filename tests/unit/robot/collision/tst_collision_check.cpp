@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Compares the collision check with an independent one without FCL, which samples every path in steps in which no
-// point of the arm moves by more than a millimetre.
+// Compares the collision check with an independent check without FCL. The independent check samples every
+// path in steps in which no point of the arm moves by more than a millimetre.
 
 #include <QTest>
 #include <algorithm>
@@ -66,7 +66,7 @@ double between(const Capsule& rod, const Border& border) {
     return std::min((T * rod.from).z(), (T * rod.to).z()) - rod.radius;
 }
 
-/// The minimum distance in one position. The search ends early once it is below `enough`.
+/// The minimum distance at one position. The search stops once the distance is below `enough`.
 double nearest(const CollisionCheck& check, const DhParameters& dh, const JointPositions& q, double enough) {
     const auto rods = placedCapsules(check.capsules(), dh, q);
     double least = 1e9;
@@ -103,7 +103,7 @@ double nearest(const CollisionCheck& check, const DhParameters& dh, const JointP
 
 struct Sampled {
     double nearest = 1e9;
-    double hitAt = -1;  ///< as Contact::at; negative: none
+    double hitAt = -1;  ///< see Contact::at; negative: none
 };
 
 /// Samples the path in steps of at most 1 mm at the outermost point.
@@ -157,8 +157,8 @@ class TestCollisionCheck : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The floor may be at any height below the shoulder because the shoulder housing cannot get any closer to
-    // it.
+    // The floor may be at any height below the shoulder, because the shoulder housing cannot get any closer
+    // to it.
     void whatNoJointMovesTowardsTheFloorIsNotMeasured_data() {
         QTest::addColumn<RobotModelId>("id");
         for (const RobotModel& model : robotModels()) {
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(contact->with == Contact::With::Obstacle);
         QCOMPARE(contact->other, 0);
         QVERIFY(contact->link >= 3);
-        // Down to the floor, tool first.
+        // Moves down to the floor, tool first.
         JointPositions low = beside;
         low[1] += 0.6;
         const auto down = check.along(std::vector{beside, low});
@@ -247,8 +247,8 @@ private Q_SLOTS:
         QVERIFY(!check.along({}).has_value());
     }
 
-    // A distance below the safety distance is refused; from inside, moving away is possible and moving closer is
-    // not.
+    // A distance below the safety distance is refused. From inside the safety distance, the arm can move away
+    // but not closer.
     void aPathIsObstructedAtTheSafetyDistance() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         const auto shifted = [&](double z) {
@@ -271,7 +271,7 @@ private Q_SLOTS:
             QVERIFY2(std::abs(contact->distance - safety) < 0.001,
                      qPrintable(QString::number(contact->distance)));
             QVERIFY(!check.isInside(kStance, *contact));
-            // Starts at half the safety distance, and 5 mm inside the floor itself.
+            // Starts at half the safety distance, and 5 mm inside the floor.
             for (const double start : {safety / 2 - 0.05, -0.055}) {
                 const JointPositions inside = shifted(start);
                 QVERIFY(!check.obstruction(std::vector{inside, shifted(start + 0.02)}));
@@ -281,8 +281,8 @@ private Q_SLOTS:
         }
     }
 
-    // Pairs of bodies that no motion can bring together have no safety distance that could stop a motion.
-    // A memo shared by several cells, arms and tools must find the same pairs as a check without a memo.
+    // Pairs of bodies that no motion can bring together have no safety distance that could stop a motion. A
+    // cache shared by several cells, arms and tools must find the same pairs as a check without a cache.
     void whatNeverMeetsIsRememberedForTheSameArmOnly() {
         NeverMeeting known;
         const Surroundings cell{{{"box", Pose(0.5, 0, 0.2, 0, 0, 0), {0.1, 0.1, 0.1}}}, {floorAt(-0.1)}};
@@ -399,7 +399,8 @@ private Q_SLOTS:
                 ++hits;
                 QVERIFY2(contact, what);
                 QVERIFY2(contact->at <= truth.hitAt + 1e-9, what);
-                // The reported collision is not much too early: the two bodies are nearly in contact there.
+                // The collision is not reported much too early: the two bodies are nearly in contact at this
+                // point.
                 QVERIFY2(nearest(check, robot.dh, contact->q, 0) < 0.001, what);
             } else {
                 ++misses;

@@ -61,7 +61,7 @@ private Q_SLOTS:
         }
     }
 
-    // Start and end are reachable; between them is the cylinder around axis 1, which the wrist cannot reach.
+    // Start and end are reachable. Between them is the cylinder around axis 1, which the wrist cannot reach.
     void aLineThroughTheColumnEndsBeforeIt() {
         Pose pose = kinematics::forwardTcp(ur5e().dh, kStance);
         pose.position.head<2>() *= -1;
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QVERIFY(report.limit);
         QVERIFY(report.limit->singular == MoveLimit::Singular::Wrist);
         QVERIFY(report.limit->share > 0.3);
-        // A joint move is not affected.
+        // Joint moves are not affected.
         QVERIFY(!examined({from, to, false, 1, 1}).limit);
     }
 

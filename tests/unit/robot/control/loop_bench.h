@@ -19,14 +19,14 @@ inline constexpr std::int64_t kPeriodNs = 2 * kNsPerMs;
 inline constexpr double kDeg = 3.14159265358979323846 / 180;
 inline const JointPositions kPose(-90 * kDeg, -100 * kDeg, -110 * kDeg, -60 * kDeg, 90 * kDeg, 0);
 
-// Clock, mailbox, loop, and a robot that answers like control.script: one package later.
+// Clock, mailbox, loop, and a robot that answers as control.script does, one package later.
 struct LoopBench {
     VirtualClock clock;
     Mailbox mailbox;
     MotionLimits limits;
     ControlLoop loop{mailbox, limits};
     Feedback data;
-    Command command;  ///< the last one sent
+    Command command;  ///< last command sent
     bool answering = true;
 
     LoopBench() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// control.script in our own interpreter, frame by frame, with an in-memory robot.
+// Runs control.script in the simulator's interpreter, frame by frame, with an in-memory robot.
 
 #include <QTest>
 #include <algorithm>
@@ -28,7 +28,7 @@ struct ScriptBench {
     int first;
     std::int32_t sequence = 1000;
     Request request;                             ///< sent with every package
-    std::function<bool(std::size_t)> comesLate;  ///< the parts of a package that arrive one frame later
+    std::function<bool(std::size_t)> comesLate;  ///< parts of a package that arrive one frame later
     std::map<std::size_t, double> late;
     bool forcePermitted = false;
     bool mayFinish = false;
@@ -58,7 +58,7 @@ struct ScriptBench {
         command.epoch = epoch;
         command.values = values;
         const bool isSpeed = kind == ScriptCommand::SpeedJ || kind == ScriptCommand::SpeedL;
-        command.speed = isSpeed ? 0 : 0.5;  // for speeds: duration
+        command.speed = isSpeed ? 0 : 0.5;  // for speed commands: the duration
         command.acceleration = 1.4;
         command.rotationAcceleration = 2;
         send(command);
@@ -79,7 +79,7 @@ struct ScriptBench {
             }
         }
     }
-    /// A value of a package, by its index.
+    /// A value of a package by its index.
     void put(std::size_t i, double value) {
         constexpr std::size_t kInts = 10;
         const auto at = static_cast<std::size_t>(first);
@@ -101,17 +101,17 @@ struct ScriptBench {
             }
         }
     }
-    // Frames with a heartbeat in each.
+    // Runs frames with a heartbeat in each of them.
     void hold(ScriptCommand kind, std::int32_t epoch, int times, std::array<double, 6> values = {}) {
         for (int i = 0; i < times; ++i) {
             send(kind, epoch, values);
             frame();
         }
     }
-    // Sends a request and runs the robot until it answers.
+    // Sends a request and runs the robot until it answers the request.
     Answer ask(RequestKind kind, std::int32_t whole = 0, std::array<double, 6> numbers = {}) {
         request = {request.number + 1, kind, whole, numbers};
-        // Executed after two frames, the first of which may arrive late.
+        // The request is executed after two frames. The first of them may arrive late.
         hold(ScriptCommand::Idle, idleEpoch, 3);
         Answer answer;
         answer.number = out(4);

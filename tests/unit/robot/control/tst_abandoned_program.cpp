@@ -16,7 +16,7 @@ constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 struct Robot {
     AbandonedProgram program;
     double period = 0.002;  // [s]
-    double pace = 1;        // of the number, in the robot's time
+    double pace = 1;        // rate of the value, relative to the robot's time
     double time = 100;
     double alone = 0;
     RuntimeState runtime = RuntimeState::Playing;
@@ -80,7 +80,7 @@ private Q_SLOTS:
         robot.isUpdated = true;
         robot.go(2);
         QVERIFY(robot.program.isRunning());
-        // Another program replaces it between two packages.
+        // Another program replaces the abandoned one between two packages.
         robot.isUpdated = false;
         robot.go(0.03);
         for (int i = 0; i < 200; ++i) {
@@ -99,6 +99,20 @@ private Q_SLOTS:
                 QVERIFY2(!robot.program.isRunning(), qPrintable(QString::number(pace)));
             }
         }
+    }
+
+    // Slow enough for the delay that is permitted between two packages, too slow since the first one.
+    void aNumberThatFallsBehindIsNoProofForLong() {
+        Robot robot;
+        robot.alone = 1;
+        robot.pace = 0.6;
+        int running = 0;
+        constexpr int kPackages = 500;
+        for (int i = 0; i < kPackages; ++i) {
+            robot.go(robot.period);
+            running += robot.program.isRunning() ? 1 : 0;
+        }
+        QVERIFY2(running < kPackages / 2, qPrintable(QString::number(running)));
     }
 
     void aClientThatReturnsIsNoticedAtOnce() {

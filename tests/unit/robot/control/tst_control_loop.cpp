@@ -22,7 +22,7 @@ private Q_SLOTS:
         Bench bench;
         bench.answering = false;
         bench.data.echo = {17,           3, ScriptState::Ready,
-                           kSession - 1, 0, {}};  // an older program, still running
+                           kSession - 1, 0, {}};  // an older program that is still running
         bench.tick(2);
         bench.data.echo.sequence = bench.command.sequence;
         bench.tick(2);
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QCOMPARE(bench.mailbox.epoch().isActive(jog), !ends);
         if (ends) {
             QCOMPARE(bench.causeOf(jog), StopCause::UnsafeMode);
-            // Normal again: the old jog has ended, a new one is needed.
+            // Normal mode again: the previous jog has ended, and another one must be started.
             bench.data.robotMode = RobotMode::Running;
             bench.data.safetyMode = SafetyMode::Normal;
             QCOMPARE(bench.tick(5).kind, ScriptCommand::Idle);
@@ -153,7 +153,7 @@ private Q_SLOTS:
             QCOMPARE(bench.causeOf(jog), StopCause::ControlLost);
             QVERIFY(!bench.loop.isInControl());
             QCOMPARE(bench.loop.status().loss, ControlLoss::ScriptStopped);
-            // The program is resumed by Play: it answers again, and still no motion is permitted.
+            // The program is resumed with Play and responds again, but no motion is permitted.
             bench.data.runtimeState = RuntimeState::Playing;
             bench.tick(10);
             QVERIFY(!bench.loop.isInControl());
@@ -182,7 +182,7 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().loss, ControlLoss::EchoStalled);
     }
 
-    // The host was suspended: the backlog does not mean that the program has ended.
+    // The host was suspended. The backlog does not mean that the program has ended.
     void suspendedHostKeepsControlButNotTheMotion() {
         Bench bench;
         bench.takeControl();
@@ -192,7 +192,7 @@ private Q_SLOTS:
         bench.answering = false;
         bench.clock.advanceNs(700 * kNsPerMs);
         bench.data.echo = before;
-        for (int i = 0; i < 350; ++i) {  // the backlog, all at once
+        for (int i = 0; i < 350; ++i) {  // the whole backlog
             bench.data.hostNs = bench.now();
             bench.data.timestamp += kPeriod;
             bench.command = bench.loop.tick(bench.data);
@@ -224,7 +224,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tick().kind, ScriptCommand::Idle);
     }
 
-    // A release without data: the stop does not wait for the stream to resume.
+    // A release without data: the stop is sent before the stream resumes.
     void aStopDoesNotWaitForALatePackage() {
         Bench bench;
         bench.takeControl();
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(out.kind, ScriptCommand::Idle);
     }
 
-    // Applies to a jog, to force mode alone, and to a stream that has just sent its set point.
+    // Applies to a jog, to force mode alone, and to a stream that has just sent a set point.
     void aStopGoesOutBetweenTwoPackages() {
         LoopBench bench;
         bench.takeControl();

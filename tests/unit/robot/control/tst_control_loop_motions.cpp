@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The control loop, continued: moves and streams, limits, measured stops, motion away from limits, and stops under
-// contention.
+// More tests of the control loop: moves and streams, limits, measured stops, motion away from limits, and
+// stops under contention.
 #include <QTest>
 #include <random>
 #include <thread>
@@ -58,7 +58,7 @@ private Q_SLOTS:
         bench.data.tcpForce = Eigen::Vector3d(0, 0, 41);
         QCOMPARE(bench.tick(3).kind, ScriptCommand::Idle);
         QCOMPARE(bench.causeOf(jog), StopCause::Contact);
-        // The next one starts from the current force.
+        // The next jog starts from the current force.
         jog = begin();
         QCOMPARE(bench.tick(10).kind, ScriptCommand::JogCartesian);
         // Without force data there is no motion with contact detection.
@@ -112,7 +112,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, LimiterKind::JointLimit);
         QCOMPARE(bench.loop.status().limiter.joint, 3);
-        // Motion away from the limit is not slowed down, and the limit is no longer reported.
+        // Motion away from the limit is not slowed down, and the limit is not reported.
         jog.jog.qd[3] = -0.2;
         bench.mailbox.start(jog, bench.now());
         QCOMPARE(bench.tick().kind, ScriptCommand::JogJoints);
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, limiter);
         QCOMPARE(bench.loop.status().limiter.scale, 0.0);
-        // Without a chosen limit the speed does not exceed the limit of the arm.
+        // Without a selected limit, the speed does not exceed the limit of the arm.
         bench.loop.setSpeedCap(kNoCap);
         const MotionId next = bench.mailbox.start(stream, bench.now());
         QVERIFY(bench.mailbox.change(next, target, bench.now()));
@@ -205,7 +205,7 @@ private Q_SLOTS:
         bench.clock.advanceNs(kNsPerMs);
         QVERIFY(bench.mailbox.end(jog, StopCause::Released, bench.now()));
         bench.clock.advanceNs(-kNsPerMs);
-        for (int i = 0; i < 25; ++i) {  // 50 ms, 2 mm
+        for (int i = 0; i < 25; ++i) {  // expected: 50 ms, 2 mm
             bench.data.tcpPose.position.x() += 0.00008;
             bench.tick();
         }
@@ -249,9 +249,9 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().loss, ControlLoss::Released);
     }
 
-    // Random presses, refreshes, hangs, stalls and stops. Two conditions must always be true: a package that moves
-    // has the epoch of a motion that was active when it was created, and no motion moves again after it was seen
-    // stopped.
+    // Random presses, refreshes, hangs, stalls and stops. Two conditions must always be true. A package that
+    // moves the arm has the epoch of a motion that was active when the package was created. No motion moves
+    // the arm again after it was reported as stopped.
     void randomSequencesNeverResumeAStoppedMotion() {
         std::mt19937 random(20261121);
         const auto chance = [&](int oneIn) {
@@ -353,13 +353,13 @@ private Q_SLOTS:
         }
     }
 
-    // With a round trip of more than 100 ms, a stop would be equally late.
+    // With a round trip of more than 100 ms, a stop would be delayed by the same time.
     void aLateLinkEndsTheMotionAndLetsNoneBegin() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startJog(0.1);
         bench.tick(2);
-        // From here on the answers of the robot become older: 60 packages, 120 ms.
+        // From here on, the answers of the robot become older: 60 packages, 120 ms.
         std::vector<Command> sent{bench.command};
         bench.answering = false;
         MotionState state = bench.mailbox.epoch().state(jog);
@@ -390,11 +390,11 @@ private Q_SLOTS:
         bench.data.tcpSpeed.linear.x() = 0.1;
         bench.tick(20);
         QVERIFY(bench.mailbox.end(jog, StopCause::Released, bench.now()));
-        bench.tick(3);  // still moving: being measured
+        bench.tick(3);  // the arm still moves, so the stop is being measured
         const MotionId next = bench.startJog(0.05);
         bench.tick(3);
         bench.data.tcpSpeed.linear.x() = 0;
-        bench.tick(10);  // accidental standstill: not the end of the requested stop
+        bench.tick(10);  // accidental standstill, not the end of the requested stop
         QCOMPARE(bench.loop.status().lastStop.count, 0U);
         bench.mailbox.end(next, StopCause::Released, bench.now());
         bench.tick(10);
@@ -476,8 +476,8 @@ private Q_SLOTS:
         QCOMPARE(bench.tick().request.kind, RequestKind::None);
     }
 
-    // Eight threads continuously send targets, with 10 000 stops in between. After the first idle package, no
-    // later package moves the robot.
+    // Eight threads continuously send targets, with 10 000 stops in between. No package after the first idle
+    // package moves the robot.
     void stopIsFinalUnderEightThreadsOfSetpoints() {
         Bench bench;
         bench.takeControl();

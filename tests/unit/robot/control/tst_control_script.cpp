@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of control.script: one slot, epochs, time-to-live. See tst_control_script_commands.cpp for the
-// rest.
+// The rules of control.script: one slot, epochs, time-to-live. The other tests are in
+// tst_control_script_commands.cpp.
 #include <QTest>
 
 #include "tests/unit/robot/control/script_bench.h"
@@ -40,7 +40,7 @@ private Q_SLOTS:
         }
     }
 
-    // Functions that the controller does not know are left out, together with the features that need them.
+    // Functions that the controller does not support are omitted, together with the features that need them.
     void compilesWithoutWhatItCanDoWithout_data() {
         QTest::addColumn<QString>("name");
         for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits",
@@ -67,7 +67,7 @@ private Q_SLOTS:
         QCOMPARE(refusedName(QStringLiteral("syntax_error_on_line:3:teach_mode():")), QString());
     }
 
-    // A controller may take two periods to transfer a package: each period then shows a mixture of the two
+    // A controller may take two periods to transfer a package. Each period then contains a mixture of the two
     // newest packages.
     void halfAPackageMovesNothing_data() {
         QTest::addColumn<int>("pattern");
@@ -90,13 +90,13 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::Move>(), 1);
         const auto target = [](const urscript::Move& move) { return std::get<JointPositions>(move.target); };
         QCOMPARE(target(*bench.last<urscript::Move>()), there);
-        // A second move directly after the first one, with its own parameters.
+        // A second move directly follows the first one, with its own parameters.
         const JointPositions elsewhere(-0.2, -0.9, 1.1, -1.2, -1.4, 0.5);
         bench.hold(ScriptCommand::MoveJ, 3, 60, elsewhere.array());
         QCOMPARE(bench.count<urscript::Move>(), 2);
         QCOMPARE(target(*bench.last<urscript::Move>()), elsewhere);
         QCOMPARE(bench.state(), ScriptState::Done);
-        // A stop takes effect, and the motion after it is executed.
+        // A stop takes effect, and the next motion is executed.
         bench.hold(ScriptCommand::JogCartesian, 4, 5, {0.05, 0, 0, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Executing);
         bench.hold(ScriptCommand::Idle, 5, 2);
@@ -105,7 +105,8 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Ready);
         bench.hold(ScriptCommand::JogCartesian, 6, 4, {0.05, 0, 0, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Executing);
-        // A direct change from one kind of motion to another, and a servo whose first target arrives later.
+        // A direct change from one kind of motion to another, and a servo motion whose first target arrives
+        // later.
         bench.hold(ScriptCommand::Idle, 7, 40);
         Command servo;
         servo.kind = ScriptCommand::ServoJ;
@@ -134,7 +135,7 @@ private Q_SLOTS:
         QVERIFY(bench.running());
     }
 
-    // The script's own period counter does not advance during a pause; the clock does.
+    // The script's own period counter does not advance during a pause, but the clock does.
     void whatWasToldBeforeAPauseIsOver() {
         for (const bool isMove : {false, true}) {
             Bench bench;
@@ -154,7 +155,7 @@ private Q_SLOTS:
         }
     }
 
-    // For other clients; only from half a second on, when its own client has lost control too.
+    // For other clients. Only after half a second, when the program's own client has also lost control.
     void theTimeWithoutAClientIsCounted() {
         for (const auto range : {RegisterRange::Lower, RegisterRange::Upper}) {
             Bench bench(range);
@@ -190,7 +191,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Done);
     }
 
-    // The arm is at standstill then, but program time may resume at the previous speed.
+    // The arm is at standstill, but program time may resume at the previous speed.
     void theArmIsStoppedHardBehindAPause() {
         for (const bool moves : {false, true}) {
             for (const auto kind : {ScriptCommand::JogJoints, ScriptCommand::JogCartesian}) {
@@ -250,7 +251,7 @@ private Q_SLOTS:
             bench.host.qd[1] = 0;
             record.insert(record.end(), 60, bench.host.q);
             hold(ScriptCommand::JogJoints, 2);
-            // Without a position record, a standstill without a braking distance might have been commanded.
+            // Without a position record, a standstill without braking distance might have been commanded.
             const bool shows = hasRecord || slowingDown > 0;
             QCOMPARE(bench.state(), shows ? ScriptState::Braking : ScriptState::Executing);
         }
@@ -277,7 +278,7 @@ private Q_SLOTS:
         QVERIFY(bench.host.motions.empty());
     }
 
-    // Values that an earlier client left in the registers, such as a jog, cause no motion.
+    // Values left in the registers by an earlier client, such as a jog, cause no motion.
     void registersFoundAtTheStartMoveNothing() {
         Bench bench;
         Command left;
@@ -311,7 +312,7 @@ private Q_SLOTS:
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.hold(ScriptCommand::JogCartesian, 2, 1, {0.05, 0, 0, 0, 0, 0});
-        QCOMPARE(bench.count<urscript::SpeedL>(), 0);  // the other half of the package may still be missing
+        QCOMPARE(bench.count<urscript::SpeedL>(), 0);  // the second half of the package may still be missing
         bench.hold(ScriptCommand::JogCartesian, 2, 1, {0.05, 0, 0, 0, 0, 0});
         QCOMPARE(bench.count<urscript::SpeedL>(), 1);
         QCOMPARE(bench.state(), ScriptState::Executing);
@@ -416,23 +417,23 @@ private Q_SLOTS:
         bench.frame();
         QCOMPARE(bench.state(), ScriptState::Braking);
         bench.host.moveFrames = 3;
-        // The same epoch, received late, is never executed again.
+        // The same epoch, received late, is not executed again.
         const auto before = bench.host.motions.size();
         bench.hold(command, 2, 2000, {0.1, 0, 0, 0, 0, 0});
         QCOMPARE(bench.host.motions.size(), before);
         QCOMPARE(bench.state(), ScriptState::Expired);
-        // A new press is a new epoch.
+        // Another press starts another epoch.
         bench.hold(command, 3, 2, {0.1, 0, 0, 0, 0, 0});
         QCOMPARE(bench.state(), ScriptState::Executing);
     }
 
-    // The faster the arm, the harder it brakes: it is at standstill 210 ms after the newest package.
+    // The deceleration increases with the speed. The arm is at standstill 210 ms after the newest package.
     void brakingEndsInTime_data() {
         QTest::addColumn<int>("kind");
         QTest::addColumn<double>("turning");  // of the leading joint [rad/s]
         QTest::addColumn<double>("speed");    // of the TCP [m/s]
-        QTest::addColumn<double>("silent");   // deceleration when the heartbeat ends
-        QTest::addColumn<double>("asked");    // and when a stop command arrives
+        QTest::addColumn<double>("silent");   // deceleration when the heartbeat is missing
+        QTest::addColumn<double>("asked");    // deceleration when a stop command arrives
         QTest::newRow("movej, slow") << 3 << 0.4 << 0.1 << 4.0 << 4.0;
         QTest::newRow("movej, default speed") << 3 << 1.05 << 0.5 << 1.05 / 0.11 << 1.05 / 0.21;
         QTest::newRow("movej, fast") << 3 << 3.0 << 1.5 << 3.0 / 0.11 << 3.0 / 0.21;
@@ -474,7 +475,7 @@ private Q_SLOTS:
         }
     }
 
-    // A gentle stop is only kept while the client monitors it.
+    // A gentle stop continues only while the client monitors it.
     void aGentleStopEndsInTimeWithoutTheClient() {
         Bench bench;
         bench.host.moveFrames = 1000;
@@ -498,7 +499,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::StopJ>(), 2);
     }
 
-    // A normal stop also replaces a gentler stop that is already in progress.
+    // A normal stop also replaces a gentler stop in progress.
     void aStopEndsAGentlerOneInTime() {
         Bench bench;
         bench.host.moveFrames = 1000;
@@ -598,7 +599,8 @@ private Q_SLOTS:
         QVERIFY(bench.last<urscript::SpeedJ>() != nullptr);
     }
 
-    // Press, release, press while the arm is still braking: the second motion begins after the braking.
+    // Press, release and press while the arm is still braking: the second motion begins after the braking has
+    // ended.
     void aPressDuringBrakingWaitsForStandstill() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -640,7 +642,7 @@ private Q_SLOTS:
         QVERIFY(!bench.running());
     }
 
-    // A rotation keeps the TCP where it was at the start: deviations are corrected.
+    // A rotation keeps the TCP at its initial position, and deviations are corrected.
     void aRotationLeadsTheTcpBack() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);

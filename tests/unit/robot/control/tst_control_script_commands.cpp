@@ -28,7 +28,7 @@ Command servo(ScriptCommand kind, std::int32_t epoch, bool target) {
 
 constexpr SoftwareVersion kHasTorque{5, 25, 1, 0};
 
-/// One set of torques of a stream, with a speed limit of 0.25 m/s.
+/// One set of torques in a stream, with a speed limit of 0.25 m/s.
 Command torque(std::int32_t epoch, const JointTorques& target, const TorqueParameters& parameters = {}) {
     MotionCommand filled;
     fill(filled, target);
@@ -59,7 +59,7 @@ struct TorqueBench : Bench {
             frame();
         }
     }
-    /// Torque of the base joint in the latest command [Nm]; no value if that is not a torque command.
+    /// Torque of the base joint in the newest command [Nm]; empty if it is not a torque command.
     std::optional<double> base() const {
         const auto* given = last<urscript::DirectTorque>();
         return given != nullptr ? std::optional(given->torque[0]) : std::nullopt;
@@ -74,7 +74,7 @@ Command stopJ(std::int32_t epoch, double deceleration) {
     return stop;
 }
 
-/// Starts a linear stream whose stops take long.
+/// Starts a linear stream whose stops take a long time.
 void moveInEpoch2(Bench& bench) {
     bench.host.moveFrames = 1000;
     bench.hold(ScriptCommand::Idle, 1, 2);
@@ -91,7 +91,7 @@ class TestControlScriptCommands : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // Standard output 2, configurable output 1 and tool output 0 at once; the robot measures the time.
+    // Standard output 2, configurable output 1 and tool output 0 in one command; the robot measures the time.
     void pulsedOutputsGoBackAfterTheirTime() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -112,7 +112,7 @@ private Q_SLOTS:
         }
     }
 
-    // Without a heartbeat, a held pulse ends like a motion; other pulses end after their time.
+    // Without a heartbeat, a Held pulse ends like a motion. Other pulses end after their duration.
     void aSilentComputerEndsHeldPulsesOnly() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -139,8 +139,7 @@ private Q_SLOTS:
         QVERIFY2(bench.host.pins[4], "no pulse was under way there");
     }
 
-    // No pulse outlives the program, whether the program is asked to end or receives no data for five
-    // seconds.
+    // All pulses end with the program, whether it is asked to end or has received no data for five seconds.
     void aProgramThatEndsEndsItsPulses() {
         for (const bool asked : {true, false}) {
             Bench bench;
@@ -176,7 +175,7 @@ private Q_SLOTS:
         QCOMPARE(last->duration, 0.002);
     }
 
-    // The first target must be near the arm, and each later one near its predecessor.
+    // The first target must be close to the arm, and each later one close to the previous one.
     void aServoDoesNotJump() {
         Bench bench;
         bench.host.q = JointPositions(0.2, -1, 1, -1, -1, 0);
@@ -194,7 +193,7 @@ private Q_SLOTS:
             const auto* servoed = std::get_if<urscript::ServoJ>(&motion.command);
             QVERIFY(servoed == nullptr || servoed->q == bench.host.q);
         }
-        // Small steps are permitted over any distance.
+        // Small steps are permitted over any total distance.
         target = servo(ScriptCommand::ServoJ, 3, true);
         for (int i = 0; i < 50; ++i) {
             target.values[3] += 0.015;
@@ -205,7 +204,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Executing);
         QCOMPARE(bench.last<urscript::ServoJ>()->q[3], target.values[3]);
         const double before = target.values[3];
-        target.values[3] += 0.4;  // more than a joint can turn while packages may be missing
+        target.values[3] += 0.4;  // more than a joint can move while packages may be missing
         for (int i = 0; i < 60; ++i) {
             bench.send(target);
             bench.frame();
@@ -251,7 +250,7 @@ private Q_SLOTS:
         bench.frame();
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 0.7);
-        bench.hold(ScriptCommand::Idle, 4, 2);  // the stop key: still with full deceleration
+        bench.hold(ScriptCommand::Idle, 4, 2);  // the stop key still uses the full deceleration
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 4.0);
         QCOMPARE(bench.count<urscript::StopJ>(), 2);
@@ -283,7 +282,7 @@ private Q_SLOTS:
         QCOMPARE(script.place(script.sectionLine + 1, 5), QStringLiteral("line 2"));
         QCOMPARE(script.place(script.sectionLine + 5, 5), plain.place(plain.sectionLine + 3, 5));
         QVERIFY(script.place(3, 1).startsWith(QLatin1String("control.script line ")));
-        // In every part of the script, the line number is that of its source file.
+        // In every part of the script, the line number refers to the source file of that part.
         const QStringList sent = script.text.split(QLatin1Char('\n'));
         for (const char* sought : {"thread tiller_move_line()", "def tiller_serve()", "def tiller_obey()"}) {
             const auto at = std::find_if(sent.begin(), sent.end(), [&](const QString& line) {
@@ -344,7 +343,7 @@ private Q_SLOTS:
         QCOMPARE(bench.ask(RequestKind::ReadContact).whole, 1);
     }
 
-    // The way back is part of the motion: a stop ends it like any other motion.
+    // The motion back is part of the motion, so a stop ends it like any other motion.
     void aWatchedContactMayLeadBackAndAStopEndsThat_data() {
         QTest::addColumn<bool>("stopped");
         QTest::newRow("to the end") << false;
@@ -429,7 +428,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state() == ScriptState::Executing, finishes);
         bench.frame(bench.silentFrames() * 3);
         QCOMPARE(bench.state() == ScriptState::Executing, finishes);
-        bench.frame(bench.silentFrames() * 2);  // after more than 0.5 s
+        bench.frame(bench.silentFrames() * 2);  // after more than 0.5 s without heartbeat
         QCOMPARE(bench.state(), ScriptState::Expired);
     }
 
@@ -502,7 +501,7 @@ private Q_SLOTS:
             bench.send(torque(2, JointTorques(1, -2, 3, -4, 5, -6), friction));
             bench.frame();
         }
-        // The first values are not used before all of them must have arrived.
+        // The first values are used only after all values must have arrived.
         QCOMPARE(bench.count<urscript::DirectTorque>(), kFrames - 1);
         for (const auto& motion : bench.host.motions) {
             const auto* given = std::get_if<urscript::DirectTorque>(&motion.command);
@@ -542,8 +541,8 @@ private Q_SLOTS:
             goOn();
         }
         QCOMPARE(bench.state(), ScriptState::Braking);
-        // The damping starts in the same period, without a command in between that returns the joints to
-        // position control.
+        // The damping starts in the same period. No command in between returns the joints to position
+        // control.
         constexpr double kDamping = 30;
         const auto before = bench.host.motions.size();
         for (std::size_t i = 0; i < 10; ++i) {
@@ -557,7 +556,7 @@ private Q_SLOTS:
             bench.host.qd[0] *= 0.9;
             goOn();
         }
-        // Once it is slow, it brakes like any other motion.
+        // Once the arm is slow, it brakes as after any other motion.
         bench.host.qd[0] = 0.04;
         goOn();
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
@@ -576,7 +575,7 @@ private Q_SLOTS:
         }
     }
 
-    // If something keeps pushing the arm, position control takes over after 0.1 s.
+    // If an external force keeps pushing the arm, position control takes over after 0.1 s.
     void theDampingTakesATenthOfASecondAtMost() {
         TorqueBench bench;
         const int before = bench.count<urscript::DirectTorque>();
@@ -628,7 +627,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::DirectTorque>(), before);
     }
 
-    // During a pause the controller has returned to position control, and the arm has come to rest.
+    // During a pause, the controller has returned to position control and the arm has stopped.
     void noTorqueIsGivenBehindAPause() {
         TorqueBench bench;
         const int before = bench.count<urscript::DirectTorque>();
@@ -714,7 +713,7 @@ private Q_SLOTS:
         }
         QCOMPARE(bench.host.motions.empty(), !has);
         QVERIFY(bench.running());
-        // A missing feature does not prevent the next motion either.
+        // A missing feature does not prevent the next motion.
         bench.hold(ScriptCommand::JogJoints, 3, 60, {0.1, 0, 0, 0, 0, 0});
         QVERIFY(bench.last<urscript::SpeedJ>() != nullptr);
     }
@@ -841,7 +840,7 @@ private Q_SLOTS:
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 8.0);
         bench.send(stopJ(4, 0.2));
         bench.frame(2);
-        bench.hold(ScriptCommand::Idle, 5, 2);  // the stop key brakes with 4
+        bench.hold(ScriptCommand::Idle, 5, 2);  // the stop key brakes with 4 rad/s2
         QCOMPARE(bench.count<urscript::StopJ>(), 1);
         bench.send(stopJ(6, 12));
         bench.frame(2);

@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(!epoch.isActive(kNoMotion));
     }
 
-    // Every stop of every thread must count: lost updates would result in a smaller epoch.
+    // Every stop of every thread must count. Lost updates would result in a smaller epoch.
     void noStopIsLostUnderContention() {
         Epoch epoch;
         const std::uint64_t before = epoch.current();
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(epoch.current(), before + kThreads * kStops);
     }
 
-    // Many threads try to end each motion: exactly one of them succeeds, and its cause is stored.
+    // Many threads try to end each motion. Exactly one of them succeeds, and its cause is stored.
     void exactlyOneThreadEndsAMotion() {
         Epoch epoch;
         constexpr int kThreads = 4;

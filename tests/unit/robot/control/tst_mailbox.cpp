@@ -74,7 +74,8 @@ private Q_SLOTS:
         QVERIFY(!box.refresh(motion, ms(192)));
     }
 
-    // The refresh is late but arrives before the control thread has checked: it must not reactivate the motion.
+    // The refresh is late but arrives before the control thread has checked. It must not reactivate the
+    // motion.
     void aLateRefreshIsTheEnd() {
         Mailbox box;
         const MotionId motion = box.start(jogX(0.01), ms(0));
@@ -101,8 +102,8 @@ private Q_SLOTS:
         QCOMPARE(box.active(ms(5001))->id, second);
     }
 
-    // Eight threads hold and change a motion at the maximum rate while it is stopped. After stop() has returned the
-    // reader must not see this motion again, and each of the eight threads is notified.
+    // Eight threads hold and change a motion at the maximum rate while it is being stopped. After stop() has
+    // returned, the reader must not see this motion again, and each of the eight threads is notified.
     void stopIsFinalUnderContention() {
         Mailbox box;
         constexpr int kThreads = 8;
@@ -141,8 +142,8 @@ private Q_SLOTS:
             }
             QVERIFY(!box.refresh(motion, 0));
         }
-        // Ends only after the threads were active while motions were stopped.
-        QTRY_VERIFY(refused > 1000);
+        // Ends only after the threads were active during a stop.
+        QTRY_VERIFY_WITH_TIMEOUT(refused > 1000, 60'000);
         quit = true;
         for (auto& thread : threads) {
             thread.join();
@@ -151,7 +152,7 @@ private Q_SLOTS:
         QCOMPARE(box.active(0), nullptr);
     }
 
-    // The reader receives complete commands only: all six values from one writer.
+    // The reader receives only complete commands, with all six values from one writer.
     void commandsAreNeverTorn() {
         Mailbox box;
         std::atomic<bool> quit{false};
@@ -191,7 +192,7 @@ private Q_SLOTS:
         const auto stops = mailbox.epoch().stops();
         const MotionId first = mailbox.startUnlessStopped(stops, {}, 1);
         QVERIFY(first != kNoMotion);
-        mailbox.end(first, StopCause::Completed, 2);  // ends and other motions do not count as stops
+        mailbox.end(first, StopCause::Completed, 2);  // ending or replacing a motion does not count as a stop
         const MotionId second = mailbox.startUnlessStopped(stops, {}, 3);
         QVERIFY(second > first);
         QVERIFY(mailbox.epoch().isActive(second));

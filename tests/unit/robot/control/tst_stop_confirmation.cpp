@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conditions for the confirmation of a stop in control, and for stopping through all interfaces.
+// Conditions for the confirmation of a stop while in control, and for stopping through all interfaces.
 #include <QTest>
 #include <algorithm>
 #include <utility>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kEpoch = 7;
 
-/// Our program moves the arm, and all data are fresh.
+/// Tiller's program moves the arm, and all data are fresh.
 struct Scene {
     StopEvidence evidence{.nowNs = kNsPerSecond,
                           .fresh = true,
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QCOMPARE(seen, Verdict::EveryRoute);
         QCOMPARE(ms, 200);
     }
-    // A user who presses repeatedly.
+    // A user presses the key repeatedly.
     void furtherStopsDoNotPostponeTheVerdict() {
         for (const bool fresh : {false, true}) {
             Scene scene;
@@ -147,7 +147,7 @@ private Q_SLOTS:
         scene.evidence.restingEpoch = kEpoch + 2;
         QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
     }
-    // Another program has replaced ours and is waiting.
+    // Another program has replaced Tiller's program and is waiting.
     void standstillThatOurProgramDoesNotReportIsNotEnough() {
         Scene scene;
         const auto [seen, ms] = scene.verdict([&](int) { scene.evidence.moving = false; });

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kStepNs = 2 * kNsPerMs;
 
-// An arm that moves along X and decelerates from now on.
+// An arm that moves along X and starts to decelerate.
 struct Braking {
     StopMeter& meter;
     std::int64_t now = 0;
@@ -50,7 +50,7 @@ private Q_SLOTS:
         QVERIFY(!meter.isMoving());
         QCOMPARE(meter.last().count, 1U);
         QCOMPARE(meter.last().cause, StopCause::Released);
-        // 0.1 m/s at 2 m/s2: 50 ms and 2.5 mm, with standstill from 1 mm/s on.
+        // 0.1 m/s at 2 m/s2: 50 ms and 2.5 mm. Speeds below 1 mm/s count as standstill.
         QVERIFY(std::abs(meter.last().durationMs - 50) <= 2);
         QVERIFY(std::abs(meter.last().distanceMm - (arm.x - startedAt) * 1000) < 0.01);
     }
@@ -66,7 +66,7 @@ private Q_SLOTS:
         QCOMPARE(meter.last().durationMs, 6.0);
     }
 
-    // No data during the deceleration: the time until they resume is not a stopping time.
+    // No data arrive during the deceleration. The time until they resume is not a stopping time.
     void unobservedStopIsNotMeasured() {
         StopMeter meter;
         Braking arm{meter, 0, 0, 0.1};

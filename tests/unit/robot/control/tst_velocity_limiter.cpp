@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDeg = 3.14159265358979323846 / 180;
 
-// Far from every limit and singularity.
+// Far from all limits and singularities.
 const JointPositions kGoodPose(-90 * kDeg, -100 * kDeg, -110 * kDeg, -60 * kDeg, 90 * kDeg, 0);
 
 const RobotModel& ur5e() {
@@ -54,7 +54,7 @@ private Q_SLOTS:
         QCOMPARE(limiter.scale, 1.0);
     }
 
-    // A robot that reports incomplete or implausible values gets the limits of its model, and can be moved.
+    // A robot that reports incomplete or implausible values gets the limits of its model and can be moved.
     void unreportedValuesComeFromTheModel() {
         const ArmLimits model = ArmLimits::of(ur5e());
         script::RobotConfiguration told;
@@ -83,7 +83,7 @@ private Q_SLOTS:
         QCOMPARE(limits.maxSpeed[3], 0.5);
     }
 
-    // The position of such an arm is unknown, and therefore also the distance to its limits.
+    // The position of such an arm is unknown, so the distance to its limits is unknown too.
     void numbersThatAreNoneStopTheJog() {
         const JogTarget jogs[] = {linear(0.05, 0, 0), joint(1, 0.1)};
         for (const double nonsense : {std::nan(""), std::numeric_limits<double>::infinity()}) {
@@ -157,14 +157,14 @@ private Q_SLOTS:
         Limiter limiter = limitAt(target, stretched);
         QCOMPARE(limiter.kind, LimiterKind::JogSpeed);
         QVERIFY(std::abs(10 * kDeg * radius * limiter.scale - 0.05) < 1e-9);
-        // The limit also applies to the elbow: the TCP is near the axis of the shoulder.
+        // The limit also applies to the elbow, because the TCP is near the axis of the shoulder.
         const JointPositions folded(0, 0, 170 * kDeg, 0, 90 * kDeg, 0);
         target = joint(1, 10 * kDeg);
         target.speedCap = 0.02;
         limiter = limitAt(target, folded);
         QCOMPARE(limiter.kind, LimiterKind::JogSpeed);
         QVERIFY(10 * kDeg * 0.425 * limiter.scale <= 0.02 + 1e-9);
-        // A cap above that of the controller does not raise it.
+        // A cap above that of the controller has no effect.
         target = joint(0, 30 * kDeg);
         target.speedCap = 3;
         limiter = limitAt(target, stretched);
@@ -197,7 +197,7 @@ private Q_SLOTS:
         QVERIFY((twistInBase(target, {}).linear - Eigen::Vector3d(0, 0.1, 0)).norm() < 1e-12);
     }
 
-    // Simulated over time with the permitted speed at each step: the joint stops before its limit, and the
+    // Simulates the motion with the permitted speed at each step. The joint stops before its limit, and the
     // deceleration never exceeds the maximum of the arm.
     void aJointStopsBeforeItsLimit() {
         for (const int number : {0, 3, 5}) {
@@ -232,7 +232,7 @@ private Q_SLOTS:
         q[3] = kJointPositionLimit - 0.001;
         QCOMPARE(limitAt(joint(3, 0.2), q).scale, 0.0);
         QCOMPARE(limitAt(joint(3, -0.2), q).scale, 1.0);
-        q[3] = kJointPositionLimit + 0.01;  // beyond the limit, for any reason
+        q[3] = kJointPositionLimit + 0.01;  // already beyond the limit
         QCOMPARE(limitAt(joint(3, 0.2), q).scale, 0.0);
         QCOMPARE(limitAt(joint(3, -0.2), q).scale, 1.0);
     }
@@ -240,7 +240,7 @@ private Q_SLOTS:
     void cartesianMotionSlowsDownForAJointLimitAndNamesIt() {
         JointPositions q = kGoodPose;
         q[0] = kJointPositionLimit - 0.012;
-        // The tangential direction that rotates the base further.
+        // The tangential direction, which rotates the base further.
         const Pose tcp = tcpAt(q);
         const Eigen::Vector3d tangent = Eigen::Vector3d(-tcp.position.y(), tcp.position.x(), 0).normalized();
         const Eigen::Vector3d in = 0.1 * tangent;
@@ -283,7 +283,8 @@ private Q_SLOTS:
         QCOMPARE(limitAt(joint(2, 0.1), up).scale, 1.0);  // joint jogs can always leave a singularity
     }
 
-    // No linear jog leads out of the centre of a singularity: the robot would trigger a protective stop.
+    // Linear jogs cannot leave the centre of a singularity, because the robot would trigger a protective
+    // stop.
     void deepInASingularityLinearJogsAreBlocked() {
         const JointPositions wristAndElbow(-0.886325, -2.81512, -0.0419052, -3.73636, 3.14351, 0.189416);
         JointPositions wrist = kGoodPose;
@@ -298,7 +299,7 @@ private Q_SLOTS:
         }
     }
 
-    // Inside the zone no permitted motion approaches the singularity, not even for its first micrometres.
+    // Inside the zone, no permitted motion approaches the singularity, not even during its first micrometres.
     void withinTheZoneNoPermittedMotionComesNearer() {
         std::mt19937 random(5);
         std::uniform_real_distribution<double> real(-1, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A file is replaced completely or not at all, also on full disks.
+// A file is replaced completely or not at all, even on a full disk.
 
 #include <QDir>
 #include <QFile>
@@ -48,7 +48,7 @@ QList<qsizetype> sizesAroundBuffers() {
     return sizes;
 }
 
-/// The file contains the old or the new content, as reported by the result.
+/// The file contains either the old or the new content, as reported by the result.
 void replaceOnFullDisk(const SmallDisk& disk) {
     const QString path = disk.filePath("cell.tiller");
     int failures = 0;
@@ -111,7 +111,7 @@ private Q_SLOTS:
     }
 
 #ifdef Q_OS_UNIX
-    // A child that was forked while a guard was held has a copy of its descriptor.
+    // A child process that was forked while the guard was held has a copy of its descriptor.
     void aForkedChildDoesNotKeepTheSaveGuard() {
         auto guard = SaveGuard::acquire(path_);
         QVERIFY(guard.ok());
@@ -158,7 +158,7 @@ private Q_SLOTS:
         }
     }
 
-    // A colleague's file, writable for both through a common group. Only root can change the owner.
+    // A file of another user, writable for both users through a common group. Only root can change the owner.
     void theGroupStaysWithoutTheOwner_data() {
         QTest::addColumn<int>("group");
         QTest::addColumn<int>("expectedGroup");

@@ -13,7 +13,7 @@ using native_socket::Status;
 
 namespace {
 
-/// Returns the descriptor of the connection, like our servers.
+/// Returns the descriptor of the connection, like the servers of this project.
 class DescriptorServer : public QTcpServer {
 public:
     qintptr taken = -1;
@@ -33,8 +33,8 @@ private Q_SLOTS:
         QVERIFY(server_->listen(QHostAddress::LocalHost));
         client_ = std::make_unique<QTcpSocket>();
         client_->connectToHost(QHostAddress::LocalHost, server_->serverPort());
-        QVERIFY(client_->waitForConnected(5000));
-        QVERIFY(server_->waitForNewConnection(5000) || server_->taken != -1);
+        QVERIFY(client_->waitForConnected(60'000));
+        QVERIFY(server_->waitForNewConnection(60'000) || server_->taken != -1);
         QVERIFY(server_->taken != -1);
         native_socket::prepare(server_->taken);
     }
@@ -58,8 +58,8 @@ private Q_SLOTS:
 
     void bytesArriveInOrder() {
         client_->write("tiller");
-        QVERIFY(client_->waitForBytesWritten(5000));
-        QVERIFY(native_socket::waitReadable(server_->taken, 5s));
+        QVERIFY(client_->waitForBytesWritten(60'000));
+        QVERIFY(native_socket::waitReadable(server_->taken, 60s));
         std::array<std::uint8_t, 16> buffer{};
         const auto got = native_socket::receive(server_->taken, buffer);
         QVERIFY(got.status == Status::Ok);
@@ -72,13 +72,13 @@ private Q_SLOTS:
         const auto sent = native_socket::send(server_->taken, bytes);
         QVERIFY(sent.status == Status::Ok);
         QCOMPARE(sent.bytes, std::size_t(3));
-        QVERIFY(client_->waitForReadyRead(5000));
+        QVERIFY(client_->waitForReadyRead(60'000));
         QCOMPARE(client_->readAll(), QByteArray("\x01\x02\x03"));
     }
 
     void closedPeerIsSeen() {
         client_->disconnectFromHost();
-        QVERIFY(native_socket::waitReadable(server_->taken, 5s));
+        QVERIFY(native_socket::waitReadable(server_->taken, 60s));
         std::array<std::uint8_t, 16> buffer{};
         QVERIFY(native_socket::receive(server_->taken, buffer).status == Status::Closed);
     }
@@ -96,7 +96,7 @@ private Q_SLOTS:
         client_->abort();
         client_.reset();
         const std::array<std::uint8_t, 3> bytes = {1, 2, 3};
-        QTRY_VERIFY(native_socket::send(server_->taken, bytes).status == Status::Failed);
+        QTRY_VERIFY_WITH_TIMEOUT(native_socket::send(server_->taken, bytes).status == Status::Failed, 60'000);
     }
 
 private:

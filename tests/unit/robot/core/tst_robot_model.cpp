@@ -84,10 +84,10 @@ private Q_SLOTS:
 
     void cylindersLieAlongTheirLinks() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
-        QCOMPARE(model.links[1].inertia[0], 0.0151074);  // upper arm along x: smallest about x
+        QCOMPARE(model.links[1].inertia[0], 0.0151074);  // upper arm along x: smallest moment about x
         QCOMPARE(model.links[1].inertia[3], 0.1338858);
         QCOMPARE(model.links[0].inertia[3], 0.00666);    // shoulder along y of its frame, the joint axis
-        QCOMPARE(model.links[5].inertia[5], 0.0001321);  // wrist 3 about z
+        QCOMPARE(model.links[5].inertia[5], 0.0001321);  // wrist 3: about z
     }
 
     void ur5eGravityTorqueGivesTheRecordedCurrents() {

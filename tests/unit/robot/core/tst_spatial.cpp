@@ -38,7 +38,7 @@ private Q_SLOTS:
             for (int n = 0; n < 200; ++n) {
                 const Eigen::Vector3d v = randomAxis(random) * (kPi - short_of);
                 const Eigen::Vector3d back = rotationVector(rotationMatrix(v));
-                // At pi both signs of the axis represent the same rotation.
+                // At pi, both signs of the axis represent the same rotation.
                 QVERIFY(std::min((back - v).norm(), (back + v).norm()) < 1e-9);
                 QVERIFY((rotationMatrix(back) - rotationMatrix(v)).norm() < 1e-12);
                 QVERIFY(back.norm() <= kPi + 1e-12);

@@ -29,7 +29,7 @@ private Q_SLOTS:
         }
     }
 
-    // A peer without power never ends a connection: the system has to detect it.
+    // A peer that loses power never ends a connection, so the system must detect this.
     void theSystemWatchesThePeer() {
 #ifdef __linux__
         QTcpServer server;
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(!socket.error().context.isEmpty());
     }
 
-    // A server that accepts no more connections: its queue is full, and the system drops packets.
+    // A server that accepts no more connections. Its queue is full, and the system drops packets.
     void deadlineAndCancelEndTheWait() {
         QTcpServer server;
         server.setListenBacklogSize(1);
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(connectTcp("127.0.0.1", server.serverPort(), Deadline::after(1h, cancelled)).error().code,
                  ErrorCode::Cancelled);
 
-        int asked = 0;  // the host interrupts after a while
+        int asked = 0;  // the host interrupts the call after some time
         const CancelToken polled([&asked] { return ++asked > 3; });
         QCOMPARE(connectTcp("127.0.0.1", server.serverPort(), Deadline::after(1h, polled)).error().code,
                  ErrorCode::Cancelled);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mutex excludes other threads, and waits end with their timeout.
+// The mutex excludes other threads, and waits end at their timeout.
 #include <QtTest>
 
 #include <atomic>
@@ -18,7 +18,7 @@ class TestTurn : public QObject {
 private Q_SLOTS:
     void oneAtATime() {
         Turn turn;
-        int inside = 0;  // not atomic on purpose: the mutex protects it
+        int inside = 0;  // intentionally not atomic, because the mutex protects it
         int rounds = 0;
         std::atomic<bool> crowded{false};
         const auto work = [&] {

@@ -14,7 +14,7 @@ namespace {
 
 const QByteArray kGreeting = "Connected: Universal Robots Dashboard Server\n";
 
-// Answers each command according to the table, others like a controller that does not know them.
+// Answers the commands in the table. Other commands are answered as unknown, as on a controller.
 RawPeer::Script answering(std::map<QByteArray, QByteArray> replies) {
     return [replies = std::move(replies)](RawPeer::Link& link) {
         link.send(kGreeting);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The queue of a robot's service: results are delivered in the caller's thread, and nothing blocks. And the
-// selection of the service: the dashboard if available, else the Robot API.
+// The queue of a robot's service delivers results in the caller's thread and never blocks. Also tests the
+// selection of the service: the dashboard server if available, otherwise the Robot API.
 #include <QTest>
 
 #include "robot/dashboard/service_worker.h"
@@ -16,7 +16,7 @@ namespace {
 const QByteArray kGreeting = "Connected: Universal Robots Dashboard Server\n";
 const QString kHost = QStringLiteral("127.0.0.1");
 
-/// A dashboard that accepts every power on.
+/// A dashboard server that accepts every power-on command.
 RawPeer::Script agreeing() {
     return [](RawPeer::Link& link) {
         link.send(kGreeting);
@@ -26,7 +26,7 @@ RawPeer::Script agreeing() {
     };
 }
 
-/// A Robot API that only answers with this version.
+/// A Robot API that only returns this version.
 RawPeer::Script describing(const QByteArray& version) {
     return [version](RawPeer::Link& link) {
         while (link.readLine().trimmed().size() > 0) {
@@ -107,7 +107,7 @@ private Q_SLOTS:
                         deliveredIn = QThread::currentThread();
                         done = result.ok();
                     });
-        QTRY_VERIFY(done);
+        QTRY_VERIFY_WITH_TIMEOUT(done, 60'000);
         QCOMPARE(deliveredIn, thread());
     }
 
@@ -116,7 +116,7 @@ private Q_SLOTS:
             link.send(kGreeting);
             link.readLine();
             link.send("Powering on\n");
-        });  // and disconnects after each answer
+        });  // and disconnects after each reply
         ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
         worker.start();
         for (int round = 1; round <= 3; ++round) {
@@ -127,8 +127,8 @@ private Q_SLOTS:
                             answered = true;
                             ok = result.ok();
                         });
-            QTRY_VERIFY(answered);
-            // The disconnection may occur while the command is sent; the next one then succeeds.
+            QTRY_VERIFY_WITH_TIMEOUT(answered, 60'000);
+            // The disconnection may occur while the command is sent. The next command then succeeds.
             QVERIFY(ok || round > 1);
         }
         QVERIFY(peer.clients() >= 2);
@@ -163,7 +163,7 @@ private Q_SLOTS:
         Error error;
         worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
                     [&](const Result<void>& result) { error = result.error(); });
-        QTRY_COMPARE(error.code, ErrorCode::ConnectionRefused);
+        QTRY_COMPARE_WITH_TIMEOUT(error.code, ErrorCode::ConnectionRefused, 60'000);
     }
 
     void stoppingItDoesNotWaitForAMuteServer() {
@@ -173,8 +173,8 @@ private Q_SLOTS:
         bool delivered = false;
         worker.post([](auto& s, auto& d) { return s.perform(RobotCommand::PowerOn, d); }, this,
                     [&](const Result<void>&) { delivered = true; }, milliseconds(600'000));
-        QTRY_COMPARE(peer.clients(), 1);
-        worker.stop();  // would reach the time limit of the test if it waited
+        QTRY_COMPARE_WITH_TIMEOUT(peer.clients(), 1, 60'000);
+        worker.stop();  // would exceed the time limit of the test if it waited
         QCoreApplication::processEvents();
         QVERIFY(!delivered);
     }
@@ -190,7 +190,7 @@ private Q_SLOTS:
         caller.reset();
         bool after = false;
         worker.post(powerOn, this, [&](const Result<void>&) { after = true; });
-        QTRY_VERIFY(after);
+        QTRY_VERIFY_WITH_TIMEOUT(after, 60'000);
         QVERIFY(!called);
     }
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A simulated arm with noise, and the recording of its motion: one row per control period, as by a receiver.
+// A simulated arm with noise, and the recording of its motion with one row per control period, as written by
+// a receiver.
 
 #include <map>
 #include <string>
@@ -33,7 +34,7 @@ public:
         arm.setDriveState(simulator::arm::DriveState::Running);
     }
 
-    /// Runs this number of control periods, with one row each.
+    /// Runs this number of control periods and records one row for each.
     void run(int periods) {
         for (int i = 0; i < periods; ++i) {
             arm.step();
@@ -47,7 +48,7 @@ public:
         }
     }
     std::uint64_t rows() const { return rows_; }
-    /// Every n-th row, without those in [from, to).
+    /// Every n-th row, excluding those in [from, to).
     MadeRecording recording(std::size_t every = 1, std::size_t from = 0, std::size_t to = 0) const {
         recording::RecordedTable table{QStringLiteral("made.csv"), QStringLiteral("CSV"), {}, {}, {}};
         for (const auto& [name, values] : columns) {

@@ -24,7 +24,7 @@ simulator::arm::Payload gripper() {
     return {1.2, {0, 0.01, 0.06}, Vector6::Zero()};
 }
 
-/// Joint and linear moves with a payload; the arm ends at its start.
+/// Joint and linear moves with a payload. The arm ends at its start position.
 void work(RecordedArm& robot) {
     auto& arm = robot.arm;
     const JointPositions home = arm.state().targetQ;
@@ -92,7 +92,7 @@ void TestDivergence::anUndisturbedArmNeverParts() {
     for (const Outcome& each : report.outcomes) {
         QVERIFY(each.missing.empty());
         QCOMPARE(each.rows, report.rows - report.leftOut);
-        // In fact, it is much smaller.
+        // The actual value is much smaller.
         QVERIFY2(each.greatest && each.greatest->amount < each.limit / 10,
                  qPrintable(QString::number(each.greatest ? each.greatest->amount : -1)));
     }
@@ -106,7 +106,7 @@ void TestDivergence::aPushIsFoundWhereItBegins_data() {
     QTest::newRow("lighter, found by the force alone") << true << 35.0;
 }
 
-// The stop occurs later, as with a real controller.
+// The stop occurs later, as on a real controller.
 void TestDivergence::aPushIsFoundWhereItBegins() {
     QFETCH(bool, moving);
     QFETCH(double, force);
@@ -136,7 +136,7 @@ void TestDivergence::aPushIsFoundWhereItBegins() {
     QVERIFY(forces.parted && std::abs(forces.parted->amount - force) < 3);
     QCOMPARE(forces.parted->joint, -1);
     if (force > 50) {
-        // Straight down on an extended arm: the shoulder has to carry most of it.
+        // A force straight down on the extended arm. The shoulder carries most of it.
         const Outcome& currents = outcome(report, Quantity::JointCurrent);
         QVERIFY(currents.parted.has_value());
         QCOMPARE(currents.parted->row, push);
@@ -162,7 +162,7 @@ void TestDivergence::anotherLoadThanTheControllerKnowsParts() {
 void TestDivergence::aJointThatDoesNotFollowIsNamed() {
     RecordedArm robot;
     work(robot);
-    // From row 400 on, the elbow lags increasingly.
+    // From row 400 on, the lag of the elbow increases.
     std::vector<double>& elbow = robot.columns["actual_q_2"];
     for (std::size_t row = 400; row < elbow.size(); ++row) {
         elbow[row] += 0.01 * kDegree * static_cast<double>(row - 400);
@@ -173,7 +173,7 @@ void TestDivergence::aJointThatDoesNotFollowIsNamed() {
     QVERIFY2(found.row >= 450 && found.row <= 453, qPrintable(QString::number(found.row)));
     QVERIFY(found.amount > 5 * kDegree);
     QCOMPARE(report.first()->row, found.row);
-    // With another limit the arm deviates at another row; without a limit it never does.
+    // With another limit, the arm deviates at another row; without a limit, it never deviates.
     Choice choice;
     choice.limits.jointPosition = 1 * kDegree;
     const std::uint64_t later =
@@ -320,7 +320,7 @@ void TestDivergence::limitsAreNumbers() {
         choice.limits.force = wrong;
         QCOMPARE(compare(robot.recording(), choice).error().code, ErrorCode::InvalidArgument);
     }
-    // Rows with too large intervals.
+    // Rows with intervals that are too long.
     const auto sparse = robot.recording(10);
     RecordedArm slow;
     slow.run(2000);

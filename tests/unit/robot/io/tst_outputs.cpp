@@ -15,14 +15,14 @@ using test::RtdePeer;
 
 namespace {
 
-// Only reached by a failing test.
+// Only a failing test reaches this limit.
 constexpr auto kPatience = 20s;
 
 Deadline patience() {
     return Deadline::after(kPatience);
 }
 
-/// A robot whose reports are set by the test, or that executes the commands.
+/// A robot whose reports are set by the test, or which executes the commands.
 struct Bench {
     explicit Bench(test::RtdePeerOptions robot = {})
         : peer(std::move(robot)), outputs(options(), feedback()) {}
@@ -45,7 +45,7 @@ struct Bench {
             return report;
         }};
     }
-    /// Executes the newest inputs like a controller.
+    /// Executes the newest inputs as a controller does.
     void follow() {
         apply("standard_digital_output", 0);
         apply("configurable_digital_output", 8);
@@ -157,11 +157,11 @@ void TestOutputs::groupsAreSetTogether() {
 void TestOutputs::waitsForTheRobotsWord() {
     Bench bench;
     bench.obedient = false;
-    // The connection must not use up the 50 ms: nothing would be sent.
+    // Connect first, so that connecting does not use up the 50 ms for the command.
     QVERIFY(bench.outputs.connect(patience()).ok());
     const auto set = bench.outputs.setDigitalOutput(3, true, Deadline::after(50ms));
     QCOMPARE(set.error().code, ErrorCode::Timeout);
-    // The command was sent nevertheless, and reverting it would require a confirmation as well.
+    // The command was sent in spite of the error. Reverting it would require a confirmation too.
     QTRY_COMPARE_WITH_TIMEOUT(bench.peer.inputPackages(), 1, 20000);
 
     const CancelToken token;
@@ -170,7 +170,7 @@ void TestOutputs::waitsForTheRobotsWord() {
              ErrorCode::Cancelled);
 }
 
-// The controller may have dropped the connection and accept data on it forever.
+// The controller may have closed the connection, while sending data succeeds forever.
 void TestOutputs::whatIsNotConfirmedIsSentOnANewConnectionNextTime() {
     Bench bench;
     bench.obedient = false;
@@ -187,7 +187,7 @@ void TestOutputs::oldReportsConfirmNothing() {
     bench.obedient = false;
     bench.frozen = true;
     QVERIFY(bench.outputs.connect(patience()).ok());
-    // The report already contains the requested value, but it is older than the command.
+    // The report already contains the requested value but is older than the command.
     QCOMPARE(bench.outputs.setDigitalOutput(0, false, Deadline::after(50ms)).error().code,
              ErrorCode::Timeout);
     bench.frozen = false;
@@ -230,7 +230,7 @@ void TestOutputs::inputsInUseAreNamed() {
     test::RtdePeerOptions robot;
     robot.inUse = {"speed_slider_mask", "speed_slider_fraction"};
     Bench bench(robot);
-    // The others can still be set.
+    // The other outputs can still be set.
     QVERIFY(bench.outputs.setDigitalOutput(1, true, patience()).ok());
     QVERIFY(bench.outputs.canSetDigitalOutput(1).ok());
     const Error error = bench.outputs.setSpeedSlider(0.5, patience()).error();
@@ -246,7 +246,7 @@ void TestOutputs::inputsTheRobotLacksAreNamed() {
     Bench bench(robot);
     QVERIFY(bench.outputs.connect(patience()).ok());
     QCOMPARE(bench.outputs.setDigitalOutput(16, true, patience()).error().code, ErrorCode::FieldUnknown);
-    // All or nothing: a request that includes a tool output leaves the others unchanged.
+    // A request that includes a tool output is refused as a whole and leaves the other outputs unchanged.
     QCOMPARE(bench.outputs.setDigitalOutputs(0x10001, 0x10001, patience()).error().code,
              ErrorCode::FieldUnknown);
     QCOMPARE(bench.peer.inputPackages(), 0);
@@ -264,8 +264,9 @@ void TestOutputs::connectsByItselfWhenNeeded() {
     QVERIFY(!bench.outputs.isConnected());
     QVERIFY(bench.outputs.setDigitalOutput(0, false, patience()).ok());
     QCOMPARE(bench.peer.connections(), 2);
-    // The robot was switched off and on. This is detected at the next command, or at the one after it. Each
-    // command has time to reconnect and does not wait too long for a command sent on the old connection.
+    // The robot was switched off and on. This is detected at the next command or the one after it. Each
+    // command has time to reconnect, and does not wait too long for a command sent on the previous
+    // connection.
     bench.peer.closeConnection();
     QTRY_VERIFY_WITH_TIMEOUT(
         bench.outputs.setDigitalOutput(0, true, Deadline::after(5s)).ok() && bench.peer.connections() >= 3,

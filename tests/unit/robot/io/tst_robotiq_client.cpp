@@ -15,11 +15,11 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// The variables of a gripper, served like the URCap. Received lines are stored.
+/// The variables of a gripper, served as by the URCap. Received lines are stored.
 struct Gripper {
     std::map<QByteArray, int> values{{"STA", 3},   {"FLT", 0}, {"GTO", 1},
                                      {"PRE", 255}, {"OBJ", 2}, {"POS", 120}};
-    QByteArrayList lines;  ///< of the newest connection; read them after the client has disconnected
+    QByteArrayList lines;  ///< lines of the newest connection; read them after the client has disconnected
     int staleAnswers = 0;  ///< number of replies in which PRE still belongs to the previous motion
     bool resets = true;
 
@@ -66,7 +66,7 @@ struct Bench {
     RobotiqClient client;
 };
 
-/// Answers one line with each of these replies, then stops answering.
+/// Answers one line with each of these replies, then stops responding.
 std::function<void(RawPeer::Link&)> saying(const QByteArrayList& answers) {
     return [answers](RawPeer::Link& link) {
         for (const QByteArray& answer : answers) {

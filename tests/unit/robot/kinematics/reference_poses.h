@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reference values of forward and inverse kinematics, computed independently of this project's code, for DH tables
-// with exact right angles.
+// Reference values of forward and inverse kinematics for DH tables with exact right angles. They were
+// computed independently of this project's code.
 
 #include <array>
 
@@ -95,7 +95,7 @@ struct Solution {
     std::array<double, 6> q;  // [rad]
 };
 
-// All solutions of the pose of configuration B.
+// All solutions for the pose of configuration B.
 inline constexpr Solution kSolutionsOfB[] = {
     {RobotModelId::UR3, {-2.070104048, -1.944459324, -1.416190326, -1.372929323, 1.668613900, 0.872959517}},
     {RobotModelId::UR3, {-2.070104048, 3.036350687, 1.416190326, -2.902934678, 1.668613900, 0.872959517}},

@@ -158,7 +158,7 @@ private Q_SLOTS:
                 }
             }
             lost += nearest > 1e-3 ? 1 : 0;
-            // In a singularity the joint positions are not determined to this precision.
+            // At a singularity, the joint positions are not determined to this precision.
             const SingularityMeasure measure = singularityMeasure(dh, q);
             if (std::min({measure.wrist, measure.elbow, measure.shoulder}) > 1e-3) {
                 worstJoint = std::max(worstJoint, nearest);
@@ -188,11 +188,11 @@ private Q_SLOTS:
     void singularPosesAreStillSolved() {
         const double h = kPi / 2;
         const JointPositions singular[] = {
-            {0, 0, 0, 0, 0, 0},              // stretched, wrist aligned
+            {0, 0, 0, 0, 0, 0},              // stretched arm, aligned wrist
             {0, -h, 0, -h, 0, 0},            // upright
-            {0.4, -1.0, 1.2, -0.7, 0, 0.3},  // wrist only
+            {0.4, -1.0, 1.2, -0.7, 0, 0.3},  // wrist singularity only
             {0.4, -1.0, 1.2, -0.7, kPi, 0.3},
-            {0.4, -1.0, 1e-9, -0.7, 1.0, 0.3},  // elbow only
+            {0.4, -1.0, 1e-9, -0.7, 1.0, 0.3},  // elbow singularity only
         };
         for (const RobotModel& model : robotModels()) {
             for (const JointPositions& q : singular) {
@@ -209,7 +209,7 @@ private Q_SLOTS:
     }
 
     void shoulderSingularPosesAreStillSolved() {
-        // Wrist centre on the cylinder around axis 1: theta4 is chosen so that the measure vanishes.
+        // The wrist centre is on the cylinder around axis 1: theta4 is chosen so that the measure vanishes.
         for (const RobotModel& model : robotModels()) {
             const DhParameters& dh = model.dh;
             const double q2 = -1.7;
@@ -243,7 +243,7 @@ private Q_SLOTS:
     void posesOutOfReachHaveNoSolution() {
         const DhParameters& dh = robotModel(RobotModelId::UR5e).dh;
         QCOMPARE(inverse(dh, Pose(2.0, 0, 0.3, 0, 3.14, 0).transform()).count, 0);
-        // Inside the cylinder around axis 1, which is not reachable because of the wrist offset.
+        // Inside the cylinder around axis 1, which is unreachable because of the wrist offset.
         QCOMPARE(inverse(dh, Pose(0, 0, 0.6, 0, 0, 0).transform()).count, 0);
         QVERIFY(!inverseNearest(dh, Pose(0, 0, 5, 0, 0, 0), {}, {}).has_value());
         QVERIFY(!inverseNearest(dh, Pose(std::nan(""), 0, 5, 0, 0, 0), {}, {}).has_value());
@@ -292,7 +292,7 @@ private Q_SLOTS:
     void nearestStaysInsideTheJointRange() {
         const DhParameters& dh = robotModel(RobotModelId::UR5e).dh;
         const JointPositions q(3.0, -1.2, 1.4, -1.7, -1.5, 0.3);
-        // From here the nearest solution of wrist 3 is beyond 2 pi, outside of a range of pi.
+        // From here, the nearest solution for wrist 3 is beyond 2 pi, outside a range of pi.
         const auto found = inverseNearest(dh, forwardTcp(dh, q), {}, {3.0, -1.2, 1.4, -1.7, -1.5, 6.5}, kPi);
         QVERIFY(found.has_value());
         for (int i = 0; i < 6; ++i) {

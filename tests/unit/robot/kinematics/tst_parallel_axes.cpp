@@ -87,7 +87,7 @@ private Q_SLOTS:
             const auto nominal = linkFrames(model, q);
             for (std::size_t i = 1; i <= 6; ++i) {
                 QVERIFY((now[i].translation() - nominal[i].translation()).norm() < 0.06);
-                // The axes are the same lines.
+                // The axes are the same lines in space.
                 const Eigen::Vector3d axis = before[i].linear().col(2);
                 QVERIFY((now[i].linear().col(2) - axis).norm() < 1e-10);
                 QVERIFY((now[i].translation() - before[i].translation()).cross(axis).norm() < 1e-9);
@@ -160,7 +160,7 @@ private Q_SLOTS:
             QVERIFY(std::isfinite(number) || calibrated(model, told) == model.dh);
         }
         QVERIFY(calibrated(model, DhParameters()) == model.dh);
-        DhParameters bent = realArm();  // not the axes of such an arm
+        DhParameters bent = realArm();  // not possible for axes of such an arm
         bent.alpha[1] = 1;
         QVERIFY(calibrated(model, bent) == model.dh);
     }

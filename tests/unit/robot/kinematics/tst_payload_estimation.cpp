@@ -98,7 +98,7 @@ private Q_SLOTS:
         const Eigen::Vector3d toldCentre(0, 0, 0.04);
         std::vector<PayloadReading> readings = fourReadings(2.0);
         for (PayloadReading& r : readings) {
-            // Force as reported by the controller: without the known payload, at the TCP, in the base frame.
+            // Force as reported by the controller: at the TCP in the base frame, without the known payload.
             const Eigen::Vector3d known =
                 r.R_base_flange.transpose() * Eigen::Vector3d(0, 0, -told * kStandardGravity);
             const Eigen::Vector3d force = r.felt.force - known;

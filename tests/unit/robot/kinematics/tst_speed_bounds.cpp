@@ -25,7 +25,7 @@ class TestSpeedBounds : public QObject {
 private Q_SLOTS:
     void durationOfShortAndLongMoves() {
         QCOMPARE(moveDuration(0, 1, 1), 0.0);
-        QCOMPARE(moveDuration(0.25, 1, 1), 1.0);  // never reaches its speed
+        QCOMPARE(moveDuration(0.25, 1, 1), 1.0);  // never reaches the requested speed
         QCOMPARE(moveDuration(1, 1, 1), 2.0);
         QCOMPARE(moveDuration(3, 1, 1), 4.0);
         QCOMPARE(moveDuration(1, 0, 1), 0.0);
@@ -45,7 +45,7 @@ private Q_SLOTS:
         wrist[5] += 1;
         const Pose farTool(0.2, 0, 0.1, 0, 0, 0);
         QCOMPARE(jointSpeedBound(dh(), kStart, wrist, farTool, 0.25).by, SpeedLimit::Tcp);
-        // The forearm points back: the elbow is further out than the TCP.
+        // The forearm points back, so the elbow is further out than the TCP.
         const JointPositions folded(0, -0.8, 2.7, 0, 0, 0);
         JointPositions raised = folded;
         raised[1] -= 0.5;
@@ -54,7 +54,7 @@ private Q_SLOTS:
         QVERIFY(std::isinf(jointSpeedBound(dh(), kStart, kStart, {}, 0.25).speed));
     }
 
-    // The speed of both points, from their positions shortly before and after, along the whole path.
+    // Computes the speed of both points along the whole path from their positions shortly before and after.
     void jointMovesStayBelowTheCap_data() {
         QTest::addColumn<JointPositions>("to");
         for (int joint = 0; joint < kJointCount; ++joint) {
@@ -96,7 +96,7 @@ private Q_SLOTS:
         constexpr double kCap = 0.05;
         const SpeedBound bound = lineSpeedBound(dh(), kStart, there, longTool, kCap, 0.8);
         QCOMPARE(bound.by, SpeedLimit::Elbow);
-        // At this speed the elbow stays below the limit along the whole path and comes close to it.
+        // At this speed, the elbow stays below the limit along the whole path but comes close to it.
         const double turnSpeed = bound.speed / kTurnRadius;
         double fastest = 0;
         JointPositions q = kStart;

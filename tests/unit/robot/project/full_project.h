@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A project with all elements of a file, for tests of files and of project functions.
+// A project with all elements of a project file, for tests of files and project functions.
 
 #include <QJsonArray>
 
@@ -66,7 +66,7 @@ inline Project fullProject() {
     changed.id = QUuid::createUuid();
     changed.name = QStringLiteral("changed");
     Waypoint earlier = changed;
-    earlier.frame = QUuid::createUuid();  // of a frame that was deleted since
+    earlier.frame = QUuid::createUuid();  // id of a deleted frame
     earlier.actions.clear();
     const QDateTime noon = QDateTime::fromString(QStringLiteral("2026-03-04T12:00:00Z"), Qt::ISODate);
     changed = withRevision(changed, earlier, noon, QStringLiteral("Ann"), QStringLiteral("Touch up"));

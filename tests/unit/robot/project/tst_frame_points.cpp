@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Three points and the resulting frame, and points that do not define a frame.
+// Three points and the resulting frame; also points that do not define a frame.
 
 #include <QTest>
 #include <limits>
@@ -83,7 +83,7 @@ private Q_SLOTS:
         QVERIFY(check(points).problem == Problem::Incomplete);
         QVERIFY(!frameThrough(points).has_value());
         QVERIFY(std::abs(check(points).alongX - 0.1) < 1e-12);
-        points.onX = Vector3d(0.11, 0.2, 0.3);  // reported before the third point is recorded
+        points.onX = Vector3d(0.11, 0.2, 0.3);  // reported before recording the third point
         QVERIFY(check(points).problem == Problem::XTooClose);
     }
 

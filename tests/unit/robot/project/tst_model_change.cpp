@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A UR5e project for a UR10e and a UR3e: the poses or the joint positions are kept.
+// Converts a UR5e project for a UR10e and a UR3e. Either the poses or the joint positions are kept.
 #include <QTest>
 
 #include "full_project.h"
@@ -73,7 +73,7 @@ Pattern trayPattern(const Project& project) {
     return pattern;
 }
 
-/// Distance of a waypoint's TCP from its position with the original arm [m].
+/// Distance of a waypoint's TCP from its position on the original arm [m].
 double off(const Waypoint& now, const FrameList& frames, const RobotModel& arm, const Waypoint& before) {
     const Reach target = reach(arm, now, frames);
     return poseDifference(kinematics::forwardTcp(arm.dh, target.q, now.tcpOffset),
@@ -128,7 +128,7 @@ private Q_SLOTS:
                                    kinematics::forwardTcp(ur10e().dh, now.points[i].q, now.tcpOffset))
                         .distance < 1e-6);
         }
-        // With unchanged joint positions the arm ends far away.
+        // With unchanged joint positions, the TCP is far away from its original position.
         QVERIFY(off(before.waypoints.at(0), before.frames, ur10e(), before.waypoints.at(0)) > 0.1);
     }
 
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QCOMPARE(far.ruling, TargetKind::Pose);
         QVERIFY(poseDifference(far.pose, before.waypoints.at(2).pose).distance < 1e-9);
         QVERIFY(off(change.project.waypoints.at(0), before.frames, ur3e(), before.waypoints.at(0)) < 1e-6);
-        // A position defined by joints only would move elsewhere.
+        // A position defined only by joints would move to a different place.
         QCOMPARE(change.removed, QStringList{QStringLiteral("Outside")});
         QCOMPARE(change.project.positions.list.size(), std::size_t(1));
         QVERIFY(change.project.positions.home.isNull());
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QCOMPARE(laid, 6);
     }
 
-    // Everything else of the project is unchanged, and the result can be saved.
+    // All other content of the project is unchanged, and the result can be saved.
     void theRestStays() {
         const Project before = fullProject();
         for (const Keep keep : {Keep::Poses, Keep::Joints}) {

@@ -11,7 +11,7 @@ using namespace tiller::project;
 
 namespace {
 
-/// 3 x 2 positions in the base frame, tool down, reachable by a UR5e.
+/// 3 x 2 positions in the base frame, with the tool pointing down, reachable by a UR5e.
 Pattern tray() {
     Pattern pattern;
     pattern.id = QUuid::createUuid();
@@ -80,7 +80,7 @@ private Q_SLOTS:
         Pattern pattern = tray();
         pattern.layers = 3;
         pattern.layerStep = 0.03;
-        // The tool points down: layers are upwards, for any orientation of the corners.
+        // The tool points down, so layers are stacked upwards for any orientation of the corners.
         QVERIFY(std::abs(poseAt(pattern, {pattern.id, 0, 0, 2}).position.z() - 0.26) < 1e-12);
         std::swap(pattern.columnEnd, pattern.rowEnd);
         QVERIFY(std::abs(poseAt(pattern, {pattern.id, 0, 0, 2}).position.z() - 0.26) < 1e-12);

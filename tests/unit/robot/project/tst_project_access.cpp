@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Several windows and programs with one project file: none replaces content that it has not read.
+// Several windows and programs with one project file. None of them replaces content that it has not read.
 
 #include <QCoreApplication>
 #include <QDir>
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(first.save(withWaypoints({"first"}), 1)->outcome == Outcome::OpenElsewhere);
         QVERIFY(second.save(withWaypoints({"second"}), 1)->outcome == Outcome::Saved);
         first.close();
-        // The lock of the second window still exists.
+        // The second window still has its lock.
         ProjectAccess third(path_);
         QVERIFY(third.load().ok());
         QVERIFY(third.check().owner.has_value());
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(path_), foreign);
         QCOMPARE(access.load()->waypoints.at(0).name, QString("other"));
         QVERIFY(access.save(withWaypoints({"mine"}), 2)->outcome == Outcome::Saved);
-        // Equal time stamp and size do not hide a change.
+        // A change is detected even if timestamp and size are equal.
         QByteArray sneaky = contentOf(path_);
         const QDateTime stamp = QFileInfo(path_).lastModified();
         sneaky.replace("mine", "mime");
@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(access.save(withWaypoints({"again"}), 3)->outcome == Outcome::ChangedByOther);
     }
 
-    // Automatic saving waits for a slow disk in another thread, and may come after the file was read again.
+    // Automatic saving waits for a slow disk in another thread, and may occur after the file was read again.
     void whatWaitsToBeSavedDoesNotReplaceWhatWasReloaded() {
         ProjectAccess access(path_);
         QVERIFY(access.load().ok());

@@ -49,7 +49,7 @@ QByteArray bytesOf(const Project& document) {
     return bytes ? *bytes : QByteArray();
 }
 
-/// The sample with one field of its second waypoint replaced (or removed, by an undefined value).
+/// The sample with one field of its second waypoint replaced; an undefined value removes the field.
 QByteArray withField(const QString& key, const QJsonValue& value) {
     QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
     QJsonArray points = root["waypoints"].toArray();
@@ -255,7 +255,8 @@ private Q_SLOTS:
             for (int i = 0; i < recovered->document.waypoints.size(); ++i) {
                 QVERIFY(recovered->document.waypoints.at(i) == document.waypoints.at(i));
             }
-            // Complete entries in the text so far: each ends with its move kind's last field.
+            // Number of complete entries in the text so far. Each entry ends with the last field of its move
+            // kind.
             QVERIFY(recovered->document.waypoints.size() >= mostRecovered);
             mostRecovered = recovered->document.waypoints.size();
         }

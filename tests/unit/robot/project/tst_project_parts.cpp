@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Round trips, error messages and 1000 damaged files for the parts of a project other than frames and waypoints.
+// Round trips, error messages and 1000 damaged files, for all parts of a project except frames and waypoints.
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -23,7 +23,8 @@ QJsonObject rootOfFull() {
     return QJsonDocument::fromJson(bytesOfFull()).object();
 }
 
-/// Returns `value` with the element at `path` ("tools[1].name", dots and indexes) replaced; undefined removes it.
+/// Returns `value` with the element at `path` (e.g. "tools[1].name") replaced; an undefined value removes the
+/// element.
 QJsonValue replaced(const QJsonValue& value, const QString& path, const QJsonValue& by) {
     if (path.isEmpty()) {
         return by;
@@ -55,7 +56,7 @@ QByteArray fullWith(const QString& path, const QJsonValue& by) {
     return QJsonDocument(replaced(rootOfFull(), path, by).toObject()).toJson();
 }
 
-/// Returns true if every waypoint of `found` is a waypoint of `whole`, unchanged except for references to a lost
+/// Returns true if every waypoint of `found` is also in `whole`, unchanged except for references to a lost
 /// pattern.
 bool allFrom(const WaypointList& found, const WaypointList& whole) {
     return std::all_of(found.begin(), found.end(), [&](const Waypoint& point) {
@@ -189,7 +190,7 @@ private Q_SLOTS:
         row("tools[0].name", "", "tools[0].name: is empty");
         row("tools[0].tcpOffset[2]", 150, "tools[0].tcpOffset[2]: is 150 m");
         row("tools[0].radius", 40, "tools[0].radius: is 40 m, outside 0 ... 1 m");
-        row("activeTool", nobody, "activeTool: nothing in this project has that id");
+        row("activeTool", nobody, "activeTool: no item of this project has that id");
         row("payloads[0].mass", -2, "payloads[0].mass: is -2 kg, outside 0 ... 50 kg");
         row("payloads[0].centre", QJsonArray{1, 2}, "payloads[0].centre: has 2 numbers, not 3");
         row("payloads[0].centre[0]", 50, "payloads[0].centre[0]: is 50 m, outside -5 ... 5 m");
@@ -197,7 +198,7 @@ private Q_SLOTS:
         row("activePayload", 7, "activePayload: is a number, not a text");
         row("positions[0].joints[1]", 90, "positions[0].joints[1]: is 90 rad");
         row("positions[1].id", QJsonValue::Undefined, "positions[1].id: is missing");
-        row("home", nobody, "home: nothing in this project has that id");
+        row("home", nobody, "home: no item of this project has that id");
         row("safeHeight", 0.3, "safeHeight: is a number, not an object");
         row("safeHeight.frame", nobody, "safeHeight.frame: no frame of this project");
         row("patterns[0].columns", 0, "patterns[0].columns: is 0, outside 1 ... 200");
@@ -293,7 +294,7 @@ private Q_SLOTS:
                  qPrintable(read.error().context));
     }
 
-    // A dropped object would not be avoided.
+    // The arm would not avoid an object that was dropped.
     void obstaclesWithAMissingFrameAreKept() {
         Project document = fullProject();
         CellBox box = document.cell.boxes.at(0);
@@ -384,7 +385,7 @@ private Q_SLOTS:
     void noWholeWaypointIsDroppedSilently() {
         const Project whole = fullProject();
         const QJsonObject root = QJsonDocument::fromJson(*serializeProject(whole)).object();
-        // Replaces a value at a random place in the file by one of another type, 1000 times.
+        // Replaces a value at a random position in the file with a value of another type, 1000 times.
         QStringList paths;
         const std::function<void(const QJsonValue&, const QString&)> collect = [&](const QJsonValue& value,
                                                                                    const QString& path) {
@@ -415,7 +416,8 @@ private Q_SLOTS:
             }
             const int kept = found->document.waypoints.size();
             if (kept + found->lostWaypoints != whole.waypoints.size()) {
-                // The list is lost only if it or a list that contains it was replaced, and that is reported.
+                // The list is lost only if the list itself or an enclosing list was replaced. This loss is
+                // reported.
                 QVERIFY2(path == "waypoints", qPrintable(path));
                 QVERIFY(!found->problems.isEmpty() || by.isArray());
             }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Compares the reachability flag of a waypoint with an independent calculation from the geometry of the arm,
-// without joint angles and without the code under test. Axes 2, 3 and 4 are parallel and horizontal, axis 5 is
-// perpendicular to them and to axis 6; given their positions, three lengths decide.
+// which uses neither joint angles nor the code under test. Axes 2, 3 and 4 are parallel and horizontal. Axis
+// 5 is perpendicular to them and to axis 6. Given the positions of the axes, three lengths determine the
+// result.
 
 #include <QTest>
 #include <algorithm>
@@ -21,8 +22,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kWaypoints = 10'000;
-/// Within this distance of the end of the reach, either answer is accepted, because the right angles of the
-/// catalogue are rounded [m].
+/// Within this distance of the limit of the reach [m], either result is accepted, because the right angles in
+/// the catalogue are rounded.
 constexpr double kEitherWay = 1e-6;
 
 class Dice {
@@ -68,8 +69,8 @@ Isometry3d flangeAt(const DhParameters& dh, const JointPositions& q) {
     return T;
 }
 
-/// Returns the distance of the flange pose from the limit of the reach; negative when the arm is too short or
-/// too long by that much [m].
+/// Returns the distance of the flange pose from the limit of the reach [m]. Negative if the arm is too short
+/// or too long by this distance.
 double slack(const DhParameters& dh, const Isometry3d& flange) {
     const Vector3d axis6 = flange.linear().col(2);
     const Vector3d wrist = flange.translation() - dh.d[5] * axis6;
@@ -95,7 +96,7 @@ double slack(const DhParameters& dh, const Isometry3d& flange) {
             offer((elbowEnd - dh.d[4] * axis5.normalized()).norm());
             offer((elbowEnd + dh.d[4] * axis5.normalized()).norm());
         } else {
-            // Axis 6 is parallel to axis 2: wrist 3 is free, and axis 5 can be anywhere around it.
+            // Axis 6 is parallel to axis 2, so wrist 3 is free and axis 5 can be anywhere around it.
             const double inPlane = elbowEnd.norm();
             const double middle = (longest + shortest) / 2;
             offer(std::clamp(middle, std::abs(inPlane - dh.d[4]), inPlane + dh.d[4]));
@@ -108,8 +109,8 @@ struct Case {
     Waypoint point;
     FrameList frames;
     QByteArray kind = "drawn";    ///< how the case was generated
-    Isometry3d flange;            ///< flange pose that the case asks for
-    bool fromJoints = false;      ///< generated from joints, so within reach
+    Isometry3d flange;            ///< flange pose of the case
+    bool fromJoints = false;      ///< generated from joint positions, so within reach
     bool atTaughtJoints = false;  ///< generated from the taught joints
 };
 
@@ -220,20 +221,20 @@ private Q_SLOTS:
             QVERIFY2((there.linear() - c.flange.linear()).norm() < 1e-7, qPrintable(figures(c, left)));
             QVERIFY(reach.q.values.cwiseAbs().maxCoeff() <= kJointPositionLimit);
             if (c.atTaughtJoints) {
-                // At full extension and where wrist 3 is free, the last digits of the pose have a larger effect on
-                // the joints.
+                // At full extension, and where wrist 3 is free, the last digits of the pose have a larger
+                // effect on the joints.
                 QVERIFY2((reach.q.values - c.point.joints.values).cwiseAbs().maxCoeff() < 1e-3,
                          qPrintable(figures(c, left)));
             }
         }
-        // Both answers must be frequent, or the test proves nothing.
+        // The test is meaningful only if both results are frequent.
         QVERIFY2(reached > kWaypoints / 4 && refused > kWaypoints / 10,
                  qPrintable(QStringLiteral("%1 reached, %2 refused").arg(reached).arg(refused)));
         QVERIFY(eitherWay < 10);
     }
 
-    // Checks the independent calculation itself: it must accept poses generated from joints and reject the same
-    // poses moved out of reach. It would detect an arm that is slightly too long.
+    // Checks the independent calculation itself. It must accept poses generated from joints and reject the
+    // same poses after they were moved out of reach. It would detect an arm that is slightly too long.
     void theGeometryItselfKnowsTheReach() {
         Dice dice(99);
         for (const RobotModel& arm : robotModels()) {

@@ -88,8 +88,8 @@ private Q_SLOTS:
     }
 
     void lineThroughTheRobotsOwnColumnIsRefused() {
-        // The start and the end can be reached; between them is the cylinder around axis 1, which the wrist cannot
-        // enter.
+        // The start and the end are reachable. Between them is the cylinder around axis 1, which the wrist
+        // cannot enter.
         Pose target = kinematics::forwardTcp(ur5e().dh, kStart);
         target.position = Eigen::Vector3d(-target.position.x(), -target.position.y(), target.position.z());
         const Waypoint point = poseRuled(target);

@@ -19,7 +19,7 @@ const DhParameters& arm() {
 }
 const Pose kTool(0.01, 0.02, 0.15, 0, 0, 0);
 
-/// A simulated hand that guides the arm: slow waves, corners, pauses, reversals and a tremor.
+/// Simulates an operator who guides the arm by hand: slow waves, corners, pauses, reversals and a tremor.
 Demonstration shownBy(std::mt19937& random, int samples, double tremble) {
     std::uniform_real_distribution<double> unit(-1, 1);
     std::normal_distribution<double> noise(0, tremble > 0 ? tremble : 1);
@@ -64,7 +64,8 @@ class TestDemonstration : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // For every demonstration, no demonstrated position is further from the stored path than allowed.
+    // For every demonstration, each demonstrated position is within the permitted distance of the stored
+    // path.
     void everyShownPlaceIsWithinTheTolerance() {
         std::mt19937 random(1);
         int kept = 0;
@@ -106,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(keptPath(one, arm(), {}, {}).size(), std::size_t(1));
     }
 
-    // A movement there and back is not a straight path, although it starts and ends at the same position.
+    // A movement in both directions is not a straight path, although it starts and ends at the same position.
     void theFarEndOfAWayThereAndBackIsKept() {
         Demonstration shown;
         for (int i = 0; i <= 1000; ++i) {

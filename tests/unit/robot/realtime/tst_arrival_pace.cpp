@@ -17,7 +17,7 @@ namespace {
 constexpr double kPeriod = 0.002;
 constexpr double kPeriodNs = kPeriod * 1e9;
 
-/// Times at which each package is processed.
+/// Times at which the packages are processed.
 struct Cycle {
     std::int64_t arrivedNs;
     std::int64_t dueNs;
@@ -36,7 +36,7 @@ std::vector<Cycle> follow(ArrivalPace& pace, int packages, const std::function<d
     return cycles;
 }
 
-/// Largest deviation of the interval between consecutive packages from one period, starting at `first` [ns].
+/// Largest deviation of the interval between consecutive packages from one period, from `first` on [ns].
 double unevenness(const std::vector<Cycle>& cycles, std::size_t first) {
     double most = 0;
     for (std::size_t i = std::max<std::size_t>(first, 1); i < cycles.size(); ++i) {
@@ -62,9 +62,9 @@ private Q_SLOTS:
     void unevenArrivalsAreLaidOutEvenly() {
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 5000, jitter(300'000));
-        // 0.2 % of a period: the remaining drift comes from the estimates, not from the arrivals.
+        // 0.2 % of a period. The remaining drift comes from the estimates, not from the arrivals.
         QVERIFY2(unevenness(cycles, 1000) < 4'000, qPrintable(QString::number(unevenness(cycles, 1000))));
-        // The delay must not exceed what the jitter requires: half of it on average.
+        // The delay must not exceed the value required by the jitter, which is half of it on average.
         double held = 0;
         for (const Cycle& cycle : cycles) {
             QVERIFY(cycle.heldNs() >= 0);
@@ -138,13 +138,13 @@ private Q_SLOTS:
             QVERIFY2(cycles[i].heldNs() > 0, qPrintable(QString::number(i)));
         }
         QVERIFY2(unevenness(cycles, kSoon) < 4'000, qPrintable(QString::number(unevenness(cycles, kSoon))));
-        // After late packages have widened the margin, it takes time to shrink; regular arrivals are still
-        // processed at once or soon.
+        // After late packages have widened the margin, it takes time to shrink. Regular arrivals are still
+        // processed immediately or after a short time.
         const std::int64_t most = longer > 0 && longer < 500'000 ? 500'000 : 250'000;
         QVERIFY2(cycles.back().heldNs() < most, qPrintable(QString::number(cycles.back().heldNs())));
     }
 
-    // A late consumer must not attribute its own lateness to the network, which would make it even later.
+    // A late consumer must not attribute its own delay to the network, which would make it even later.
     void workThatTakesLongDelaysNoneOfIt_data() {
         QTest::addColumn<double>("busy");
         QTest::addColumn<double>("drift");
@@ -167,7 +167,7 @@ private Q_SLOTS:
             const std::int64_t found = std::max(came, ready);
             const std::int64_t begun = pace.follow(found, 777 + i * kPeriod, found - ready > kLooking);
             ready = begun + static_cast<std::int64_t>(busy * kPeriodNs);
-            // 0.3 ms of jitter, 0.55 ms of hold; no error accumulates.
+            // 0.3 ms of jitter, 0.55 ms of hold; errors do not accumulate.
             QVERIFY2(static_cast<double>(begun) - made < kPeriodNs / 2,
                      qPrintable(QStringLiteral("%1: %2").arg(i).arg(static_cast<double>(begun) - made)));
         }

@@ -60,7 +60,7 @@ void TestStreamWatch::burstAfterAStallCountsEachLatePackage() {
     StreamWatch watch;
     watch.begin(0.002);
     watch.add(1.000, 0);
-    // The host was suspended for 10 ms and then received five packages at once.
+    // The host was suspended for 10 ms and then received five packages at the same time.
     int late = 0;
     for (int i = 1; i <= 5; ++i) {
         late += watch.add(1.0 + i * 0.002, 10 * kNsPerMs).late ? 1 : 0;
@@ -73,7 +73,7 @@ void TestStreamWatch::driftOfTheClocksIsNotLateness() {
     StreamWatch watch;
     watch.begin(0.002);
     for (int i = 0; i < 500 * 60; ++i) {
-        // The host's clock is 200 ppm fast.
+        // The host's clock is 200 ppm too fast.
         const auto host = static_cast<std::int64_t>(i * 2e6 * 1.0002);
         QVERIFY(!watch.add(i * 0.002 + 1, host).late);
     }
@@ -85,7 +85,7 @@ void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
     for (int i = 0; i < 100; ++i) {
         watch.add(1 + i * 0.002, i * 2 * kNsPerMs);
     }
-    // No packages for 2 s, then all of them within 0.4 s.
+    // No packages for 2 s, then all packages within 0.4 s.
     const std::int64_t end = 198 * kNsPerMs + 2 * kNsPerSecond;
     for (int i = 0; i < 1000; ++i) {
         const std::int64_t host = end + i * 400'000;
@@ -95,7 +95,8 @@ void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
     }
 }
 
-// A simulated robot was delayed, or the network route has changed: reporting lateness forever would not help.
+// A simulated robot was delayed, or the network route has changed. Reporting lateness permanently would not
+// be useful.
 void TestStreamWatch::aWayThatHasBecomeLongerIsTheNewMeasure() {
     StreamWatch watch;
     watch.begin(0.002);
@@ -120,7 +121,7 @@ void TestStreamWatch::restartOfTheControllerIsNoGap() {
     QCOMPARE(verdict.lost, std::uint64_t(0));
     QVERIFY(!verdict.late);
     QVERIFY(!watch.add(0.004, 30 * kNsPerSecond + 2 * kNsPerMs).late);
-    // A repeated time stamp does not count either.
+    // A repeated timestamp does not count either.
     QCOMPARE(watch.add(0.004, 30 * kNsPerSecond + 2 * kNsPerMs).lost, std::uint64_t(0));
 }
 

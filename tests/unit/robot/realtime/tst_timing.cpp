@@ -91,7 +91,7 @@ void TestTiming::countAboveAThreshold() {
     for (int i = 1; i <= 100; ++i) {
         histogram.add(i * kNsPerMs);
     }
-    // Accurate to one bucket (1/16).
+    // Accurate to one bucket (1/16 of the value).
     const auto above = histogram.countAbove(50 * kNsPerMs);
     QVERIFY(above <= 50 && above >= 46);
     QCOMPARE(histogram.countAbove(200 * kNsPerMs), std::uint64_t(0));
@@ -124,7 +124,7 @@ void TestTiming::timerKeepsToItsGrid() {
     for (int i = 0; i < 5; ++i) {
         periods += 1 + timer.wait();
     }
-    // Never early: each wake-up is at or after its grid point. The lateness depends on the machine.
+    // Never early: each wake-up is at or after its grid point. The delay depends on the machine.
     QVERIFY(clock.nowNs() - before >= static_cast<std::int64_t>(periods) * 2 * kNsPerMs);
 }
 
@@ -141,7 +141,7 @@ void TestTiming::timerSkipsWhatWasMissed() {
 
 void TestTiming::priorityIsReportedAsGranted() {
     PriorityReport report;
-    // Runs in a separate thread, because the setting would remain with this one.
+    // Runs in a separate thread, because the setting would otherwise remain in this thread.
     std::thread([&] {
         nameThread("a name longer than the system keeps");
         report = requestThreadPriority(90);
@@ -159,8 +159,8 @@ void TestTiming::noWishIsNoRefusal() {
 }
 
 void TestTiming::aWaitLearnsHowLateThisMachineWakesUp() {
-    // 99 of 100 wake-ups are at most 60 us late: the wait learns to wake up slightly early, whatever its initial
-    // value.
+    // 99 of 100 wake-ups are at most 60 us late. The wait adapts to wake up slightly early, whatever its
+    // initial value.
     std::mt19937 random(7);
     std::uniform_int_distribution<std::int64_t> usual(10'000, 60'000);
     PunctualWait wait(true);
@@ -185,7 +185,7 @@ void TestTiming::aWaitThatCannotHelpDoesNotStayAwake() {
     }
     QCOMPARE(wait.awakeNs(), std::int64_t(0));
     for (int i = 0; i < 1000; ++i) {
-        wait.learn(20'000);  // the cause of the delays is gone
+        wait.learn(20'000);  // the cause of the delays has ended
     }
     QVERIFY(wait.awakeNs() > 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Neither the running receive loop nor the reader of its samples allocates memory.
+// Neither the receive loop nor the reader of its samples allocates memory while running.
 #include <QTest>
 #include <atomic>
 #include <thread>
@@ -17,7 +17,7 @@ using test::ScriptedPeer;
 
 namespace {
 
-/// Answers the handshake, then sends `wanted` packages without allocating.
+/// Answers the handshake, then sends `wanted` packages without allocating memory.
 class Feeder {
 public:
     void operator()(ScriptedPeer::Link& link) {
@@ -70,7 +70,7 @@ private:
         while (!link.isOver()) {
             if (sent_ < wanted) {
                 ++sent_;
-                // The time stamp comes first in the default fields.
+                // The timestamp is the first of the default fields.
                 rtde::big_endian::writeDouble(&package[rtde::kHeaderSize + 1], 1.0 + sent_ * 0.002);
                 link.send(package);
             } else {
@@ -128,7 +128,7 @@ void TestReceiveAllocations::receivingAllocatesNothing() {
     const auto before = test::hotCounts().allocations;
     test::countHotThreads(true);
     feeder.wanted = static_cast<int>(kAll);
-    // The subscriber must not allocate either. If packages fail to arrive, the time limit of the test ends the
+    // The subscriber must not allocate either. If packages do not arrive, the time limit of the test ends the
     // loop.
     while (taken < kAll) {
         if (subscription.next(fromRing)) {

@@ -17,7 +17,7 @@ using test::ScriptedPeer;
 
 namespace {
 
-// Used up only by a failing test.
+// Only a failing test uses this whole time.
 constexpr int kWaitTimeoutMs = 20000;
 #define TRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kWaitTimeoutMs)
 #define TRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, kWaitTimeoutMs)
@@ -28,7 +28,7 @@ ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
-    // Only the test ends a connection, no matter how late a thread is scheduled.
+    // Only the test ends a connection, even if a thread is scheduled late.
     options.connectTimeout = 1h;
     options.silenceLimit = 1h;
     return options;
@@ -148,7 +148,7 @@ void TestReceiver::namesThatDoNotExistAreRefused() {
     QCOMPARE(receiver.state(), ReceiverState::Stopped);
     QCOMPARE(receiver.lastError().code, ErrorCode::FieldUnknown);
     QCOMPARE(receiver.waitForData(Deadline::after(1h)).error().code, ErrorCode::NotConnected);
-    QCOMPARE(Receiver({}).start().error().code, ErrorCode::InvalidArgument);  // no host
+    QCOMPARE(Receiver({}).start().error().code, ErrorCode::InvalidArgument);  // the host does not exist
 }
 
 void TestReceiver::waitsForData() {
@@ -169,8 +169,8 @@ void TestReceiver::waitingForDataReportsWhyNoneArrived() {
     Receiver refused(to(portNobodyListensOn()));
     QVERIFY(refused.start().ok());
     TRY_VERIFY(refused.state() == ReceiverState::Waiting);
-    // No server listens there, and none did before: waitForData() fails at once unless OnRefusal::Wait is
-    // given.
+    // No server listens on this port, and none did before. waitForData() fails immediately unless
+    // OnRefusal::Wait is given.
     QCOMPARE(refused.waitForData(Deadline::never()).error().code, ErrorCode::ConnectionRefused);
     QCOMPARE(refused.waitForData(Deadline::after(1ms), OnRefusal::Wait).error().code,
              ErrorCode::ConnectionRefused);
@@ -216,7 +216,7 @@ void TestReceiver::waitingForDataWantsFreshOnes() {
     const auto sample = receiver.waitForData(Deadline::after(60s));
     QVERIFY(sample.ok());
     QCOMPARE(sample->sequence, std::uint64_t(2));
-    // A sample of a closed connection does not describe the current state, however recent it is.
+    // A sample of a closed connection does not describe the current state, even if it is recent.
     peer.closeConnection();
     TRY_VERIFY(receiver.state() == ReceiverState::Waiting);
     QVERIFY(!receiver.waitForData(Deadline::after(1ms)).ok());
@@ -298,7 +298,8 @@ void TestReceiver::samplesCarryTheClocksTime() {
     QVERIFY(!receiver.isFresh(299ms));
 }
 
-// After the host was suspended or the path was blocked, the age of the samples counts from their arrival.
+// After the host was suspended or the connection was blocked, the age of the samples counts from their
+// arrival.
 void TestReceiver::backlogSamplesAreNotFresh() {
     VirtualClock clock;
     RtdePeer peer;
@@ -327,8 +328,8 @@ void TestReceiver::backlogSamplesAreNotFresh() {
     TRY_VERIFY(receiver.isFresh(1ms));
 }
 
-// Covers every state in which the path can return: during an attempt, during the wait after it, and an attempt that
-// succeeds.
+// Covers every state in which the connection can become available again: during an attempt, during the wait
+// after it, and an attempt that succeeds.
 void TestReceiver::dataComeBackWithinTwoSeconds() {
     const ReceiverOptions options;
     const auto longest = *std::max_element(options.reconnectDelays.begin(), options.reconnectDelays.end());
@@ -392,7 +393,7 @@ void TestReceiver::fieldsTheRobotLacksAreAbsent() {
     QVERIFY(!state.has("ft_raw_wrench"));
     QVERIFY(!state.has("payload"));
     QVERIFY(state.has("actual_q"));
-    // The fields after the gaps are still at their positions.
+    // The fields after the gaps keep their positions.
     QCOMPARE(state.payloadCentreOfGravity().z(), 9.0);
     QCOMPARE(state.qd()[5], 1.0);
     QCOMPARE(receiver.absentFields().size(), std::size_t(3));
@@ -448,7 +449,7 @@ void TestReceiver::comesBackByItself() {
     QVERIFY(fetch(subscription, sample));
     QCOMPARE(sample.connection, std::uint64_t(2));
     QCOMPARE(sample.sequence, std::uint64_t(2));
-    // The time stamps show how many samples the interruption cost; the controller did not skip any.
+    // The timestamps show how many samples were lost in the interruption. The controller did not skip any.
     QCOMPARE(sample.lostBefore, std::uint64_t(499));
     QCOMPARE(receiver.counters().lost, std::uint64_t(0));
 }
@@ -476,7 +477,7 @@ void TestReceiver::givesUpASilentConnection() {
     QVERIFY(receiver.start().ok());
     peer.send(1.0);
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(1));
-    // While the clock is stopped, no connection times out, however long the test takes.
+    // While the clock is stopped, no connection times out, even if the test takes long.
     clock.advanceNs(2400 * kNsPerMs);
     QTest::qWait(120);
     QCOMPARE(peer.connections(), 1);
@@ -488,7 +489,7 @@ void TestReceiver::givesUpASilentConnection() {
 
 void TestReceiver::waitsLongerAfterEveryFailure() {
     ReceiverOptions options = to(portNobodyListensOn());
-    // The second wait never ends within the test; stop() ends it.
+    // The second wait does not expire within the test; stop() ends it.
     options.reconnectDelays = {1ms, 1h};
     Receiver receiver(options);
     QVERIFY(receiver.start().ok());
@@ -582,7 +583,7 @@ void TestReceiver::stopsPromptly() {
     options.silenceLimit = 1h;
     options.reconnectDelays = {1h};
     if (situation == QLatin1String("nobody there")) {
-        // A documentation address: no answer, or no route if there is no network.
+        // An address reserved for documentation: no response, or no route if there is no network.
         options.host = QStringLiteral("192.0.2.1");
     } else if (situation == QLatin1String("waiting")) {
         options.port = portNobodyListensOn();
@@ -596,7 +597,8 @@ void TestReceiver::stopsPromptly() {
     } else if (situation == QLatin1String("waiting")) {
         TRY_COMPARE(receiver.state(), ReceiverState::Waiting);
     }
-    // All these waits are one hour; the test is that stop() returns at all. Benchmarks measure how fast.
+    // All these waits last one hour. The test passes if stop() returns at all; benchmarks measure how fast it
+    // returns.
     receiver.stop();
     QCOMPARE(receiver.state(), ReceiverState::Stopped);
 }

@@ -176,7 +176,7 @@ void TestSample::noDataIsNeverANumber() {
     QVERIFY(!state.robotStatusBits());
     QVERIFY(!state.safetyStatusBits());
     QVERIFY(!state.outputIntRegister(24));
-    // Values computed from it are undefined as well: no command accepts them.
+    // Values computed from undefined values are undefined too, and no command accepts them.
     JointPositions target = state.q();
     target[0] += 0.1;
     QVERIFY(!target.allFinite());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Samples of a simulated robot and files written from them, without a socket or a thread.
+// Samples of a simulated robot, and files written from them, without a socket or thread.
 
 #include <QFile>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace tiller::test {
 /// 2026-01-01 00:00:00 UTC
 inline constexpr std::int64_t kMadeStartNs = 1'767'225'600'000'000'000;
 
-/// Consecutive packages of a swinging robot, starting with the first one; every value is known.
+/// Consecutive packages of an oscillating robot. Every value is known.
 class MadeSamples {
 public:
     explicit MadeSamples(std::vector<std::string> fields = receive::defaultFields())
@@ -59,7 +59,8 @@ private:
     receive::Sample sample_;
 };
 
-/// Returns a whole file with `rows` rows and a closed part every `part` rows. Row `gap` follows 5 lost packages.
+/// Returns a complete file with `rows` rows and a closed part every `part` rows. Row `gap` follows 5 lost
+/// packages.
 inline std::string madeFile(const recording::RecordingFormat& format, std::uint64_t rows,
                             std::uint64_t gap = 0) {
     MadeSamples samples;

@@ -122,7 +122,7 @@ void TestBlackBox::aProtectiveStopBecomesAFile() {
     }
     QVERIFY2(said.contains("closer now") && said.contains("incident: protective-stop"),
              qPrintable(said.join('\n')));
-    // The same stop is not recorded again; a new stop is.
+    // The same stop is not recorded again, but a new stop is.
     bench.send(100, 3);
     bench.send(1, 1);
     bench.send(1, 3);
@@ -172,7 +172,7 @@ void TestBlackBox::stopPresentOnConnectingIsNoIncident() {
     Bench bench;
     QVERIFY(bench.box.start(bench.options, bench.receiver).ok());
     bench.send(5, 3);
-    bench.send(5, 5);  // A safeguard stop (a door) is not an incident.
+    bench.send(5, 5);  // A safeguard stop (e.g. an open door) is not an incident.
     bench.send(5, 1);
     bench.box.stop();
     QCOMPARE(bench.count(), std::size_t(0));

@@ -52,7 +52,7 @@ private Q_SLOTS:
 
 void TestCsv::columnsAreNamedAsInRecordings() {
     const receive::SampleLayout layout({"actual_q", "timestamp", "robot_mode"});
-    // The time stamp comes first wherever it was requested; fields that the receiver does not deliver are omitted.
+    // The timestamp is always the first column. Fields that the receiver does not deliver are omitted.
     const CsvWriter writer(layout, {"robot_mode", "actual_q", "ft_raw_wrench", "timestamp", "robot_mode"});
     QCOMPARE(
         QByteArray::fromStdString(writer.header()),
@@ -104,7 +104,7 @@ void TestCsv::absentValuesAreEmptyCells() {
 }
 
 void TestCsv::commaLocalesChangeNothing() {
-    // On machines without this locale the test still checks the default locale.
+    // On machines without this locale, the test still checks the default locale.
     const char* before = std::setlocale(LC_ALL, nullptr);
     const std::string saved = before == nullptr ? "C" : before;
     for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "da_DK.UTF-8"}) {
@@ -165,8 +165,9 @@ void TestCsv::corruptFilesAreExplained_data() {
     QTest::newRow("empty") << QByteArray() << "line 1: there is no header";
     QTest::newRow("blank header") << QByteArray("\n1\n") << "line 1: there is no header";
     QTest::newRow("word") << QByteArray("a,b\n1,2\n3,four\n") << "line 3: \"four\" is not a number";
-    QTest::newRow("comma number") << QByteArray("a,b\n1,2,3\n") << "line 2: 3 cells where the header has 2";
-    QTest::newRow("short row") << QByteArray("a,b\n1\n") << "line 2: 1 cells where the header has 2";
+    QTest::newRow("comma number") << QByteArray("a,b\n1,2,3\n")
+                                  << "line 2: the row has 3 cells, the header has 2";
+    QTest::newRow("short row") << QByteArray("a,b\n1\n") << "line 2: the row has 1 cells, the header has 2";
     QTest::newRow("tail") << QByteArray("a\n1x\n") << "line 2: \"1x\" is not a number";
     QTest::newRow("binary") << QByteArray("a\n\x00\xff\n", 5) << "line 2:";
 }

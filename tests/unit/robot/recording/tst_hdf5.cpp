@@ -86,7 +86,8 @@ void TestHdf5::exportedDataAreReadBack() {
 void TestHdf5::anyNameOfAColumnIsWritten() {
     QTemporaryDir folder;
     const QString from = folder.filePath("names.csv");
-    // A duplicate name, an empty name, names that HDF5 does not accept, and one that the file already uses.
+    // A duplicate name, an empty name, names that HDF5 does not accept, and a name that the file already
+    // uses.
     test::writeFile(from,
                     "timestamp,a_0,b,a_0,,.,..,0.0,0.0,time,actual_q_0,b/c,actual_q_0,\n"
                     "0.002,1.5,2,3.5,4,5,6,7,8,9,10,11,12,13\n0.004,1,2,3,4,5,6,7,8,9,10,11,12,13\n");
@@ -97,7 +98,7 @@ void TestHdf5::anyNameOfAColumnIsWritten() {
     QVERIFY2(written.ok(), written.ok() ? "" : qPrintable(written.error().toString()));
     const auto back = openRecording(choice.path).value();
     QCOMPARE(back->rows(), std::uint64_t(2));
-    // All values of the first row are present, whatever the columns are called.
+    // All values of the first row are present, regardless of the column names.
     std::vector<double> values;
     for (std::size_t i = 0; i < back->columns().size(); ++i) {
         values.push_back(back->read(std::vector{i}, {0, 1}).value().front().front());
@@ -134,8 +135,8 @@ void TestHdf5::cancelledExportKeepsTheExistingFile() {
              ErrorCode::FileNotWritable);
 }
 
-// libhdf5 reads the files, and its handling of broken files is not under our control. The mutations are therefore
-// those of a disk or a transfer, and each file is opened in this process.
+// libhdf5 reads the files, and its handling of broken files cannot be changed here. The mutations are
+// therefore those of a disk or a transfer, and each file is opened in this process.
 void TestHdf5::brokenFilesEndInWords() {
     const auto source = made(path("d.mcap"));
     exportHdf5(*source, {.path = path("d.h5"), .columns = {"actual_q", "robot_mode"}}).value();
@@ -258,7 +259,7 @@ void TestHdf5::episodesByNotes() {
         return openRecording(path(name)).value();
     };
     const RecordedNote line{samples.utcNs(100), 20, "operator", "Recording to a.mcap"};
-    // Log lines of the operator are not notes.
+    // Log lines of the operator do not count as notes.
     auto recording = file("notes.mcap", {line,
                                          {samples.utcNs(300), 20, "note", "first"},
                                          {samples.utcNs(500), 20, "operator", "Force zeroed"},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A link that drops one packet in a hundred, a disk that is full, fails or stalls, and truncated files: the file
-// contains every gap with its length, nothing is out of order, and a truncated file remains readable.
+// A link that drops one packet in a hundred, a disk that is full, fails or stalls, and truncated files. The
+// file contains every gap with its length, nothing is out of order, and a truncated file remains readable.
 
 #include <QDir>
 #include <QFile>
@@ -46,8 +46,8 @@ struct Bench {
         to.silenceLimit = 1h;
         return to;
     }
-    /// Sends the packets of a range, except those that the link drops, and waits until they have arrived.
-    /// Returns false if they have not arrived in time.
+    /// Sends the packets of a range, except those dropped by the link, and waits for their arrival. Returns
+    /// false if they have not arrived in time.
     bool send(int from, int to, std::mt19937* drops) {
         std::bernoulli_distribution isDropped(0.01);
         std::uniform_int_distribution<int> burst(1, 4);
@@ -74,12 +74,12 @@ struct Bench {
     test::RtdePeer peer;
     receive::Receiver receiver;
     QTemporaryDir folder;
-    std::vector<double> sent;                   ///< time stamps of the sent packets
-    std::map<std::size_t, std::uint64_t> gaps;  ///< number of missing packets by the row after each gap
+    std::vector<double> sent;                   ///< timestamps of the sent packets
+    std::map<std::size_t, std::uint64_t> gaps;  ///< number of missing packets, for each row after a gap
     int missing = 0;
 };
 
-/// A disk on which one write is cut short and all following ones fail, or a disk that stalls.
+/// A disk on which one write is truncated and all following ones fail, or a disk that stalls.
 class BadDisk : public RecordingFile {
 public:
     struct Story {
@@ -122,7 +122,7 @@ std::shared_ptr<const RecordingFormat> formatOf(const QString& name) {
     return name == QLatin1String("mcap") ? mcapFormat({.ros = false}) : csvFormat();
 }
 
-/// Checks that the rows are the sent ones, starting with the first, with the correct gaps.
+/// Checks that the rows are the sent packets, starting with the first one, with the correct gaps.
 void verifyBeginningOf(const Bench& bench, const Recording& recording) {
     QVERIFY(recording.rows() <= bench.sent.size());
     const std::vector<double> stamps = column(recording, "timestamp");
@@ -173,7 +173,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
     std::mt19937 random(19);
     for (int from = 1; from < 10'000; from += 500) {
         QVERIFY(bench.send(from, from + 499, &random));
-        // The ring holds about 4000 samples: a sender faster than a robot waits for the file.
+        // The ring holds about 4000 samples, so a sender that is faster than a robot waits for the file.
         const std::uint64_t due = bench.sent.size() < 1500 ? 0 : bench.sent.size() - 1500;
         QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows >= due, kWaitTimeoutMs);
     }
@@ -187,7 +187,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
         QCOMPARE(whole->rows(), static_cast<std::uint64_t>(bench.sent.size()));
         verifyBeginningOf(bench, *whole);
     }
-    // Checks every prefix of the file, as a power failure would leave it.
+    // Checks every prefix of the file, as left by a power failure.
     QFile file(options.path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray bytes = file.readAll();
@@ -200,7 +200,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
         cut.close();
         const auto opened = openRecording(cut.fileName());
         if (!opened.ok()) {
-            QVERIFY2(part == 1, qPrintable(opened.error().toString()));  // not yet a complete row
+            QVERIFY2(part == 1, qPrintable(opened.error().toString()));  // no complete row yet
             continue;
         }
         QVERIFY((*opened)->rows() >= before);
@@ -240,7 +240,7 @@ void TestLossyLink::fullDiskKeepsWrittenData() {
     const auto opened = openRecording(options.path);
     QVERIFY2(opened.ok(), qPrintable(opened.error().toString()));
     QVERIFY((*opened)->rows() > 0);
-    // Contains as many rows as reported; no more than half a second of written data is lost.
+    // The file contains as many rows as reported. At most half a second of written data is lost.
     QVERIFY((*opened)->rows() + kHalfASecond >= recorder.progress().rows);
     verifyBeginningOf(bench, **opened);
 #else
@@ -318,7 +318,7 @@ void TestLossyLink::theReceiverNeverWaitsForADisk() {
     QVERIFY(lost > 0);
     QCOMPARE(whole->rows() + lost, static_cast<std::uint64_t>(kAll));
     QCOMPARE(recorder.progress().lost, lost);
-    // Each gap is in its place with its length.
+    // Each gap has the correct position and length.
     const std::vector<double> stamps = column(*whole, "timestamp");
     std::map<std::size_t, std::uint64_t> found;
     for (const RecordedGap& gap : whole->gaps()) {

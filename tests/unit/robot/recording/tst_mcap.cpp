@@ -61,7 +61,7 @@ void TestMcap::writtenDataAreReadBack() {
         QVERIFY2(column, name.c_str());
         all.push_back(*column);
     }
-    const auto values = recording->read(all, {300, 10'000}).value();  // a range beyond the end
+    const auto values = recording->read(all, {300, 10'000}).value();  // a range that extends beyond the end
     for (std::size_t i = 0; i < all.size(); ++i) {
         QCOMPARE(values[i].size(), std::size_t(400));
         for (std::size_t row = 0; row < 400; ++row) {
@@ -108,7 +108,7 @@ void TestMcap::factsAttachmentsAndTheLogComeAlong() {
     QVERIFY(std::abs(recording->events().front().seconds - 0.5) < 1e-6);
 }
 
-// No spike is lost, whichever summary level is used.
+// Every summary level contains all spikes.
 void TestMcap::summariesAreThoseOfTheRows() {
     constexpr std::uint64_t kRows = 20'000;
     const auto recording = opened(test::madeFile(*mcapFormat(), kRows));
@@ -145,7 +145,7 @@ void TestMcap::summariesAreThoseOfTheRows() {
     }
 }
 
-// After a power failure the file ends at an arbitrary byte.
+// After a power failure, the file ends at an arbitrary byte.
 void TestMcap::truncatedFileYieldsCompleteParts() {
     MadeSamples samples;
     std::vector<std::string> fields;
@@ -155,7 +155,7 @@ void TestMcap::truncatedFileYieldsCompleteParts() {
     const auto encoder =
         mcapFormat({.closeAfter = std::chrono::milliseconds(0)})->encoder({samples.layout, fields, false});
     std::string file;
-    std::vector<std::pair<std::size_t, std::uint64_t>> safe;  // bytes, rows
+    std::vector<std::pair<std::size_t, std::uint64_t>> safe;  // (bytes, rows)
     std::uint64_t rows = 0;
     for (std::uint64_t row = 0; row < 1000; ++row) {
         encoder->add(samples.at(row), 0, samples.utcNs(row));
@@ -220,7 +220,7 @@ void TestMcap::thousandMutationsDoNoHarm() {
         std::string file = whole;
         const int changes = 1 + static_cast<int>(random() % 8);
         for (int change = 0; change < changes; ++change) {
-            // Half of the changes hit lengths and counts at both ends of the file.
+            // Half of the changes affect lengths and counts at both ends of the file.
             const std::size_t near = random() % 600;
             const std::size_t at = random() % 4 == 0   ? near
                                    : random() % 3 == 0 ? file.size() - 1 - near
@@ -256,7 +256,7 @@ void TestMcap::thousandMutationsDoNoHarm() {
             }
         }
     }
-    // Most changes affect only one part; the others are still readable.
+    // Most changes affect only one part; the other parts are still readable.
     QVERIFY2(readable > 300, qPrintable(QString::number(readable)));
 }
 
@@ -280,7 +280,7 @@ void TestMcap::fieldsTheRobotDoesNotSendAreLeftOut() {
     const auto encoder =
         mcapFormat()->encoder({samples.layout, {"timestamp", "robot_mode", "actual_q"}, false});
     encoder->add(sample, 0, samples.utcNs(0));
-    // Another robot answers and provides the field.
+    // Another robot responds and provides the field.
     sample = samples.at(1);
     sample.connection = 2;
     encoder->add(sample, 0, samples.utcNs(1));
@@ -297,7 +297,8 @@ void TestMcap::theClockFollowsTheSoonestPackage() {
     constexpr std::int64_t kMs = 1'000'000;
     const std::int64_t base = test::kMadeStartNs;
     QCOMPARE(clock.toUtc(10.000, base + 3 * kMs, 1), base + 3 * kMs);
-    // A packet that arrives earlier than expected shows that the first one was late; time does not go backwards.
+    // A packet that arrives earlier than expected shows that the first one was late. The time does not go
+    // backwards.
     QCOMPARE(clock.toUtc(10.002, base + 3 * kMs, 1), base + 3 * kMs);
     const std::int64_t third = clock.toUtc(10.004, base + 40 * kMs, 1);
     QVERIFY(std::abs(third - (base + 5 * kMs)) < 1000);

@@ -2,11 +2,14 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <limits>
+#include <memory>
 
 #ifdef __linux__
 #include <sys/mount.h>
@@ -15,6 +18,7 @@
 #endif
 
 #include "robot/recording/csv_reader.h"
+#include "robot/recording/csv_recording.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/recorder.h"
 #include "tests/support/rtde_peer.h"
@@ -36,13 +40,13 @@ receive::ReceiverOptions to(std::uint16_t port) {
     options.port = port;
     options.priority = 0;
     options.reconnectDelays = {1ms};
-    // Only the test ends a connection, no matter how late a thread is scheduled.
+    // Only the test ends a connection, even if a thread is scheduled late.
     options.connectTimeout = 1h;
     options.silenceLimit = 1h;
     return options;
 }
 
-/// A receiver connected to a peer, and a folder to record into.
+/// A receiver connected to a peer, and a folder for recordings.
 struct Bench {
     Bench() : receiver(to(peer.port())) { receiver.start().value(); }
 
@@ -60,14 +64,14 @@ struct Bench {
     receive::Receiver receiver;
 };
 
-/// A file on a disk or a share that accepts all data and fails in a later step.
+/// A file on a disk or share that accepts all data and fails in a later step.
 class TreacherousFile : public RecordingFile {
 public:
     enum class At { Open, Sync, Close };
     struct Story {
         At at = At::Sync;
         int from = 1;               ///< number of the first call that fails
-        std::atomic<int> calls{0};  ///< calls of that step so far
+        std::atomic<int> calls{0};  ///< number of calls of this step so far
         std::atomic<bool> closed{false};
     };
     explicit TreacherousFile(Story& story) : story_(story) {}
@@ -95,7 +99,43 @@ private:
     std::unique_ptr<RecordingFile> file_ = systemFile();
 };
 
-/// Main function of the process that the test kills: records until then.
+/// The notes that a recording received.
+struct Story {
+    std::vector<RecordedNote> notes;
+    int rowsBeforeNote = 0;
+};
+
+/// CSV that also remembers the notes, which CSV itself ignores.
+class NotedEncoder : public RecordingEncoder {
+public:
+    NotedEncoder(std::unique_ptr<RecordingEncoder> csv, Story& story) : csv_(std::move(csv)), story_(story) {}
+    void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) override {
+        story_.rowsBeforeNote += story_.notes.empty() ? 1 : 0;
+        csv_->add(sample, lost, utcNs);
+    }
+    void add(const RecordedNote& note) override { story_.notes.push_back(note); }
+    RecordedPart take(Close how) override { return csv_->take(how); }
+    std::size_t keepOf(std::string_view written, std::uint64_t& rows) const override {
+        return csv_->keepOf(written, rows);
+    }
+
+private:
+    std::unique_ptr<RecordingEncoder> csv_;
+    Story& story_;
+};
+
+class NotedFormat : public RecordingFormat {
+public:
+    explicit NotedFormat(Story& story) : story_(story) {}
+    std::unique_ptr<RecordingEncoder> encoder(const RecordingSetup& setup) const override {
+        return std::make_unique<NotedEncoder>(csvFormat()->encoder(setup), story_);
+    }
+
+private:
+    Story& story_;
+};
+
+/// Main function of the process that the test kills. It records until it is killed.
 int recordUntilKilled(const QString& path) {
     Bench bench;
     Recorder recorder;
@@ -137,6 +177,7 @@ private Q_SLOTS:
     void unwritablePlacesAreErrors_data();
     void unwritablePlacesAreErrors();
     void fullDiskAtTheStartIsAnError();
+    void aRestartOfTheControllerIsAnEvent();
     void fullDiskKeepsRecordedData();
     void killedWriterLeavesAReadableFile();
     void anErrorOfWritingBackEndsInFailed();
@@ -209,7 +250,8 @@ void TestRecorder::everyNthPackageBecomesARow() {
     options.every = 5;
     QVERIFY(recorder.start(options, bench.receiver).ok());
     bench.send(1, 21);
-    // The controller skipped three packages: they count as lost, unlike packages that are left out on purpose.
+    // The controller skipped three packages. They count as lost, unlike packages that the recorder skips on
+    // purpose.
     bench.send(25, 30);
     TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(27));
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(6));
@@ -237,13 +279,13 @@ void TestRecorder::ringOverrunIsAGapToo() {
     QVERIFY(recorder.start({path, {}}, receiver).ok());
     peer.send(0.002);
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(1));
-    // Many more packages than the ring holds. How many the recorder reads depends on the machine; the sum
+    // Many more packages than the ring holds. The number of packages read depends on the machine, but the sum
     // does not.
     for (int i = 2; i <= 2000; ++i) {
         peer.send(i * 0.002);
     }
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(2000));
-    receiver.stop();  // the last of them is now in the ring
+    receiver.stop();  // the ring now contains the last package
     recorder.stop();
     QCOMPARE(recorder.progress().rows + recorder.progress().lost, std::uint64_t(2000));
     const auto table = readCsv(path);
@@ -260,7 +302,7 @@ void TestRecorder::rowsReachTheFileWhileRecording() {
     Recorder recorder;
     QVERIFY(recorder.start({bench.path(), defaultRecordedFields()}, bench.receiver).ok());
     bench.send(1, 10);
-    // Without stop(): the recorder writes on its own schedule.
+    // Without stop(): the recorder writes at its own intervals.
     TRY_COMPARE(recorder.progress().rows, std::uint64_t(10));
     const auto table = readCsv(bench.path());
     QVERIFY(!table->truncated);
@@ -330,7 +372,7 @@ void TestRecorder::unnamedFieldsAreAllRecorded() {
     RtdePeer peer;
     receive::ReceiverOptions options = to(peer.port());
     options.fields = {"actual_TCP_force", "output_int_register_24",
-                      "robot_mode"};  // not all are default fields
+                      "robot_mode"};  // some are not default fields
     receive::Receiver receiver(options);
     QVERIFY(receiver.start().ok());
     const QTemporaryDir folder;
@@ -423,6 +465,40 @@ void TestRecorder::fullDiskAtTheStartIsAnError() {
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
 }
 
+void TestRecorder::aRestartOfTheControllerIsAnEvent() {
+    Bench bench;
+    Recorder recorder;
+    Story story;
+    RecorderOptions options{bench.path(), {"timestamp"}};
+    options.format = std::make_shared<NotedFormat>(story);
+    QVERIFY(recorder.start(options, bench.receiver).ok());
+    for (const double from : {1280.0, 0.0}) {
+        for (int i = 1; i <= 100; ++i) {
+            bench.peer.send(from + i * 0.002);
+        }
+    }
+    TRY_COMPARE(bench.receiver.counters().packets, std::uint64_t(200));
+    recorder.stop();
+    QCOMPARE(recorder.progress().rows, std::uint64_t(200));
+    QCOMPARE(recorder.progress().restarts, 1);
+    QCOMPARE(story.notes.size(), std::size_t(1));
+    QVERIFY2(story.notes.front().text.contains("1280.200 s to 0.002 s"),
+             qPrintable(story.notes.front().text));
+    QCOMPARE(story.rowsBeforeNote, 100);
+
+    // CSV contains no notes; the reader finds the event in the time stamps.
+    const auto file = openCsv(bench.path());
+    QVERIFY2(file.ok(), qPrintable(file.error().toString()));
+    const Recording& recording = *file.value();
+    QCOMPARE(recording.events().size(), std::size_t(1));
+    QVERIFY2(recording.events().front().text.contains("1280.200 s to 0.002 s"),
+             qPrintable(recording.events().front().text));
+    const auto times = recording.times({0, 200});
+    QVERIFY(times.ok());
+    QVERIFY(std::adjacent_find(times->begin(), times->end(), std::greater_equal<>()) == times->end());
+    QVERIFY(std::abs(recording.events().front().seconds - times->at(100)) < 1e-9);
+}
+
 void TestRecorder::fullDiskKeepsRecordedData() {
 #ifdef __linux__
     // A real file system of 64 kB, which only root can create.
@@ -454,7 +530,7 @@ void TestRecorder::fullDiskKeepsRecordedData() {
     QCOMPARE(table->rows(), std::size_t(recorder.progress().rows));
     QVERIFY(sent >= recorder.progress().rows);
     QCOMPARE(table->values[0].back(), static_cast<double>(table->rows()) * 0.002);
-    // The receiver was not affected, and a new recording can start.
+    // The receiver was not affected, and another recording can start.
     QCOMPARE(bench.receiver.state(), receive::ReceiverState::Receiving);
     QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
     QCOMPARE(recorder.error().code, ErrorCode::None);
@@ -504,7 +580,7 @@ void TestRecorder::anErrorOfWritingBackEndsInFailed() {
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
     QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
     bench.send(1, 3);
-    // Without stop(): the progress must no longer report a running recording.
+    // Without stop(): the progress must not report a running recording.
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.error().controllerMessage, QStringLiteral("Input/output error"));
@@ -525,7 +601,7 @@ void TestRecorder::anErrorOfTheLastWriteBackIsNotARecording() {
     recorder.stop();
     QCOMPARE(recorder.progress().state, RecorderState::Finished);
 
-    // The error that stop() waits for.
+    // An error that occurs only in stop().
     TreacherousFile::Story last{TreacherousFile::At::Sync};
     Recorder second([&] { return std::make_unique<TreacherousFile>(last); });
     QVERIFY(second.start({bench.path(), {}}, bench.receiver).ok());

@@ -43,7 +43,7 @@ struct Bench {
         for (int i = 0; i < count; ++i) {
             peer.send(++sent * 0.002);
         }
-        // The peer sends the values that are set at the time of sending.
+        // The peer sends the values that are current at the time of sending.
         QTRY_COMPARE_WITH_TIMEOUT(receiver.counters().packets, static_cast<std::uint64_t>(sent),
                                   kWaitTimeoutMs);
     }
@@ -208,7 +208,7 @@ void TestTriggers::eachTimeGetsAFileWithTheTimeBefore() {
     Recorder recorder;
     RecorderOptions options{.path = bench.path("force.csv"), .fields = {"actual_TCP_force"}};
     options.trigger = RecordingTrigger::parse("actual_TCP_force_2 > 20").value();
-    options.trigger->before = 60;  // everything that was available
+    options.trigger->before = 60;  // all samples that were available
     options.trigger->files = 2;
     QVERIFY(recorder.start(options, bench.receiver).ok());
     QCOMPARE(recorder.progress().state, RecorderState::Waiting);
@@ -269,7 +269,7 @@ void TestTriggers::aStalledDiskNeverMakesTheReceiverWait() {
     gate.set(true);
     recorder.stop();
     QCOMPARE(recorder.progress().state, RecorderState::Finished);
-    // The file states how many samples the ring could not hold.
+    // The file contains the number of samples that did not fit into the ring.
     const auto recording = openRecording(path).value();
     QCOMPARE(recording->rows(), recorder.progress().rows);
     QCOMPARE(recording->gaps().size(), std::size_t(1));
@@ -297,7 +297,7 @@ void TestTriggers::recordsMcapWithMessages() {
     QVERIFY(recorder.start({.path = bench.path("a.mcap"), .format = mcapFormat()}, bench.receiver).ok());
     bench.send(100, 1);
     recorder.note({test::kMadeStartNs, 20, "operator", "the part is in the gripper"});
-    TRY_COMPARE(recorder.progress().rows, std::uint64_t(100));  // without stop(): a crash must not lose them
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(100));  // without stop(): a crash must not lose rows
     recorder.stop();
     QCOMPARE(recorder.progress().bytes, QFileInfo(bench.path("a.mcap")).size());
     const auto recording = openRecording(bench.path("a.mcap")).value();

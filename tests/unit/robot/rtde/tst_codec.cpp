@@ -24,7 +24,7 @@ Bytes withText(Bytes head, std::string_view text) {
     return head;
 }
 
-/// Takes the only package out of a buffer and keeps a copy of its payload.
+/// Extracts the only package from a buffer and keeps a copy of its payload.
 struct Taken {
     PackageType type{};
     Bytes payload;
@@ -74,7 +74,7 @@ void TestCodec::requestsHaveTheDocumentedBytes() {
     out.clear();
     writePauseRequest(out);
     QCOMPARE(out, bytes({0, 3, 0x50}));
-    // Appended, not replaced.
+    // The package is appended; existing content is kept.
     writeStartRequest(out);
     QCOMPARE(out, bytes({0, 3, 0x50, 0, 3, 0x53}));
 }

@@ -14,7 +14,7 @@ using test::ScriptedPeer;
 
 namespace {
 
-// Long enough for any machine; used up only by a hanging test.
+// Long enough for any machine. Only a hanging test uses the whole time.
 constexpr auto kPatience = 20s;
 
 ConnectionOptions to(std::uint16_t port, std::vector<std::string> outputs = {"timestamp", "actual_q"}) {
@@ -350,7 +350,7 @@ void TestConnection::floodOfTextDoesNotHoldTheReader() {
 }
 
 void TestConnection::slowReaderOfInputsNeverBlocks() {
-    // Answers the handshake and does not read anything after that.
+    // Replies to the handshake and then reads nothing.
     std::atomic<bool> drain{false};
     ScriptedPeer peer([&](ScriptedPeer::Link& link) {
         for (int answers = 0; answers < 3 && !link.isOver();) {
@@ -376,7 +376,7 @@ void TestConnection::slowReaderOfInputsNeverBlocks() {
         int whole = 0;
         while (!link.isOver()) {
             if (const auto package = link.nextPackage()) {
-                // No package is torn, however many were dropped.
+                // No package is torn, even if many packages were dropped.
                 whole = package->payload.size() == 1 + 40 * 8 ? whole + 1 : -1000000;
                 if (whole < 0) {
                     return;
@@ -400,7 +400,7 @@ void TestConnection::slowReaderOfInputsNeverBlocks() {
     }
     QVERIFY(busy);
     drain = true;
-    // When the peer reads again, packages are sent again and the stream is still synchronized.
+    // When the peer reads again, sending resumes and the stream is still synchronized.
     QTRY_COMPARE_WITH_TIMEOUT((*connection)->sendInputs(0, values), Connection::Send::Sent, 20000);
     for (int i = 0; i < 100; ++i) {
         QVERIFY((*connection)->sendInputs(0, values) != Connection::Send::Failed);

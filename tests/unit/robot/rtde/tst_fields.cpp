@@ -9,8 +9,8 @@ using namespace tiller::rtde;
 
 namespace {
 
-// The fields by type, as listed in the tables of the clients to be supported; repeated here so that an error in the
-// catalogue is detected.
+// The fields by type, as listed in the tables of the supported clients. They are repeated here so that an
+// error in the catalogue is detected.
 struct Names {
     DataType type;
     const char* list;
@@ -101,7 +101,7 @@ void TestFields::listsAgree() {
     check(kOutputs, findOutput, Direction::Output, outputs);
     std::size_t inputs = 0;
     check(kInputs, findInput, Direction::Input, inputs);
-    // Apart from these there are only the numbered registers: 64 bits, 48 integers and 48 doubles, which are all
+    // The only other fields are the numbered registers: 64 bits, 48 integers and 48 doubles, which are all
     // available as outputs.
     const std::size_t registers = 64 + 48 + 48;
     QCOMPARE(outputFields().size(), outputs + 2 * registers);

@@ -18,7 +18,7 @@ struct Talk {
     Session session;
     Bytes sent;
 
-    /// Takes the pending request and returns its type.
+    /// Removes the pending request and returns its type.
     PackageType asked() {
         PackageSplitter splitter;
         splitter.feed(sent);
@@ -286,7 +286,7 @@ void TestSession::textMessagesMayComeAtAnyPoint() {
     text("two");
     talk.giveVersion();
     text("three");
-    // An answer in the form of version 1 although version 2 was agreed on.
+    // A version 1 reply although version 2 was agreed on.
     talk.answer([&](Bytes& out) {
         writeControllerText(out, ProtocolVersion::V1, {TextLevel::Info, "x", ""});
     });

@@ -60,7 +60,7 @@ private Q_SLOTS:
 void TestSplitter::takesEverySegmentation() {
     const Bytes bytes = stream();
     QCOMPARE(expected().size(), std::size_t(4));
-    // All ways to cut the stream into three parts.
+    // Tests all ways to cut the stream into three parts.
     for (std::size_t a = 0; a <= bytes.size(); ++a) {
         for (std::size_t b = a; b <= bytes.size(); ++b) {
             PackageSplitter splitter;

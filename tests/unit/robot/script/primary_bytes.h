@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Primary packages as a controller sends them, assembled by hand from the interface description.
+// Primary packages in the format of a controller, assembled from the interface description.
 
 #include <QByteArray>
 #include <bit>

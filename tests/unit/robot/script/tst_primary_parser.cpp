@@ -126,12 +126,12 @@ private Q_SLOTS:
         QCOMPARE(c.dh.d[0], 0.1625);
         QCOMPARE(c.robotType, 1);
         QCOMPARE(c.robotSubType, 3);
-        // Later packages omit the value; it remains known.
+        // Later packages omit the value. The stored value is kept.
         parser.feed(view(robotState(robotModeData(7, false))), 0);
         QVERIFY(parser.configuration().has_value());
     }
 
-    // The calibration is part of KinematicsInfo and is used whichever of the two packages arrives first.
+    // The calibration is part of KinematicsInfo. It is used regardless of the order of the two packages.
     void theCalibrationIsThatOfKinematicsInfo() {
         Wire own;
         for (int i = 0; i < 6; ++i) {
@@ -207,7 +207,7 @@ private Q_SLOTS:
         QCOMPARE(parser.takeMessages().size(), 1U);
     }
 
-    // Real packages with random changes, and pure noise: the parser neither crashes nor hangs.
+    // Real packages with random changes, and random bytes. The parser neither crashes nor hangs.
     void noiseIsSurvived() {
         std::mt19937 random(1);
         const QByteArray good =

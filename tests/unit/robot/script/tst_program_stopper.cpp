@@ -27,12 +27,12 @@ QByteArray stateWith(bool running) {
     return robotState(robotModeData(7, running));
 }
 
-/// The reply "The socket is read-only" of a controller in Local mode.
+/// The reply "The socket is read-only" of a controller in local control.
 QByteArray refusal() {
     return message(6, Wire().i32(210).i32(0).i32(3).u32(0).u32(0).text("read-only").bytes());
 }
 
-/// The data received on each connection, one line per entry, in the order of the connections.
+/// Data received on each connection, one line per entry, in the order of the connections.
 class Heard {
 public:
     void add(const QByteArray& line) {
@@ -95,7 +95,7 @@ private Q_SLOTS:
     }
 
     // A controller that has lost the connection accepts data on it but never reads them. The clock is
-    // stopped: the second connection is made because of the request, not because time has passed.
+    // stopped, so the second connection results from the request, not from elapsed time.
     void itLeavesOnANewConnectionAtOnceToo() {
         Heard heard;
         native_socket::Descriptor forgotten = -1;
@@ -157,7 +157,7 @@ private Q_SLOTS:
         RawPeer peer([&, obey = obedient(heard)](RawPeer::Link& link) {
             if (back) {
                 obey(link);
-            }  // otherwise it disconnects at once
+            }  // otherwise it disconnects immediately
         });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
@@ -170,8 +170,8 @@ private Q_SLOTS:
         QVERIFY(heard.lines().contains("stop program"));
     }
 
-    // A connection made in Local stays read-only after the switch to Remote. The clock is stopped: the
-    // command is sent on the open connection and on one new connection, and not repeated.
+    // A connection opened in local control stays read-only after the switch to remote control. The clock is
+    // stopped. The command is sent on the open connection and on one new connection, and is not repeated.
     void aRefusalIsAnsweredByANewConnection() {
         Heard heard;
         native_socket::Descriptor readOnly = -1;
@@ -235,7 +235,8 @@ private Q_SLOTS:
         QVERIFY2(stopped.ok(), why(stopped));
     }
 
-    // The command may be lost on the open connection and on the new one: it is sent again 0.3 s later, on a third.
+    // The command may be lost on the open connection and on the new one. It is sent again 0.3 s later on a
+    // third connection.
     void aProgramThatGoesOnIsToldAgain() {
         Heard heard;
         VirtualClock clock;
@@ -302,7 +303,7 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::ConnectionRefused);
     }
 
-    // When the buffers of a peer that does not read are full, requestStop() must not block its caller.
+    // requestStop() must not block its caller when the buffers of a peer that does not read are full.
     void whoeverAsksNeverWaits() {
         std::promise<void> done;
         RawPeer peer([wait = done.get_future().share()](RawPeer::Link&) { wait.wait(); });
@@ -317,7 +318,7 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::Cancelled);
     }
 
-    // A client that takes control now must not lose it because of an earlier stop request.
+    // A client that takes control at this time must not lose it because of an earlier stop request.
     void whatIsWithdrawnIsNotSentAnyMore() {
         Heard heard;
         std::atomic<bool> back = false;

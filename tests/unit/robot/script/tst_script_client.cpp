@@ -37,8 +37,8 @@ private Q_SLOTS:
         QCOMPARE(arrived.get_future().get(), text.toUtf8() + '\n');
     }
 
-    // Unread data of the controller would turn the end into a connection reset, which could discard the sent
-    // program.
+    // If data of the controller are unread, closing the connection becomes a reset, which could discard the
+    // sent program.
     void connectionIsClosedInOrder() {
         std::promise<bool> ended;
         std::promise<void> streamed;
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QCOMPARE(arrived.get_future().get(), QByteArray("textmsg(\"a\")\n"));
     }
 
-    // Data received in the meantime do not prove that the controller listens.
+    // Data received in the meantime do not prove that the controller reads.
     void aControllerThatHungUpIsNoticedBeforeSending() {
         RawPeer peer([](RawPeer::Link& link) { link.send(QByteArray(100'000, 'x')); });
         ScriptClient client(QStringLiteral("127.0.0.1"), peer.port());
@@ -119,13 +119,13 @@ private Q_SLOTS:
     void aCancelledConnectEndsAtOnce() {
         const CancelToken token;
         token.cancel();
-        // A documentation address: nothing answers there.
+        // An address reserved for documentation, which does not respond.
         ScriptClient client(QStringLiteral("192.0.2.1"));
         const ErrorCode code = client.connect(Deadline::after(milliseconds(600'000), token)).error().code;
         QVERIFY(code == ErrorCode::Cancelled || code == ErrorCode::HostUnreachable);
     }
 
-    // With a controller that does not read, the sender gives up at its deadline and closes the connection, so that
+    // If a controller does not read, the sender gives up at its deadline and closes the connection, so that
     // no partial program remains in the stream.
     void aFullLineIsATimeoutAndEndsTheConnection() {
         std::promise<void> done;

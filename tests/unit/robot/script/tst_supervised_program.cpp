@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Behaviour of a user program with an inserted watchdog thread, run in our own interpreter.
+// Behaviour of a user program with an inserted watchdog thread, run in the simulator's interpreter.
 #include <QTest>
 
 #include "robot/script/supervised_program.h"
@@ -43,7 +43,7 @@ struct Bench {
         }
         program = std::make_unique<urscript::Interpreter>(compiled.program, host);
     }
-    /// Runs until the program ends, for at most the given number of frames. Returns the number of frames run.
+    /// Runs until the program ends, but at most the given number of frames. Returns the number of frames run.
     int run(int frames, bool alive) {
         for (int i = 0; i < frames; ++i) {
             host.intIn[24] += alive ? 1 : 0;
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(bench.run(300, true) <= kTimeoutFrames + 2);
     }
 
-    // Some controllers may clear the inputs of a disconnected client, which changes the number as well.
+    // Some controllers may clear the inputs of a disconnected client, which also changes the number.
     void clearedRegistersAreNoHeartbeat() {
         Bench bench(kEndless);
         QCOMPARE(bench.run(300, true), 300);
@@ -176,12 +176,12 @@ private Q_SLOTS:
         QCOMPARE(count(QStringLiteral("def a():\n  sync()\nend\ndef b():\n  sync()\nend\n")), 2);
         QCOMPARE(count(QStringLiteral("sec a():\n  set_standard_digital_out(1, True)\nend\n")), 0);
         QCOMPARE(count(QStringLiteral("sec a():\n  sync()\nend\nmovej([0,0,0,0,0,0])\n")), 1);
-        // Programs for ur_rtde end like this; the last line is not part of the program.
+        // Programs for ur_rtde end in this way. The last line is not part of the program.
         const QString whole = QStringLiteral("def a():\n  sync()\nend\nrun program\n");
         QCOMPARE(count(whole), 1);
         QVERIFY(
             supervised(whole, heartbeat(), kVersion).text.endsWith(QStringLiteral("\nend\nrun program\n")));
-        // Functions inside a program, and words in comments and strings, do not start a program.
+        // Functions inside a program, and keywords in comments and strings, do not start a program.
         QCOMPARE(count(QStringLiteral(
                      "def a():\n  def f():\n    # end\n    textmsg(\"end def x():\")\n    if True:\n"
                      "      sync()\n    end\n  end\n  f()\nend # def\n\n")),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// BehaviourOptions about real controllers: every switch is accepted by its name, is listed and has an effect.
+// BehaviourOptions for real controllers: every switch is accepted by its name, is listed, and has an effect.
 
 #include <QFile>
 #include <QTest>
@@ -61,7 +61,7 @@ int brakingPeriods(const char* assumption, double slider) {
     return braking;
 }
 
-/// A client that writes registers 24 and 25, as served by a controller.
+/// A client that writes registers 24 and 25, and the controller that serves it.
 struct Writer {
     explicit Writer(const SimulatorOptions& options) : plant(options), inputs(plant, options.software) {
         recipe =
@@ -124,8 +124,8 @@ private Q_SLOTS:
             const QString row =
                 QStringLiteral("| `%1` | `%2` |").arg(info.name, info.readings.join(QStringLiteral("`, `")));
             QVERIFY2(text.contains(row), qPrintable(row));
-            // The remaining columns: what depends on the assumption, how the control program handles it, and
-            // the source.
+            // The remaining columns contain what depends on the assumption, how the control program handles
+            // it, and the source.
             const QStringList rest = text.section(row, 1, 1).section(QLatin1Char('\n'), 0, 0).split('|');
             QCOMPARE(rest.size(), 4);
             for (const QString& told : rest.first(3)) {
@@ -143,7 +143,7 @@ private Q_SLOTS:
     }
 
     void aScaledStopTakesAsMuchLonger() {
-        // 0.4 rad/s at 4 rad/s2 take 50 periods; at a fifth of the speed ten.
+        // 0.4 rad/s at 4 rad/s2 take 50 periods. At a fifth of the speed: ten periods.
         const int real = brakingPeriods("", 0.2);
         QVERIFY2(real >= 9 && real <= 12, qPrintable(QString::number(real)));
         const int scaled = brakingPeriods("stops=scaled", 0.2);
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QVERIFY2(periods[true] >= 10 * periods[false], qPrintable(QString::number(periods[true])));
     }
 
-    // Independent of how far a pause has progressed and how long the arm moved before.
+    // Does not depend on the progress of a pause or on the duration of the preceding motion.
     void pausedMoveDoesNotAccelerateAtProgramEnd_data() {
         QTest::addColumn<QString>("words");
         QTest::newRow("as by default") << QString();
@@ -377,7 +377,8 @@ private Q_SLOTS:
         QVERIFY(!missing.programs().submitText(text.toStdString()));
     }
 
-    // With deferred connections, a camera that is switched on later does not end the program that uses it.
+    // With deferred connections, a program that uses a camera does not end if the camera is switched on
+    // later.
     void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall_data() {
         QTest::addColumn<QByteArray>("assumption");
         QTest::addColumn<bool>("goesOn");

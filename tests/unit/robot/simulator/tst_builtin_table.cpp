@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of builtins in the README of the simulator is generated from the rows that the compiler uses. Each
-// builtin is called on a robot to verify its status in the table.
+// The table of built-in functions in the simulator's README is generated from the rows that the compiler
+// uses. Each function is called on a robot to verify its status in the table.
 //
-// To regenerate the table:  TILLER_UPDATE=1 tst_builtin_table theReadmeIsCurrent
+// To regenerate the table: TILLER_UPDATE=1 tst_builtin_table theReadmeIsCurrent
 
 #include <QFile>
 #include <QTcpServer>
@@ -25,7 +25,8 @@ namespace {
 
 const char* const kBegin = "<!-- builtins: written by tst_builtin_table -->\n";
 
-/// One series of releases: "5.21", "5.6 to 5.15", "3.12 or never". Empty: it never has the function.
+/// Versions of one series, e.g. "5.21", "5.6 to 5.15", "3.12 or never". Empty: the series never has the
+/// function.
 QString seriesText(int major, int first, int listed) {
     const QString series = QString::number(major) + QLatin1Char('.');
     if (first == urscript::kNever) {
@@ -50,7 +51,7 @@ QString since(const urscript::Since& s) {
     return text == QLatin1String("3.0, 5.0") ? QStringLiteral("all") : text;
 }
 
-/// The option that removes a builtin. No source says in which version one went.
+/// The option that removes a builtin. No source documents the version in which a builtin was removed.
 QString until(const Builtin& b) {
     for (const BehaviourOptionInfo& info : assumptionTable()) {
         BehaviourOptions assumptions;
@@ -277,7 +278,7 @@ private Q_SLOTS:
         QVERIFY2(text == wanted, "run it again with TILLER_UPDATE=1 and look at the change");
     }
 
-    // Each switch of a version, in each series, through the compiler.
+    // Compiles each version switch of each series.
     void everyFunctionComesWithItsVersion_data() { everyStateIsTrue_data(); }
     void everyFunctionComesWithItsVersion() {
         QFETCH(int, index);

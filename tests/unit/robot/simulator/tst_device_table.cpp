@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The tables of devices: which row answers a request, and what is wrong with a table.
+// The tables of devices: which row answers a request, and which errors a table contains.
 
 #include <QTest>
 
@@ -25,7 +25,7 @@ DeviceTable table(const QString& text) {
     return std::move(*parsed);
 }
 
-/// The answer to a call as text; "none" without a row.
+/// Reply to a call as text; "none" if no row matches.
 QString answer(DeviceTable& device, const char* method, const std::vector<Value>& arguments) {
     const auto given = device.answer(method, arguments);
     return !given         ? QStringLiteral("none")
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QVERIFY2(parsed.error().context.contains(reason), qPrintable(parsed.error().context));
     }
 
-    // The server reads what the program writes, and the other way round.
+    // The server reads the values that the program writes, and the program reads those of the server.
     void callsAndRepliesSurviveTheWay() {
         using namespace urscript;
         const std::vector<Value> values{Value(3),

@@ -46,7 +46,7 @@ private Q_SLOTS:
             least = std::min(least, now);
             most = std::max(most, now);
         }
-        // A client check treats a controller with a period time of 0.4 ms or less as dead.
+        // A client considers the connection lost if the controller's period time is 0.4 ms or less.
         QVERIFY(least > 0.4 && most < 1 && most > least);
     }
 
@@ -109,7 +109,7 @@ private Q_SLOTS:
         std::vector<std::uint8_t> record;
         writeRealtimeRecord(plant.telemetry(), record);
         QCOMPARE(record.size(), std::size_t(1220));
-        // The last double is Iyz of the payload; its value shows that no field before it is missing or extra.
+        // The last double is Iyz of the payload. Its value shows that no field before it is missing or extra.
         const std::array<std::uint8_t, 8> quarter{0x3F, 0xD0, 0, 0, 0, 0, 0, 0};
         QVERIFY(std::equal(quarter.begin(), quarter.end(), record.end() - 8));
         const std::array<std::uint8_t, 8> mass{0x3F, 0xF8, 0, 0, 0, 0, 0, 0};

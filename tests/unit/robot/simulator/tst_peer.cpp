@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Data that one client of the simulated controller receives and sends, over real sockets.
+// Data that a client of the simulated controller receives and sends, over real sockets.
 
 #include <sys/socket.h>
 
@@ -37,7 +37,7 @@ struct Connected {
         peer = std::make_unique<Peer>(socket, 1 << 16);
         peer->attach(&link);
     }
-    /// Cuts the connection as an operating system does when a program exits with unread data.
+    /// Resets the connection as an operating system does when a program exits with unread data.
     void cut() {
         const linger atOnce{1, 0};
         setsockopt(static_cast<int>(client.socketDescriptor()), SOL_SOCKET, SO_LINGER, &atOnce,
@@ -61,7 +61,7 @@ class TestPeer : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    /// A cut connection is detected on sending, possibly before the received data were read.
+    /// A reset connection is detected on sending, possibly before the received data were read.
     void dataSentBeforeTheEndOfAConnectionAreRead() {
         Connected c;
         const QByteArray program(40'000, 'p');
@@ -70,7 +70,7 @@ private Q_SLOTS:
             QVERIFY(c.client.waitForBytesWritten(20'000));
         }
         c.cut();
-        constexpr int kTries = 20;  // the system detects the cut with the first one
+        constexpr int kTries = 20;  // the system detects the reset on the first send
         for (int i = 0; i < kTries; ++i) {
             QVERIFY(c.peer->send(std::string_view("a state")));
         }

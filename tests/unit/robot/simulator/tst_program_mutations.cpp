@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A program file of the pendant with every known node, damaged in a thousand ways. Either it is converted to
-// URScript that compiles or fails with the position of the error, or it is refused with a reason. It never
-// crashes or runs forever.
+// URScript that compiles or fails with the position of the error, or it is refused with a reason. The
+// converter never crashes or runs endlessly.
 
 #include <QTest>
 #include <random>
@@ -126,7 +126,8 @@ public:
 private:
     int below(qsizetype end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
 
-    /// Start and length of one element, such as a tag or an attribute value, so that many results are still XML.
+    /// Start and length of one element, e.g. a tag or an attribute value, so that many results are still
+    /// valid XML.
     std::pair<int, int> piece(const QByteArray& content, char open, char close) {
         const qsizetype begin = content.indexOf(open, below(content.size()));
         const qsizetype end = begin < 0 ? -1 : content.indexOf(close, begin + 1);
@@ -145,13 +146,13 @@ private:
             case 2:
                 content.truncate(below(content.size()));
                 break;
-            case 3: {  // replaces the value by that of another attribute
+            case 3: {  // replaces the value with that of another attribute
                 const auto [to, length] = piece(content, '"', '"');
                 const auto [from, other] = piece(content, '"', '"');
                 content.replace(to, length, content.mid(from, other));
                 break;
             }
-            case 4: {  // repeats a tag elsewhere
+            case 4: {  // repeats a tag at another position
                 const auto [from, length] = piece(content, '<', '>');
                 content.insert(below(content.size()), content.mid(from, length));
                 break;
@@ -235,8 +236,8 @@ private Q_SLOTS:
     }
 
     void aThousandDamagedArchivesAreRefusedOrRead() {
-        // Compressed as on the pendant: qCompress() gives the same deflated bytes with a different header, and
-        // damage is detected by the checksum at the end.
+        // Compressed as on the pendant. qCompress() produces the same deflated bytes with a different header,
+        // and the checksum at the end detects damage.
         const QByteArray zlib = qCompress(everyNode());
         const QByteArray gzip = QByteArray("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10) +
                                 zlib.mid(6, zlib.size() - 10) + QByteArray(8, '\0');
@@ -248,7 +249,7 @@ private Q_SLOTS:
     }
 
 private:
-    /// Resolves every program reference to the program itself, so that it may call itself without end.
+    /// Resolves every program reference to the program itself, so that the program may call itself endlessly.
     static pendant::PendantSource source(const QByteArray& content) {
         pendant::PendantSource source;
         source.files = [content](const QString& name) -> std::optional<QByteArray> {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Programs and their states on a plant without sockets.
+// Programs and their states on a controller model without sockets.
 
 #include <QTest>
 
@@ -44,7 +44,7 @@ private Q_SLOTS:
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Playing);
         QCOMPARE(plant.telemetry().robotStatusBits(), 3U);
         QCOMPARE(plant.pins().digitalOutputs, 1ULL);
-        // Long enough for a client that reads every second package.
+        // Sufficient for a client that reads every second package.
         steps(plant, 3);
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Playing);
         steps(plant, 3);

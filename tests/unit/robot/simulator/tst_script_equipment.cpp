@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Facilities of programs other than arm and registers: named frames, terminal actions, the Modbus map, values
+// Script facilities other than the arm and registers: named frames, terminal actions, the Modbus map, values
 // entered by operators, payload estimates, software versions.
 
 #include <QTcpServer>
@@ -26,7 +26,7 @@ SimulatorOptions running(SoftwareVersion software = {5, 22, 1, 0}) {
 
 constexpr SoftwareVersion kX{10, 12, 0, 0};
 
-/// A simulated robot that records its messages to primary clients.
+/// A simulated robot that stores its messages to primary clients.
 struct Robot {
     explicit Robot(const SimulatorOptions& options = running()) : plant(options) {}
 
@@ -140,7 +140,7 @@ private Q_SLOTS:
         const arm::Payload& load = robot.plant.arm().payload();
         QVERIFY(std::abs(load.mass - 2) < 1e-12);
         QVERIFY((load.centreOfGravity - Eigen::Vector3d(0.05, 0, 0.1)).norm() < 1e-9);
-        // Two points 0.05 m on either side of the middle, and the centre of the body itself.
+        // Two points at 0.05 m on either side of the middle, and the centre of the body itself.
         QVERIFY(std::abs(load.inertia[0] - 0.01) < 1e-9);
         QVERIFY(std::abs(load.inertia[1] - (0.01 + 2 * 0.05 * 0.05)) < 1e-9);
     }
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(robot.error().startsWith("Range error"));
     }
 
-    // ---- questions
+    // ---- operator requests
     void aQuestionIsShownAndItsAnswerTaken() {
         Robot robot;
         robot.submit(
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QCOMPARE(robot.bodies(9).size(), 1);
         QCOMPARE(robot.bodies(9)[0].mid(4), QByteArray("\0\0\0\1How many?", 13));
         QCOMPARE(robot.plant.programs().state(), RuntimeState::Playing);
-        QVERIFY(!robot.plant.scriptHost().answerRequest(std::string("seven")));  // not the requested type
+        QVERIFY(!robot.plant.scriptHost().answerRequest(std::string("seven")));  // wrong type for the request
         QVERIFY(robot.plant.scriptHost().answerRequest(std::int32_t{7}));
         robot.steps(2);
         QVERIFY(robot.plant.scriptHost().answerRequest(std::string("me")));
@@ -297,7 +297,7 @@ private Q_SLOTS:
     }
     void theJacobiansChangeIsItsDerivative() {
         Robot robot;
-        // After a short time the Jacobian is the integral of its derivative.
+        // Over a short time, the Jacobian is the integral of its derivative.
         QCOMPARE(robot.told("q = [0.3,-1.2,1.4,-0.9,-1.5,0.2]\nqd = [0.1,0.4,-0.3,0.2,0.5,-0.6]\nh = 0.0001\n"
                             "change = (get_jacobian(q + h * qd) - get_jacobian(q)) / h - "
                             "get_jacobian_time_derivative(q, qd)\nworst = 0\ni = 0\nwhile i < 6:\n"
@@ -339,7 +339,7 @@ private Q_SLOTS:
         QCOMPARE(robot.error(), QByteArray("Type error: speedl argument 'a' must be a number, not float"));
     }
     void infiniteAccelerationIsAsMuchAsThereIs() {
-        // The last step of a spline divides by a time of zero; clients rely on this.
+        // The last step of a spline divides by a time of zero. Clients rely on the result.
         Robot robot;
         robot.submit(
             "speedj([0.1,0,0,0,0,0], 1 / 0.0, 0.1)\nspeedl([0,0,0.01,0,0,0], 1 / 0.0, 0.1)\nstopj(4)");
@@ -359,7 +359,7 @@ private Q_SLOTS:
         row("optimovej([0,0,0,0,0,0])", "10.8", true);
         row("is_frame(\"a\")", "5.25", false);
         row("is_frame(\"a\")", "10.11", true);
-        row("force_mode_set_gain_scaling(1)", "3.15", true);  // and fails when it is called
+        row("force_mode_set_gain_scaling(1)", "3.15", true);  // and fails when called
         row("force_mode_set_gain_scaling(1)", "5.0", true);
         row("set_tool_communication(True,115200,0,1,1.5,3.5)", "3.15", false);
         row("ft_rtde_input_enable(False)", "5.8", false);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What each release of the controller software has: RTDE fields, dashboard commands, Robot API, and the parts and layouts
-// of primary packages. Functions of URScript are in tst_builtin_table.
+// Features of each release of the controller software: RTDE fields, dashboard commands, Robot API, and the
+// parts and layouts of primary packages. URScript functions are tested in tst_builtin_table.
 
 #include <QTest>
 #include <set>
@@ -22,13 +22,13 @@ using namespace tiller::simulator;
 
 namespace {
 
-/// "5.6.1"
+/// e.g. "5.6.1"
 SoftwareVersion versionOf(const QString& text) {
     const QStringList parts = text.split('.');
     return {parts[0].toUInt(), parts[1].toUInt(), parts.size() > 2 ? parts[2].toUInt() : 0, 0};
 }
 
-/// The release before the first one that has something. Below 3.0 and 5.0 there is none.
+/// The release before the first one that has a feature. There is none below 3.0 and 5.0.
 std::optional<SoftwareVersion> before(SoftwareVersion first) {
     if (first.bugfix > 0) {
         --first.bugfix;
@@ -111,13 +111,14 @@ private Q_SLOTS:
         verify(field->since.cb3, 3, {3, 15, 8, 0});
         verify(field->since.eSeries, 5, {5, 25, 0, 0});
         QVERIFY(has({10, 15, 0, 0}));
-        // Where no source gives the first version, the latest possible one is that of the tables that list it.
+        // If no source states the first version, it is assumed to be the one of the tables that list the
+        // feature (the latest possible version).
         QVERIFY(has({5, 25, 0, 0}, true) == has({5, 25, 0, 0}));
         QCOMPARE(has({5, 22, 0, 0}, true), has({5, 22, 0, 0}) && field->since.confirmed);
         QCOMPARE(has({3, 15, 0, 0}, true), has({3, 15, 0, 0}) && field->since.confirmed);
     }
 
-    // Source: dashboard guide and client tables. latest: where they disagree.
+    // Source: dashboard guide and client tables. latest: used where they disagree.
     void everyDashboardCommandComesWithItsVersion_data() {
         QTest::addColumn<QString>("cb3");  // "-": never
         QTest::addColumn<QString>("eSeries");
@@ -179,7 +180,7 @@ private Q_SLOTS:
         verify(latestESeries, {5, 25, 0, 0}, true);
     }
 
-    // Before, the rest of the line is the name of a program.
+    // In older versions, the rest of the line is a program name.
     void installationsAreLoadedFrom32On() {
         for (const bool knows : {false, true}) {
             ControllerModel plant(with({3, knows ? 2U : 1U, 0, 0}));
@@ -190,7 +191,7 @@ private Q_SLOTS:
         }
     }
 
-    // Source: dashboard guide: play, stop and pause report a failure from 3.4 on.
+    // Source: dashboard guide. From 3.4 on, play, stop and pause report a failure.
     void softwareBefore34DoesNotReportFailures() {
         for (const bool reports : {false, true}) {
             ControllerModel plant(with({3, reports ? 4U : 3U, 0, 0}));

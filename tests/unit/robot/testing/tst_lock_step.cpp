@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lock-step with a simulated robot: the same sequence of events on every machine, including link faults, and
-// no waits in real time for packets that do not arrive.
+// Lock-step with a simulated robot: the same sequence of events on every machine, even with link faults, and
+// no real-time waits for packets that do not arrive.
 #include <QElapsedTimer>
 #include <QTest>
 
@@ -46,7 +46,7 @@ private Q_SLOTS:
         robot.bench.step(0.3);
         QCOMPARE(robot.controller->status().inControl, keepsControl);
         if (fault.startsWith("delay")) {
-            // Samples delayed by 20 to 25 ms have still been received.
+            // Samples with a delay of 20 to 25 ms were still received.
             const receive::Sample sample = receiver->latest();
             const double late =
                 robot.bench.robot().truth().timestamp - receive::RobotState(sample).timestamp();

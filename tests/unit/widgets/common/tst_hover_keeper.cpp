@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A key has its hover look only while the pointer is over it.
+// A button is displayed as hovered only while the pointer is over it.
 
 #include <QApplication>
 #include <QCursor>
@@ -35,7 +35,7 @@ struct Bench {
             qFatal("the window was not shown");
         }
     }
-    /// Sends the events that the window system sends.
+    /// Sends the same events as the window system.
     static void enter(QWidget& widget) {
         const QPointF at = QRectF(widget.rect()).center();
         QEnterEvent event(at, widget.mapTo(widget.window(), at), widget.mapToGlobal(at));
@@ -58,7 +58,7 @@ private Q_SLOTS:
             const QPoint at = key->rect().center();
             QTest::touchEvent(key, screen.get()).press(0, at);
             QTest::touchEvent(key, screen.get()).release(0, at);
-            QTRY_VERIFY(!key->underMouse());
+            QTRY_VERIFY_WITH_TIMEOUT(!key->underMouse(), 60'000);
         }
     }
 
@@ -67,10 +67,10 @@ private Q_SLOTS:
         QMenu menu(&bench.window);
         menu.addAction(QStringLiteral("Rename"));
         menu.popup(bench.window.mapToGlobal(QPoint(200, 100)));
-        QTRY_VERIFY(menu.isVisible());
-        bench.key.setAttribute(Qt::WA_UnderMouse);  // the state when the menu took the pointer
+        QTRY_VERIFY_WITH_TIMEOUT(menu.isVisible(), 60'000);
+        bench.key.setAttribute(Qt::WA_UnderMouse);  // the state when the menu grabs the pointer
         menu.close();
-        QTRY_VERIFY(!bench.key.underMouse());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.key.underMouse(), 60'000);
     }
 
     void widgetUnderThePointerKeepsItsHoverState() {
@@ -81,7 +81,7 @@ private Q_SLOTS:
         bench.hold.setAttribute(Qt::WA_UnderMouse);
         QEvent deactivated(QEvent::WindowDeactivate);
         QApplication::sendEvent(&bench.window, &deactivated);
-        QTRY_VERIFY(!bench.hold.underMouse());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.hold.underMouse(), 60'000);
         QVERIFY(bench.key.underMouse());
     }
 };

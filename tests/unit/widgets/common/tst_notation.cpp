@@ -12,6 +12,7 @@
 #include "widgets/common/choice_box.h"
 #include "widgets/common/decimal_spin_box.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/common/theme.h"
 
 using namespace tiller;
 
@@ -32,6 +33,64 @@ class TestNotation : public QObject {
 private Q_SLOTS:
     void init() { applyNotation(*qApp, {}); }
     void cleanupTestCase() { applyNotation(*qApp, {}); }
+
+    // The typed text stays, so it has to be visible that it is not the value.
+    void aRefusedNumberIsMarkedUntilItIsCorrected() {
+        applyTheme(*qApp, Theme::light());
+        QWidget window;
+        auto* box = new DecimalSpinBox(&window);
+        auto* other = new QLineEdit(&window);
+        other->move(0, 60);
+        box->resize(120, 40);
+        box->setRange(0, 100);
+        box->setValue(20);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        other->setFocus();
+        const auto type = [&](const char* text) {
+            box->setFocus();
+            box->selectAll();
+            QTest::keyClicks(box, text);
+        };
+        const auto isMarked = [&] {
+            const QImage shown = box->grab().toImage();
+            for (int x = 0; x < shown.width(); ++x) {
+                if (shown.pixelColor(x, 0) == Theme::current().alarm) {
+                    return true;
+                }
+            }
+            return false;
+        };
+        QVERIFY(!isMarked());
+        type("500");
+        QVERIFY2(!isMarked(), "while typing");
+        other->setFocus();
+        QCOMPARE(box->text(), QString("500"));
+        QCOMPARE(box->value(), 20.0);
+        QVERIFY2(isMarked(), "500 is shown, 20 applies");
+        QVERIFY2(box->toolTip().contains("20.00"), qPrintable(box->toolTip()));
+        type("50");
+        QVERIFY(!isMarked());
+        other->setFocus();
+        QCOMPARE(box->value(), 50.0);
+        QVERIFY(box->toolTip().isEmpty());
+        type("-3");
+        QTest::keyClick(box, Qt::Key_Return);
+        QVERIFY(isMarked());
+        QTest::keyClick(box, Qt::Key_Escape);
+        QVERIFY2(!isMarked(), "the last value is shown again");
+        QCOMPARE(box->text(), QString("50.00"));
+        // A value set by the program replaces the text, also if it is the previous one.
+        for (const double value : {30.0, 30.0}) {
+            type("500");
+            other->setFocus();
+            QVERIFY(isMarked());
+            box->setValue(value);
+            QCOMPARE(box->text(), QString("30.00"));
+            QTRY_VERIFY(!isMarked());
+        }
+    }
 
     void millimetresUnlessChosenOtherwise() {
         QCOMPARE(format::length(0.2), QStringLiteral("200.00 mm"));
@@ -81,11 +140,11 @@ private Q_SLOTS:
         box.setFocus();
         box.selectAll();
         QTest::keyClicks(&box, "-12,5");
-        QCOMPARE(told, 0);  // not before editing is finished
+        QCOMPARE(told, 0);  // the value is unchanged until editing is finished
         QTest::keyClick(&box, Qt::Key_Return);
         QCOMPARE(box.value(), -12.5);
         QCOMPARE(box.text(), QStringLiteral("−12.50 mm"));
-        // Spreadsheets and scripts use a hyphen only; the box accepts both.
+        // Spreadsheets and scripts use only a hyphen. The box accepts both characters.
         box.selectAll();
         QTest::keyClick(&box, Qt::Key_C, Qt::ControlModifier);
         QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("-12.50"));

@@ -208,7 +208,8 @@ private Q_SLOTS:
         QVERIFY(!notice.isVisible());
     }
 
-    // Closing a notice may show the next one: a second click at the same place must not close that one unread.
+    // Closing a notice may show the next one. A second click at the same position must not close the next
+    // notice unread.
     void aSecondClickDoesNotCloseTheNoticeThatTheFirstBrought() {
         NoticeBar notice;
         notice.resize(400, 120);

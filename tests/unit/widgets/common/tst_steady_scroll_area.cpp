@@ -11,7 +11,7 @@ class TestSteadyScrollArea : public QObject {
     Q_OBJECT
 
 private:
-    /// A wide page with fields at both ends.
+    /// A wide widget with fields at both ends.
     struct Page {
         NoFocusScrollArea area;
         QLineEdit* near = new QLineEdit;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Frames as a table; every edit can be undone in the same history as those of the waypoints.
+// The table of frames. Every edit can be undone in the same history as edits of waypoints.
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
@@ -31,8 +31,8 @@ private Q_SLOTS:
         project::Project cell;
         cell.frames.append(tray_);
         cell.frames.append(table_);
-        // Two waypoints move with the tray; the third one is defined by its joints and only remembers a pose in the
-        // tray.
+        // Two waypoints move with the tray. The third one is defined by its joints and only stores a pose
+        // relative to the tray.
         for (int i = 0; i < 3; ++i) {
             Waypoint point;
             point.id = QUuid::createUuid();
@@ -116,7 +116,7 @@ private Q_SLOTS:
         // The saved file can be read again: no waypoint refers to a missing frame.
         const auto bytes = project::serializeProject(document_->project());
         QVERIFY(bytes && project::parseProject(*bytes));
-        // One undo step restores all of it.
+        // One undo step restores all changes.
         document_->undoStack().undo();
         QCOMPARE(model_->rowCount(), 2);
         QCOMPARE(model_->rowOf(tray_.id), 0);

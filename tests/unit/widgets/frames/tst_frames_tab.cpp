@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Teaching, touching up and editing frames with the real widgets, by mouse and by keyboard alone.
+// Teaching, touching up and editing frames with real widgets, using the mouse or only the keyboard.
 
 #include <QAction>
 #include <QApplication>
@@ -51,7 +51,7 @@ private Q_SLOTS:
     void init() {
         applyNotation(*qApp, {});
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // only states set by the test
+        session_->shutDown();  // states are set only by the test
         document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<FramesTab>(*session_, *document_);
         tab_->resize(560, 560);
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QTest::keyClick(tab_.get(), Qt::Key_Return, Qt::ControlModifier);
         QVERIFY(!teacher()->isVisible());
         QCOMPARE(names(), QStringList({"frame 1"}));
-        // X along +Y of the base, Y along its -X: turned by 90 deg about Z.
+        // X along +Y of the base and Y along -X of the base: rotated by 90 deg about Z.
         const Pose& made = frame(0).T_base_frame;
         QVERIFY((made.position - kCorner.position).norm() < 1e-12);
         QVERIFY((made.rotation - Eigen::Vector3d(0, 0, std::numbers::pi / 2)).norm() < 1e-9);
@@ -114,15 +114,15 @@ private Q_SLOTS:
         auto* make = button("frame.teacher.make");
         click("frame.teacher.origin");
         feed(beside(0.0123, 0));
-        QTRY_VERIFY2(feedback().contains("12.3 mm"),
-                     qPrintable(feedback()));  // distance of the tip at this moment
+        QTRY_VERIFY2_WITH_TIMEOUT(feedback().contains("12.3 mm"), qPrintable(feedback()),
+                                  60'000);  // distance of the tool tip at this time
         click("frame.teacher.onX");
         QVERIFY2(feedback().contains("only 12.3 mm") && feedback().contains("20 mm"), qPrintable(feedback()));
         QVERIFY(!make->isEnabled());
         feed(beside(0.1, 0));
-        QTest::keyClick(tab_.get(), Qt::Key_P);  // repeats the bad point, not the next one
+        QTest::keyClick(tab_.get(), Qt::Key_P);  // records the bad point again, not the next one
         feed(beside(0.25, 0.004));
-        QTRY_VERIFY2(feedback().contains("4.0 mm"), qPrintable(feedback()));
+        QTRY_VERIFY2_WITH_TIMEOUT(feedback().contains("4.0 mm"), qPrintable(feedback()), 60'000);
         click("frame.teacher.towardsY");
         QVERIFY2(feedback().contains("collinear") && feedback().contains("only 4.0 mm"),
                  qPrintable(feedback()));
@@ -159,8 +159,8 @@ private Q_SLOTS:
         feed(beside(0.1, 0));
         click("frame.teacher.onX");
         QVERIFY(tab_->marks().empty());
-        feed(beside(0, 0.1));  // the tip serves as the third point
-        QTRY_COMPARE(tab_->marks().size(), std::size_t(1));
+        feed(beside(0, 0.1));  // the tip is used as the third point
+        QTRY_COMPARE_WITH_TIMEOUT(tab_->marks().size(), std::size_t(1), 60'000);
         QVERIFY(tab_->marks()[0].selected);
         QVERIFY((tab_->marks()[0].T_base_frame.position - kCorner.position).norm() < 1e-12);
         QVERIFY(marks.count() > 1);
@@ -180,7 +180,7 @@ private Q_SLOTS:
         QVERIFY2(notice()->text().contains("50.0 mm"), qPrintable(notice()->text()));
         QVERIFY2(notice()->text().contains("2 waypoints move with it"), qPrintable(notice()->text()));
         QVERIFY(frame(0).T_base_frame == before);
-        feed(beside(0.5, 0));  // the arm moves on: the displayed pose is the one that is kept
+        feed(beside(0.5, 0));  // the arm continues to move, but the displayed pose is stored
         click("notice.accept");
         QVERIFY(frame(0).T_base_frame == there);
         QVERIFY2(notice()->text().contains("2 waypoints moved with it"), qPrintable(notice()->text()));
@@ -230,10 +230,10 @@ private Q_SLOTS:
         QTest::keyClick(table(), Qt::Key_F2);
         auto* editor = table()->findChild<QLineEdit*>("frame.editor");
         QVERIFY(editor != nullptr);
-        QTest::keyClicks(editor, "TUPray");  // letters that are shortcuts elsewhere
+        QTest::keyClicks(editor, "TUPray");  // letters that are shortcuts in other places
         feed(beside(0.1, 0));                // the table keeps updating
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(names(), QStringList({"TUPray"}));
+        QTRY_COMPARE_WITH_TIMEOUT(names(), QStringList({"TUPray"}), 60'000);
         document_->undoStack().undo();
         QCOMPARE(names(), QStringList({"frame 1"}));
     }
@@ -318,7 +318,8 @@ private Q_SLOTS:
         tab_->teachFromTcp();
         feed(kCorner);
         auto* details = tab_->findChild<FrameDetails*>("frame.details");
-        QTRY_VERIFY2(details->headline().contains("25.4 mm"), qPrintable(details->headline()));
+        QTRY_VERIFY2_WITH_TIMEOUT(details->headline().contains("25.4 mm"), qPrintable(details->headline()),
+                                  60'000);
         applyNotation(*qApp, {LengthUnit::Inches, RotationNotation::RollPitchYaw});
         QVERIFY2(details->headline().contains("1.00 in"), qPrintable(details->headline()));
         QCOMPARE(tab_->model().index(0, FrameModel::Distance).data().toString(), QStringLiteral("1.00"));

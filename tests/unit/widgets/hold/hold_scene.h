@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Two hold-to-run keys, an edit field and a button in one window, in virtual time: shared by the tests of the
-// hold guard.
+// Two hold-to-run buttons, an edit field and a push button in one window, in virtual time. Shared by the
+// tests of the hold guard.
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -23,7 +23,7 @@ using control::StopCause;
 /// Replaces the session and counts the calls.
 struct FakeTarget {
     std::uint64_t next = 0;
-    std::uint64_t running = 0;  // 0 = nothing moves
+    std::uint64_t running = 0;  // 0: no motion is active
     int begun = 0;
     int holds = 0;
     QList<StopCause> ends;
@@ -94,7 +94,7 @@ struct Scene {
         QCOMPARE(target.ends, QList<StopCause>{cause});
         QVERIFY(!key->isHolding());
         QVERIFY(!key->isDown());
-        // The motion stays stopped, whatever the operator still does.
+        // The motion stays stopped, whatever the operator does.
         const int holds = target.holds;
         clock.advanceNs(20 * kNsPerMs);
         key->guard().pump();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every stop rule of the jog contract that a single key can detect, with real events, in virtual time.
+// Every stop rule of the jog contract that a single button can detect, with real events, in virtual time.
 #include <QDialog>
 #include <QMenu>
 #include <QPointingDevice>
@@ -42,7 +42,7 @@ private Q_SLOTS:
     void theTimerRefreshesWithoutHelp() {
         Scene s;
         s.press();
-        QTRY_VERIFY(s.target.holds >= 3);
+        QTRY_VERIFY_WITH_TIMEOUT(s.target.holds >= 3, 60'000);
         s.release();
         QCOMPARE(s.target.ends, QList<StopCause>{StopCause::Released});
     }
@@ -70,7 +70,7 @@ private Q_SLOTS:
         Scene s;
         s.press();
         QTest::mouseMove(s.key, place);
-        QTest::mouseMove(s.key, QPoint(40, 30));  // moving back onto the key does not resume the motion
+        QTest::mouseMove(s.key, QPoint(40, 30));  // moving back onto the button does not resume the motion
         s.expectStopped(StopCause::PointerLeft);
         s.expectNewPressMoves();
     }
@@ -185,11 +185,11 @@ private Q_SLOTS:
         Scene s;
         QSignalSpy ended(&s.key->guard(), &HoldGuard::ended);
         s.press();
-        s.target.running = 0;  // the session stopped it
+        s.target.running = 0;  // the session stopped the motion
         s.clock.advanceNs(20 * kNsPerMs);
         s.key->guard().pump();
         QVERIFY(!s.key->isHolding());
-        QVERIFY(s.target.ends.isEmpty());  // nothing left to end
+        QVERIFY(s.target.ends.isEmpty());  // there is nothing to end
         QCOMPARE(ended.count(), 1);
         const int holds = s.target.holds;
         s.clock.advanceNs(20 * kNsPerMs);
@@ -223,7 +223,7 @@ private Q_SLOTS:
         s.clock.advanceNs(20 * kNsPerMs);
         s.key->guard().pump();
         QTest::mouseMove(s.key, QPoint(42, 30));
-        QCOMPARE(s.target.begun, 0);  // a refused press does not turn into a motion later
+        QCOMPARE(s.target.begun, 0);  // a refused press must not start a motion later
         s.release();
     }
 
@@ -246,7 +246,7 @@ private Q_SLOTS:
         s.key->guard().pump();
         QVERIFY(s.target.holds >= 1);
         QVERIFY(s.target.ends.isEmpty());
-        s.target.running = 0;  // arrived
+        s.target.running = 0;  // the target is reached
         s.key->guard().pump();
         QVERIFY(!s.key->isHolding());
         QCOMPARE(s.target.begun, 1);
@@ -267,7 +267,7 @@ private Q_SLOTS:
                 QTest::mousePress(s.button, Qt::RightButton);
                 QTest::mouseRelease(s.button, Qt::RightButton);
             } else {
-                s.press();  // the same key again: nothing is queued
+                s.press();  // the same button again: nothing is queued
             }
             QVERIFY(!s.key->isHolding());
             QCOMPARE(s.target.ends.size(), 1);

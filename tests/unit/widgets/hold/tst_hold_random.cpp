@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A thousand random sequences of presses, releases, focus changes, keys, windows and stalls, in virtual time.
-// In all cases nothing moves without a held key, and a stopped motion never moves again.
+// In all cases, the arm moves only while a button is held, and a stopped motion never moves the arm again.
 #include <QApplication>
 #include <QDialog>
 #include <QHBoxLayout>
@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::int64_t kExpiryNs = 100 * kNsPerMs;
 
-/// A session that follows the contract: one motion slot, and a motion expires 100 ms after its last refresh.
+/// A session that follows the contract: it has one motion slot, and a motion expires 100 ms after its last
+/// refresh.
 struct ExpiringSession {
     explicit ExpiringSession(const Clock& clock_) : clock(clock_) {}
 
@@ -29,7 +30,7 @@ struct ExpiringSession {
     std::uint64_t running = 0;
     std::int64_t refreshedNs = 0;
     QSet<std::uint64_t> stopped;
-    bool broken = false;  // a stopped motion was held or ended again
+    bool broken = false;  // a stopped motion was held or ended once more
 
     bool moving() const { return running != 0 && clock.nowNs() - refreshedNs <= kExpiryNs; }
 
@@ -93,10 +94,10 @@ private Q_SLOTS:
         QRandomGenerator random(20261121);
         int motions = 0;
         for (int sequence = 0; sequence < 1000; ++sequence) {
-            // The key that may move according to the model: the last one pressed, until something interrupts
-            // it.
+            // The button that may move the arm according to the model: the last one pressed, until an event
+            // interrupts it.
             int held = -1;
-            int pressed = -1;  // the key on which the left button is down
+            int pressed = -1;  // the button pressed with the left mouse button
             const int length = 2 + static_cast<int>(random.bounded(12U));
             for (int step = 0; step < length; ++step) {
                 const auto action = random.bounded(12U);

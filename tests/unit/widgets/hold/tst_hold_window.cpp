@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stop rules for events around the key: focus, windows, dialogs, the application.
+// The stop rules for events outside the button: focus, windows, dialogs, the application.
 #include <QDialog>
 #include <QMenu>
 #include <QPointingDevice>
@@ -48,7 +48,7 @@ private Q_SLOTS:
         Scene s;
         s.press();
         second.activateWindow();
-        QTRY_VERIFY(!s.target.ends.isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!s.target.ends.isEmpty(), 60'000);
         s.expectStopped(StopCause::WindowDeactivated);
     }
 
@@ -56,7 +56,7 @@ private Q_SLOTS:
         Scene s;
         s.press();
         s.window.showMinimized();
-        QTRY_VERIFY(!s.target.ends.isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!s.target.ends.isEmpty(), 60'000);
         s.expectStopped(StopCause::WindowDeactivated);
     }
 
@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(s.target.begun, 0);
         QCOMPARE(refused.count(), 1);
         s.release();
-        // The window is active again: the old press is over, a new one moves.
+        // The window is active again. The earlier press has ended, and another press starts a motion.
         s.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&s.window));
         QCOMPARE(s.target.begun, 0);

@@ -38,7 +38,7 @@ private Q_SLOTS:
         asked_.clear();
         clock_ = std::make_unique<VirtualClock>();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // only the states of the test
+        session_->shutDown();  // states are set only by the test
         tab_ = std::make_unique<IoTab>(*session_);
         tab_->setClock(*clock_);
         tab_->setOutputSetter([this](int output, bool on) { asked_.append({output, on}); });
@@ -62,7 +62,7 @@ private Q_SLOTS:
     void everyBitHasItsRow() {
         for (int channel = 0; channel < IoTab::kChannels; ++channel) {
             feed(withBits(1ULL << channel, 1ULL << (17 - channel)));
-            QTRY_VERIFY(tab_->input(channel)->state() == State::On);
+            QTRY_VERIFY_WITH_TIMEOUT(tab_->input(channel)->state() == State::On, 60'000);
             for (int other = 0; other < IoTab::kChannels; ++other) {
                 QCOMPARE(tab_->input(other)->state() == State::On, other == channel);
                 QCOMPARE(tab_->output(other)->state() == State::On, other == 17 - channel);
@@ -72,30 +72,30 @@ private Q_SLOTS:
 
     void stateIsShownInWords() {
         feed(withBits(1, 0));
-        QTRY_COMPARE(tab_->input(0)->stateWord(), QString("on"));
+        QTRY_COMPARE_WITH_TIMEOUT(tab_->input(0)->stateWord(), QString("on"), 60'000);
         QCOMPARE(tab_->input(1)->stateWord(), QString("off"));
         QVERIFY(tab_->input(0)->accessibleDescription().contains("on"));
     }
 
     void aClickAsksAndIsPendingUntilTheRobotConfirms() {
         feed(withBits(0, 0));
-        QTRY_VERIFY(tab_->output(2)->state() == State::Off);
+        QTRY_VERIFY_WITH_TIMEOUT(tab_->output(2)->state() == State::Off, 60'000);
         QTest::mouseClick(tab_->output(2), Qt::LeftButton);
         QCOMPARE(asked_, (QList<std::pair<int, bool>>{{2, true}}));
         QVERIFY(tab_->output(2)->state() == State::PendingOn);
         QCOMPARE(tab_->output(2)->stateWord(), QString("pending…"));
         feed(withBits(0, 0b100));
-        QTRY_VERIFY(tab_->output(2)->state() == State::On);
+        QTRY_VERIFY_WITH_TIMEOUT(tab_->output(2)->state() == State::On, 60'000);
         QTest::mouseClick(tab_->output(2), Qt::LeftButton);
         QCOMPARE(asked_.last(), (std::pair<int, bool>{2, false}));
         QVERIFY(tab_->output(2)->state() == State::PendingOff);
         feed(withBits(0, 0));
-        QTRY_VERIFY(tab_->output(2)->state() == State::Off);
+        QTRY_VERIFY_WITH_TIMEOUT(tab_->output(2)->state() == State::Off, 60'000);
     }
 
     void secondClickRevertsTheFirst() {
         feed(withBits(0, 0));
-        QTRY_VERIFY(!tab_->output(0)->isStale());
+        QTRY_VERIFY_WITH_TIMEOUT(!tab_->output(0)->isStale(), 60'000);
         QTest::mouseClick(tab_->output(0), Qt::LeftButton);
         QTest::mouseClick(tab_->output(0), Qt::LeftButton);
         QCOMPARE(asked_, (QList<std::pair<int, bool>>{{0, true}, {0, false}}));
@@ -103,17 +103,18 @@ private Q_SLOTS:
 
     void missingConfirmationIsReported() {
         feed(withBits(0, 0));
-        QTRY_VERIFY(!tab_->output(16)->isStale());
+        QTRY_VERIFY_WITH_TIMEOUT(!tab_->output(16)->isStale(), 60'000);
         QTest::mouseClick(tab_->output(16), Qt::LeftButton);
         auto* notice = tab_->findChild<NoticeBar*>("io.notice");
         const QPoint place = tab_->output(16)->mapTo(tab_.get(), QPoint(0, 0));
         clock_->advanceNs(1900 * kNsPerMs);
         feed(withBits(1, 0));
-        QTRY_VERIFY(tab_->input(0)->state() == State::On);  // the tab has read the state
+        QTRY_VERIFY_WITH_TIMEOUT(tab_->input(0)->state() == State::On,
+                                 60'000);  // the tab has received the state
         QVERIFY(tab_->output(16)->state() == State::PendingOn);
         clock_->advanceNs(200 * kNsPerMs);
         feed(withBits(0, 0));
-        QTRY_VERIFY(tab_->output(16)->state() == State::Off);
+        QTRY_VERIFY_WITH_TIMEOUT(tab_->output(16)->state() == State::Off, 60'000);
         QVERIFY(notice->isVisible());
         QVERIFY(notice->title().contains("TO 0"));
         QTest::qWait(1);
@@ -123,43 +124,43 @@ private Q_SLOTS:
 
     void oldDataAreGreyAndCannotBeSwitched() {
         feed(withBits(1, 1));
-        QTRY_VERIFY(tab_->output(0)->state() == State::On);
+        QTRY_VERIFY_WITH_TIMEOUT(tab_->output(0)->state() == State::On, 60'000);
         feed(withBits(1, 1, LinkState::Stale));
-        QTRY_VERIFY(tab_->input(0)->isStale());
+        QTRY_VERIFY_WITH_TIMEOUT(tab_->input(0)->isStale(), 60'000);
         QVERIFY(tab_->input(0)->state() == State::On);
         QVERIFY(tab_->output(0)->isStale());
         QTest::mouseClick(tab_->output(0), Qt::LeftButton);
         QVERIFY(asked_.isEmpty());
         feed(withBits(1, 1, LinkState::Lost));
-        QTRY_COMPARE(tab_->input(0)->stateWord(), QString("no data"));
+        QTRY_COMPARE_WITH_TIMEOUT(tab_->input(0)->stateWord(), QString("no data"), 60'000);
     }
 
-    // The analog values belong to the same sample as the bits, never to a newer one.
+    // The analog values belong to the same sample as the bits, not to a newer one.
     void analogValuesAreOfTheSampleShown() {
         test::SampleStream stream;
         stream.set(stream.add(1.0, 1), "standard_analog_input0", 12);
         stream.frame([this](const SampleBatch& batch) { Q_EMIT session_->samplesReceived(batch); });
         feed(withBits(1, 0));
-        QTRY_COMPARE(tab_->input(0)->stateWord(), QString("on"));
+        QTRY_COMPARE_WITH_TIMEOUT(tab_->input(0)->stateWord(), QString("on"), 60'000);
         QVERIFY2(tab_->analogInput(0)->valueText().startsWith("12"),
                  qPrintable(tab_->analogInput(0)->valueText()));
-        Q_EMIT session_->linkBegan();  // another robot that has not sent a sample yet
+        Q_EMIT session_->linkBegan();  // another robot, from which no sample has arrived yet
         feed(withBits(0, 0));
-        QTRY_COMPARE(tab_->input(0)->stateWord(), QString("off"));
+        QTRY_COMPARE_WITH_TIMEOUT(tab_->input(0)->stateWord(), QString("off"), 60'000);
         QVERIFY2(!tab_->analogInput(0)->valueText().contains("12"),
                  qPrintable(tab_->analogInput(0)->valueText()));
     }
 
     void inputsCannotBeSwitched() {
         feed(withBits(0, 0));
-        QTRY_VERIFY(tab_->input(0)->state() == State::Off);
+        QTRY_VERIFY_WITH_TIMEOUT(tab_->input(0)->state() == State::Off, 60'000);
         QTest::mouseClick(tab_->input(0), Qt::LeftButton);
         QVERIFY(asked_.isEmpty());
     }
 
     void enterSwitchesButSpaceDoesNot() {
         feed(withBits(0, 0));
-        QTRY_VERIFY(!tab_->output(1)->isStale());
+        QTRY_VERIFY_WITH_TIMEOUT(!tab_->output(1)->isStale(), 60'000);
         tab_->output(1)->setFocus();
         QTest::keyClick(tab_->output(1), Qt::Key_Space);
         QVERIFY(asked_.isEmpty());
@@ -179,6 +180,27 @@ private Q_SLOTS:
         tab_->setNames({{"TI 1", "part present"}});
         QCOMPARE(tab_->input(17)->name(), QString("part present"));
         QVERIFY(tab_->output(0)->name().isEmpty());
+    }
+
+    // Otherwise the next widget of the window gets the focus, such as the robot selector in the header.
+    void theFocusStaysInTheRowAfterRenaming() {
+        tab_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(tab_.get()));
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Escape}) {
+            tab_->output(3)->setFocus();
+            tab_->output(3)->rename();
+            auto* editor = tab_->output(3)->findChild<QLineEdit*>();
+            QVERIFY(editor->hasFocus());
+            QTest::keyClicks(editor, "valve");
+            QTest::keyClick(editor, key);
+            QVERIFY(!editor->isVisible());
+            QVERIFY2(tab_->output(3)->hasFocus(), qPrintable(QString::number(key)));
+        }
+        QCOMPARE(tab_->output(3)->name(), QString("valve"));
+        // A click elsewhere ends the editing as well, and takes the focus.
+        tab_->output(3)->rename();
+        tab_->output(5)->setFocus(Qt::MouseFocusReason);
+        QVERIFY(tab_->output(5)->hasFocus());
     }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gamepads and SpaceMouse: from the raw axis to a jog, with simulated devices and, where SDL supports it, with a
-// virtual joystick.
+// Gamepads and SpaceMouse: from the raw axis to a jog. Tested with simulated devices and, where SDL supports
+// it, a virtual joystick.
 #include <QApplication>
 #include <QCheckBox>
 #include <QSignalSpy>
@@ -65,7 +65,7 @@ private:
     bool given_ = false;
 };
 
-/// Device, rules and a port that records the requests.
+/// The device, the rules, and a port that records the requests.
 struct Bench : WrittenPort {
     JogSelection selection;
     VirtualClock clock;
@@ -95,7 +95,7 @@ struct Bench : WrittenPort {
         stick.reading.deadMan = deadMan;
         devices.poll();
     }
-    /// Advances the time as timers would: the device is read, the motion refreshed.
+    /// Advances the time as timers would: the device is read and the motion is refreshed.
     void run(int ms) {
         for (int t = 0; t < ms; t += 10) {
             clock.advanceNs(10 * kNsPerMs);
@@ -108,7 +108,7 @@ struct Bench : WrittenPort {
 };
 
 #ifdef TILLER_HAS_SDL
-/// A virtual gamepad that is plugged in during the lifetime of the object.
+/// A virtual gamepad that is plugged in during the lifetime of this object.
 class VirtualPad {
 public:
     VirtualPad() {
@@ -227,7 +227,7 @@ private Q_SLOTS:
         b.push(0, 1.0);
         b.run(500);
         QVERIFY2(b.ends.isEmpty(), "it reports all the time");
-        // From here on the driver reports nothing new; the last reading stays.
+        // From now on, the driver reports no changes, and the last reading is kept.
         b.stick.reading.fresh = false;
         b.run(90);
         QVERIFY(b.ends.isEmpty());
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
         QCOMPARE(silent.count(), 1);
         QVERIFY2(b.devices.used() == b.device(), "it is still there");
-        // When the driver responds again, the stick has to be released first.
+        // When the driver responds again, the stick must be released first.
         b.stick.reading.fresh = true;
         b.run(100);
         QCOMPARE(b.next, 1U);
@@ -266,7 +266,7 @@ private Q_SLOTS:
         b.push(0, 0.0);
         b.push(0, 1.0);
         b.run(100);
-        // One read takes 150 ms, during which nothing else runs.
+        // One read takes 150 ms, during which no other code runs.
         b.stick.duringRead = [&b] { b.clock.advanceNs(150 * kNsPerMs); };
         b.devices.poll();
         b.stick.duringRead = nullptr;
@@ -351,7 +351,7 @@ private Q_SLOTS:
         b.devices.use(b.device());
         b.push(0, 0.0);
         b.window.hide();
-        QTRY_VERIFY(QApplication::activeWindow() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::activeWindow() == nullptr, 60'000);
         QSignalSpy refused(&b.jog, &AxisJog::refused);
         b.push(0, 1.0);
         QVERIFY(b.targets.isEmpty());
@@ -393,21 +393,22 @@ private Q_SLOTS:
         b.devices.use(b.devices.devices().back().get());
         pad.press(SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
         b.run(50);
-        // A stick held deflected by a hand with a slight tremor.
+        // A stick held deflected by a slightly trembling hand.
         for (int i = 0; i < 30; ++i) {
             pad.push(SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(30000 + i % 2));
             b.run(100);
         }
         QCOMPARE(b.next, 1U);
         QVERIFY(b.ends.isEmpty());
-        // The driver hangs, so SDL returns the last value forever. At 40 mm/s this may cost up to 25 mm.
+        // The driver hangs, so SDL keeps returning the last value. At 40 mm/s the arm may move up to 25 mm
+        // further.
         b.run(400);
         QVERIFY(b.ends.isEmpty());
         b.run(300);
         QCOMPARE(b.ends, QList<StopCause>{StopCause::DeviceLost});
         b.run(3000);
         QCOMPARE(b.next, 1U);
-        // The driver recovers while the stick is still deflected: the stick has to return first.
+        // The driver recovers while the stick is still deflected. The stick must return first.
         pad.push(SDL_CONTROLLER_AXIS_LEFTX, 31000);
         b.run(100);
         QCOMPARE(b.next, 1U);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ten thousand random sequences of operator inputs and window system events, with all kinds of input in
 // parallel and in any order: keys with any modifier and layout, lost and late events, wheels, focus, windows,
-// dialogs, devices, a frozen display. A motion has stopped 250 ms after the release of the last input that
-// held it; short steps end by themselves, and by any stop. No stopped motion moves again.
+// dialogs, devices, a frozen display. Every motion has stopped 250 ms after the release of the last input
+// that held it. Short steps end by themselves or with any stop. A stopped motion never moves the arm again.
 #include <QDialog>
 #include <QRandomGenerator>
 #include <QWheelEvent>
@@ -21,7 +21,7 @@ namespace {
 
 // Divided into parts, so that a slow machine does not exceed Qt's time limit for a test function.
 constexpr int kParts = 10;
-constexpr int kSequences = 1000;  // per part
+constexpr int kSequences = 1000;  // sequences per part
 constexpr quint32 kSeed = 20261122;
 constexpr std::int64_t kBoundNs = 250 * kNsPerMs;
 constexpr std::int64_t kStepNs = 400 * kNsPerMs;
@@ -55,7 +55,7 @@ const std::vector<KeyOfTheKeyboard> kModifiers = {{scan::kShift, {Qt::Key_Shift}
                                                   {108, {Qt::Key_AltGr}},
                                                   {scan::kNumLock, {Qt::Key_NumLock}}};
 
-/// Physical keys and buttons that can be down.
+/// Physical keys and buttons that can be pressed.
 enum : quint32 { kMouse = 100'000, kFinger, kStick };
 
 class Random {
@@ -72,7 +72,7 @@ private:
     QRandomGenerator generator_;
 };
 
-/// The environment of the window; only this class knows which keys are really held.
+/// The environment of the window. Only this class knows which keys are actually held.
 class World {
 public:
     explicit World(quint32 seed) : random(seed) { h.gamepad = DeviceReading(); }
@@ -81,7 +81,7 @@ public:
     Random random;
     int motions = 0;
     QString wrong;
-    QStringList done;  ///< of the current sequence, for the failure report
+    QStringList done;  ///< events of the current sequence, for the failure report
 
     void sequence() {
         done.clear();
@@ -94,7 +94,7 @@ public:
         }
         letEverythingGo();
         advance(static_cast<int>(kBoundNs / kNsPerMs) + 20);
-        // Nothing is held: only the rest of a short step may still move.
+        // Nothing is held, so only the rest of a short step may still move the arm.
         if (h.arm.moves() && !isStep_) {
             fail(QStringLiteral("still moves with nothing held"));
         }
@@ -109,7 +109,7 @@ private:
         }
     }
 
-    // ---- keys that are really held -----------------------------------------------------------------------
+    // ---- keys that are actually held ---------------------------------------------------------------------
 
     void goesDown(quint32 what) {
         down_.insert(what);
@@ -119,12 +119,12 @@ private:
     }
     void goesUp(quint32 what) {
         down_.erase(what);
-        look();  // a motion that began in the meantime is held by everything that was down until now
+        look();  // a motion that began since then is held by all inputs pressed until now
         if (holders_.erase(what) > 0 && holders_.empty()) {
             letGoNs_ = h.clock.nowNs();
         }
     }
-    /// When a motion has begun, everything that is down may be holding it.
+    /// After a motion has begun, every pressed input may be holding it.
     void look() {
         if (h.arm.next != seen_) {
             seen_ = h.arm.next;
@@ -148,7 +148,7 @@ private:
         }
     }
 
-    /// Delivers a window system event: at once, late (the display is frozen), or never.
+    /// Delivers a window system event: immediately, late (the display is frozen), or never.
     void tell(const std::function<void()>& event, bool mayGetLost = false) {
         if (mayGetLost && random.oneIn(6)) {
             done << QStringLiteral("(lost)");
@@ -366,7 +366,7 @@ private:
     void leaveWindow() {
         done << QStringLiteral("window left");
         QApplication::setActiveWindow(nullptr);
-        // Releases go to the window that is active now.
+        // Releases are sent to the window that is active at that time.
         if (random.oneIn(2)) {
             goesUpUnseen();
         }
@@ -477,8 +477,8 @@ private:
 
     std::set<quint32> down_;
     std::set<quint32> modifiersDown_;
-    std::set<quint32> holders_;  ///< the subset of down_ that may hold the current motion
-    std::int64_t letGoNs_ = 0;   ///< time at which the last holder was released [ns]
+    std::set<quint32> holders_;  ///< subset of down_ that may hold the current motion
+    std::int64_t letGoNs_ = 0;   ///< time when the last holding input was released [ns]
     std::uint64_t seen_ = 0;
     bool isStep_ = false;
     QWidget* pressedOn_ = nullptr;
@@ -502,7 +502,7 @@ private Q_SLOTS:
     void nothingMovesThatNobodyHolds() {
         QFETCH(quint32, seed);
         World world(seed);
-        // No painting is needed.
+        // Painting is not needed.
         world.h.window.setUpdatesEnabled(false);
         for (int sequence = 0; sequence < kSequences; ++sequence) {
             world.sequence();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every hold rule for every kind of input: pad, joint keys, Go to, Run route, Back, Align, Home and
+// Every hold rule for every kind of input: jog pad, joint buttons, Go to, Run route, Back, Align, Home and
 // Freedrive by mouse, finger and keyboard; the armed keyboard; gamepad and SpaceMouse.
+#include <QAbstractEventDispatcher>
 #include <QDialog>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTabletEvent>
 #include <QWindow>
-#include <type_traits>
+#include "widgets/hold/native_window_event.h"
 
 #include "tests/support/hands.h"
 #include "widgets/hold/hold_rules.h"
@@ -24,10 +25,10 @@ enum class By { Mouse, Finger, HeldKey, Keyboard, Stick };
 struct Way {
     const char* name;
     By by;
-    const char* key;      ///< on the screen, or null
-    quint32 code = 0;     ///< of the keyboard
-    int meaning = 0;      ///< of that key
-    double seconds = 20;  ///< maximum hold time [s]; 0: that of a move
+    const char* key;      ///< name of the button on the screen, or null
+    quint32 code = 0;     ///< scan code of the keyboard key
+    int meaning = 0;      ///< Qt key code of the keyboard key
+    double seconds = 20;  ///< maximum hold time [s]; 0: limit for a move
 };
 const Way kWays[] = {
     {"pad", By::Mouse, "jog.X+"},
@@ -68,7 +69,7 @@ bool isAny(By) {
     return true;
 }
 
-/// One rule: the kinds of input it applies to, and the stop cause it reports.
+/// A rule: the kinds of input that it applies to, and the stop cause that it reports.
 struct Trial {
     const char* rule;
     bool (*isFor)(By);
@@ -102,6 +103,8 @@ const Trial kTrials[] = {
     {"a window is closed", isAny, StopCause::WindowClosed},
     {"the window is blocked", isAny, StopCause::DialogOpened},
     {"a window opens", isAny, StopCause::DialogOpened},
+    {"the display server moves the focus", isAny, StopCause::WindowDeactivated},
+    {"the display server hides the window", isAny, StopCause::WindowDeactivated},
     {"the application is left", isAny, StopCause::WindowDeactivated},
     {"the application is inactive", isAny, StopCause::WindowDeactivated},
     {"the application quits", isAny, StopCause::WindowClosed},
@@ -117,10 +120,36 @@ const Trial kTrials[] = {
 const char* const kBeginRules[] = {"no press in an inactive window", "no device while a dialog is open",
                                    "no second input", "no press while the key-state check does not respond"};
 
-/// Sends an event of this type only, so that no other rule sees it.
+/// Sends only this type of event, so that no other rule is triggered.
 void send(QObject& to, QEvent::Type type) {
     QEvent event(type);
     QApplication::sendEvent(&to, &event);
+}
+
+// Constants of the X protocol, independent of the program.
+constexpr quint8 kXFocusOut = 10;
+constexpr quint8 kXUnmapNotify = 18;
+constexpr quint8 kXNormal = 0;
+constexpr quint8 kXGrab = 1;
+constexpr quint8 kXUngrab = 2;
+constexpr quint8 kXWhileGrabbed = 3;
+constexpr quint8 kXInferior = 2;
+constexpr quint8 kXNonlinear = 3;
+constexpr quint8 kXPointer = 5;
+
+/// Passes an event of the display server to the program, as the X11 plugin of Qt does before evaluating it.
+void fromServer(quint8 type, quint8 detail, quint8 mode, WId window) {
+    std::array<quint8, 32> event{};
+    const auto id = static_cast<quint32>(window);
+    event[0] = type;
+    event[1] = detail;
+    std::memcpy(&event[4], &id, sizeof id);
+    if (type == kXFocusOut) {
+        event[8] = mode;
+    } else {
+        std::memcpy(&event[8], &id, sizeof id);
+    }
+    qApp->eventDispatcher()->filterNativeEvent("xcb_generic_event_t", event.data(), nullptr);
 }
 
 class Holder {
@@ -135,7 +164,7 @@ public:
             h.advance(20);  // the stick is at rest
         }
     }
-    /// "Go to" always has its key; the other keys work only while the keyboard is armed.
+    /// The keyboard key of "Go to" always works; the other keys work only while the keyboard is armed.
     bool needsArming() const { return isByKeys(way_.by) && way_.meaning != Qt::Key_G; }
     void press() {
         switch (way_.by) {
@@ -173,7 +202,7 @@ public:
                 break;
         }
     }
-    /// Advances time with the key held. A finger produces small touch updates, as in reality.
+    /// Advances time with the input held. A finger produces small touch updates, as in reality.
     void hold(int ms) {
         for (int t = 0; t < ms; t += 20) {
             if (way_.by == By::Finger && h.arm.moves()) {
@@ -209,11 +238,11 @@ void provoke(const QByteArray& rule, Holder& holder) {
             .stationary(0)
             .press(1, holder.key().rect().center() + QPoint(4, 4), &holder.key());
     } else if (rule == "the key is pressed again") {
-        // The stick moves the arm, and an arrow key is pressed: a second hand.
+        // The stick moves the arm, and an arrow key is pressed with the other hand.
         h.keyboard.setArmed(true);
         h.physicalKey(QEvent::KeyPress, scan::kRight, Qt::Key_Right);
     } else if (rule == "another key of the keyboard") {
-        // For the armed keyboard: the key of the opposite direction.
+        // For the armed keyboard: the key for the opposite direction.
         h.physicalKey(QEvent::KeyPress, 117, Qt::Key_PageDown);
     } else if (rule == "a modifier of the keyboard") {
         if (way.meaning == Qt::Key_G) {
@@ -230,7 +259,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
     } else if (rule == "a press on a window's frame") {
         send(h.window, QEvent::NonClientAreaMouseButtonPress);
     } else if (rule == "a touch anywhere") {
-        // Touches count only on another key. Elsewhere the window system converts them to mouse events.
+        // Touches count only on another button. Elsewhere, the window system converts them to mouse events.
         QTouchEvent touch(QEvent::TouchBegin, h.screen.get());
         QApplication::sendEvent(&h.key("jog.Ry-"), &touch);
     } else if (rule == "a pen anywhere") {
@@ -238,7 +267,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
                          Qt::LeftButton);
         QApplication::sendEvent(&elsewhere, &pen);
     } else if (rule == "the touch is cancelled") {
-        // The key also receives this as the end of the touch; the event filter receives it first.
+        // The button also receives this event as the end of the touch. The event filter receives it first.
         send(holder.key(), QEvent::TouchCancel);
     } else if (rule == "the key is disabled") {
         QEvent event(QEvent::EnabledChange);
@@ -258,7 +287,7 @@ void provoke(const QByteArray& rule, Holder& holder) {
         QFocusEvent event(QEvent::FocusIn, Qt::OtherFocusReason);
         QApplication::sendEvent(&elsewhere, &event);
     } else if (rule == "the window is left") {
-        // Any window of the program: with a floating dock, another window may be the active one.
+        // This applies to any window of the program, because a floating dock may be the active window.
         QWidget other;
         send(other, QEvent::WindowDeactivate);
     } else if (rule == "the window loses the focus") {
@@ -280,12 +309,16 @@ void provoke(const QByteArray& rule, Holder& holder) {
         QWidget other;
         QShowEvent event;
         QApplication::sendEvent(&other, &event);
+    } else if (rule == "the display server moves the focus") {
+        fromServer(kXFocusOut, kXNonlinear, kXNormal, h.window.winId());
+    } else if (rule == "the display server hides the window") {
+        fromServer(kXUnmapNotify, 0, 0, h.window.winId());
     } else if (rule == "the application is left") {
         send(*qApp, QEvent::ApplicationDeactivate);
     } else if (rule == "the application is inactive") {
         Q_EMIT qApp->applicationStateChanged(Qt::ApplicationInactive);
     } else if (rule == "the application quits") {
-        // To an object that does not handle the event.
+        // Sent to an object that does not handle the event.
         QObject other;
         send(other, QEvent::Quit);
     } else if (rule == "the event loop is stalled") {
@@ -340,6 +373,28 @@ private Q_SLOTS:
         QCOMPARE(names.size(), tried.size());
     }
 
+    // A window manager grabs the keyboard for its own shortcuts, and Qt for its menus: the focus returns.
+    void theDisplayServerReportsAreNotAllFocusLosses() {
+        Hands h;
+        Holder holder(h, wayOf("pad"));
+        holder.prepare();
+        holder.press();
+        QVERIFY(h.arm.moves());
+        const WId window = h.window.winId();
+        for (const quint8 mode : {kXGrab, kXUngrab}) {
+            fromServer(kXFocusOut, kXNonlinear, mode, window);
+            QVERIFY2(h.arm.moves(), "a grab moves no focus");
+        }
+        fromServer(kXFocusOut, kXInferior, kXNormal, window);
+        QVERIFY2(h.arm.moves(), "a child window has the focus");
+        fromServer(kXFocusOut, kXPointer, kXNormal, window);
+        QVERIFY2(h.arm.moves(), "the window had no focus, only the pointer");
+        fromServer(kXUnmapNotify, 0, 0, window + 1);
+        QVERIFY2(h.arm.moves(), "another window, such as a tooltip, is hidden");
+        fromServer(kXFocusOut, kXNonlinear, kXWhileGrabbed, window);
+        QVERIFY2(!h.arm.moves(), "the focus moved while another program had a grab");
+    }
+
     void everyHoldMethodEndsByEveryRule_data() {
         QTest::addColumn<int>("way");
         QTest::addColumn<int>("trial");
@@ -367,7 +422,7 @@ private Q_SLOTS:
         }
         QCOMPARE(hands.arm.ends.value(0), kTrials[trial].cause);
         QVERIFY(!hands.arm.moves());
-        // The key is still held, or held again: nothing moves before a new press.
+        // The input is still held, or held again. Nothing moves until the next press.
         const std::uint64_t begun = hands.arm.next;
         hands.devicesRead = true;
         hands.witness.freeze(false);
@@ -389,7 +444,7 @@ private Q_SLOTS:
         Holder holder(hands, kWays[way]);
         holder.prepare();
         holder.press();
-        // A move may take at least 5 s in addition to its calculated time.
+        // A move may take at least 5 s longer than its calculated time.
         const double seconds = kWays[way].seconds == 0 ? 5 : kWays[way].seconds;
         holder.hold(static_cast<int>(seconds * 1000) - 100);
         QVERIFY(hands.arm.moves());
@@ -430,7 +485,8 @@ private Q_SLOTS:
         holder.prepare();
         QApplication::setActiveWindow(nullptr);
         if (isByKeys(kWays[way].by)) {
-            // Its keys are not delivered then; a guard that receives a press nevertheless refuses it.
+            // Key events are not delivered in this state. If a guard receives a press nevertheless, it
+            // refuses the press.
             QVERIFY(kWays[way].key == nullptr ||
                     !holder.key().guard().press({HoldSource::By::Keys, {kWays[way].code}}));
         } else {
@@ -462,7 +518,7 @@ private Q_SLOTS:
             popup.popup(hands.window.mapToGlobal(QPoint(0, 0)));
         } else {
             dialog.show();
-            hands.activate();  // not modal: the main window may be the active one
+            hands.activate();  // not modal, so the main window may be the active window
         }
         hands.keyboard.setArmed(holder.needsArming());
         holder.press();
@@ -489,8 +545,8 @@ private Q_SLOTS:
             for (int second = 0; second < kWayCount; ++second) {
                 const Way& a = kWays[first];
                 const Way& b = kWays[second];
-                // There is only one mouse and one stick; the same screen key held twice is covered by another
-                // rule.
+                // There is only one mouse and one stick. Another rule covers the case of the same screen
+                // button held twice.
                 const bool same = (a.by == b.by && (a.by == By::Mouse || a.by == By::Stick)) ||
                                   (a.key != nullptr && b.key != nullptr && qstrcmp(a.key, b.key) == 0) ||
                                   (code(a) != 0 && code(a) == code(b));
@@ -516,7 +572,7 @@ private Q_SLOTS:
         QVERIFY2(!hands.arm.moves(), "two hands at once are no plain holding");
         QCOMPARE(hands.arm.ends, QList<StopCause>{StopCause::SecondButton});
         hands.advance(100);
-        // Neither input continues the motion alone.
+        // Neither of the two inputs alone continues the motion.
         other.letGo();
         hands.advance(100);
         one.letGo();
@@ -597,7 +653,7 @@ private Q_SLOTS:
     }
 
     void theWitnessHasTimeToAnswerTheFirstQuestion() {
-        // The first press starts the motion before the key-state check has answered.
+        // The first press starts the motion before the result of the key-state check is available.
         Hands hands;
         Holder holder(hands, wayOf("pad"));
         holder.prepare();
@@ -656,7 +712,7 @@ private Q_SLOTS:
     }
 
     void oneHandDoesNotLetGoForAnother() {
-        // A stick that was stopped while deflected does not start again because a key was tapped.
+        // A stick that was stopped while deflected does not restart the motion because a key was tapped.
         Hands hands;
         Holder stick(hands, wayOf("gamepad"));
         stick.prepare();

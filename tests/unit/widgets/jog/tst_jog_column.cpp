@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Commands of the jog column: every key, every selection, every kind of motion.
+// Commands of the jog column: every button, every selection, every kind of motion.
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
@@ -136,9 +136,9 @@ private Q_SLOTS:
         QVERIFY(s.session.jogs.isEmpty());
         QCOMPARE(s.session.moves.size(), 1);
         QVERIFY(std::abs(s.session.moves.first().pose.position.x() - (-0.1435 + 0.001)) < 1e-12);
-        QVERIFY(s.column.isHolding());  // completes by itself
+        QVERIFY(s.column.isHolding());  // the step completes by itself
         QVERIFY(s.session.ends.isEmpty());
-        s.session.running = 0;  // arrived
+        s.session.running = 0;  // the target is reached
         s.key("jog.X+")->guard().pump();
         QVERIFY(!s.column.isHolding());
         QCOMPARE(s.session.moves.size(), 1);
@@ -155,7 +155,7 @@ private Q_SLOTS:
 
     void homeMovesWhileHeldOnly() {
         JogScene s;
-        s.choose("jogMotion", 2);  // in this case as well
+        s.choose("jogMotion", 2);  // also in this case
         s.press("homeKey");
         QCOMPARE(s.session.moves.size(), 1);
         QCOMPARE(s.session.moves.first().kind, MoveRequest::Kind::MoveJ);

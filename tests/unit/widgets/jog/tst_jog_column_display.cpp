@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The display of the jog column: the current motion, the remaining travel, the reason why nothing moves, at every
-// size.
+// The display of the jog column: the current motion, the remaining travel, and the reason why nothing moves,
+// at every size.
 #include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
@@ -45,6 +45,16 @@ private:
     QHash<const QObject*, int> counts_;
 };
 
+/// Waits until nothing has been painted for longer than two update periods of the values. A single wait is not enough:
+/// on a busy machine it ends before the timers are processed.
+void waitForQuiet() {
+    for (int quiet = 0; quiet < 25;) {
+        const PaintCount paints;
+        QTest::qWait(10);
+        quiet = paints.all() == 0 ? quiet + 1 : 0;
+    }
+}
+
 }  // namespace
 
 class TestJogColumnDisplay : public QObject {
@@ -67,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(s.column.findChild<JogKey*>(QStringLiteral("jog.Z+"))->travel().isEmpty());
     }
 
-    // The arm could reach further down if the cell had no floor.
+    // Without the floor of the cell, the arm could reach further down.
     void theReachDownEndsAtTheSafetyDistanceFromTheFloor() {
         constexpr double kDeg = std::numbers::pi / 180;
         JogScene s;
@@ -101,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(!s.key("jog.Y+")->isConfirmed());
         s.release("jog.X+");
         QVERIFY(!s.key("jog.X+")->isConfirmed());
-        s.column.applyState(s.state);  // still coasting, but no key is held
+        s.column.applyState(s.state);  // still coasting, but no button is held
         QVERIFY(!s.key("jog.X+")->isConfirmed());
     }
 
@@ -162,7 +172,7 @@ private Q_SLOTS:
         }
         QCOMPARE(s.session.jogs.size(), 1);
         QVERIFY(s.session.moves.isEmpty());
-        // Ready again: the old press is over, a new one moves.
+        // Ready again. The earlier press has ended, and another press starts a motion.
         s.column.applyState(s.state);
         QCOMPARE(s.session.jogs.size(), 1);
         QVERIFY(pad->reason().isEmpty());
@@ -199,7 +209,7 @@ private Q_SLOTS:
         QTest::mousePress(key, Qt::LeftButton);
         QVERIFY(!column.isHolding());
         QTest::mouseRelease(key, Qt::LeftButton);
-        // The column follows the session.
+        // The column shows the state of the session.
         Q_EMIT session.stateChanged(readyState());
         QVERIFY(key->isEnabled());
         QVERIFY(column.findChild<JogPad*>()->reason().isEmpty());
@@ -217,22 +227,21 @@ private Q_SLOTS:
         QCOMPARE(pose->deltaText(0), QStringLiteral("+12.40"));
         QCOMPARE(pose->deltaText(1), QStringLiteral("0.00"));
         s.release("jog.X+");
-        QTest::mouseClick(pose, Qt::LeftButton);  // zero at this position
+        QTest::mouseClick(pose, Qt::LeftButton);  // the value is zero at this position
         QCOMPARE(pose->deltaText(0), QStringLiteral("0.00"));
         s.state.link = LinkState::Lost;
         s.column.applyState(s.state);
         QCOMPARE(pose->positionText(0), QStringLiteral("–"));
     }
 
-    // The data of an arm at rest fluctuate slightly.
+    // The data of an arm at standstill fluctuate slightly.
     void aReadOutIsPaintedOnlyWhenItsTextChanges() {
         JogScene s({390, 948});
         auto* pose = s.column.findChild<PoseView*>();
         auto* row = s.column.findChild<JointRow*>(QStringLiteral("joint.2"));
         auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
         QVERIFY(pose->isVisible() && row->isVisible());
-        const auto settle = [] { QTest::qWait(250); };  // two update periods of the values
-        settle();
+        waitForQuiet();
         PaintCount paints;
         for (int i = 1; i <= 20; ++i) {
             s.state.q[2] += (i % 2 == 0 ? 1 : -1) * 1e-7;
@@ -240,26 +249,26 @@ private Q_SLOTS:
             s.column.applyState(s.state);
             QCoreApplication::processEvents();
         }
-        settle();
+        QTest::qWait(250);  // two update periods of the values
         QCOMPARE(paints.of(pose), 0);
         QCOMPARE(paints.of(row), 0);
         QCOMPARE(paints.of(bar), 0);
         s.state.q[2] += 0.002;
         s.state.tcpPose.position.x() += 1e-4;
         s.column.applyState(s.state);
-        QTRY_VERIFY(paints.of(pose) > 0);
-        QTRY_VERIFY(paints.of(row) > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(paints.of(pose) > 0, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(paints.of(row) > 0, 60'000);
     }
 
-    // The marker is a separate widget: while the arm moves, nothing else in the column is repainted for it.
+    // The marker is a separate widget. While the arm moves, nothing else in the column is repainted.
     void aMarkerThatMovesPaintsNothingElse() {
         JogScene s({390, 948});
         auto* rows = s.column.findChild<JointRows*>();
         auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
-        QTest::qWait(250);
+        waitForQuiet();
         PaintCount paints;
         rows->rows()[2]->setAngle(s.state.q[2] + 1, false, true, false);
-        QTRY_VERIFY(paints.of(bar) > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(paints.of(bar) > 0, 60'000);
         QCOMPARE(paints.all(), paints.of(bar));
     }
 
@@ -292,7 +301,7 @@ private Q_SLOTS:
         }
     }
 
-    // Joints and pose fit on a screen of 1600 x 900.
+    // Joint positions and pose fit on a screen of 1600 x 900.
     void theJointsUnfoldWhereThereIsRoom() {
         JogScene s({360, 725});
         QCoreApplication::processEvents();
@@ -314,9 +323,9 @@ private Q_SLOTS:
         QVERIFY(std::abs(s.session.jogs.last().qd[5]) > 0);
         s.release("joint.5.plus");
         s.column.resize(360, 640);
-        QTRY_VERIFY(!joints->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!joints->isVisible(), 60'000);
         s.column.resize(360, 948);
-        QTRY_VERIFY(joints->isVisible() && pose->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(joints->isVisible() && pose->isVisible(), 60'000);
     }
 
     void allContentIsInsideTheColumn_data() {
@@ -356,7 +365,7 @@ private Q_SLOTS:
             s.state.tcpPose.position.x() += 0.0124;
             s.state.q[2] = -351 * std::numbers::pi / 180;
             s.column.applyState(s.state);
-            QTest::qWait(150);  // the values update ten times a second
+            QTest::qWait(150);  // the values are updated ten times per second
             QVERIFY(!s.column.grab().isNull());
             keepPicture(s.column, QStringLiteral("jog-") + scheme);
             s.release("jog.X+");

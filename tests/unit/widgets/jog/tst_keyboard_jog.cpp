@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The armed keyboard follows physical keys by scan code from press to release, even if modifiers, lock keys
-// or the layout change in between; unexpected events end the motion.
+// The armed keyboard tracks physical keys by scan code from press to release, even if modifiers, lock keys or
+// the layout change in between. Unexpected events end the motion.
 #include <QLineEdit>
 #include <QMenu>
 #include <QTest>
@@ -77,7 +77,7 @@ private Q_SLOTS:
         b.up(scan::kShift, Qt::Key_Shift);
         QVERIFY(!b.moves());
         QCOMPARE(b.ends.size(), 1);
-        // The key is known to be up: the next press moves, the next release ends the motion.
+        // The key is known to be released: the next press starts a motion, and the next release ends it.
         b.down(scan::kPlusDe, Qt::Key_Plus);
         QVERIFY2(!b.moves(), "the sign alone");
         b.down(scan::k1, Qt::Key_1);
@@ -127,7 +127,7 @@ private Q_SLOTS:
         b.up(scan::kRight, Qt::Key_Right, kWithShift);
         b.up(scan::kShift, Qt::Key_Shift);
         QVERIFY(!b.moves());
-        // The next arrow key does not start a rotation.
+        // The next arrow key press does not start a rotation.
         b.down(scan::kRight, Qt::Key_Right);
         QVERIFY(b.targets.last().twist.angular.isZero() && b.targets.last().twist.linear.x() > 0);
         b.up(scan::kRight, Qt::Key_Right);
@@ -174,7 +174,7 @@ private Q_SLOTS:
             b.down(code, key);
         }
         QCOMPARE(b.ends, QList<StopCause>{StopCause::SelectionChanged});
-        // Another key while the first is still down does not count as a press.
+        // Another key pressed while the first one is still down does not count as a press.
         b.down(scan::kRight, Qt::Key_Right);
         QVERIFY(!b.moves());
         b.up(scan::kRight, Qt::Key_Right);
@@ -243,7 +243,7 @@ private Q_SLOTS:
         b.down(0, Qt::Key_1);
         b.down(0, Qt::Key_Plus);
         QVERIFY(b.moves());
-        b.up(0, Qt::Key_Asterisk, kWithShift);  // the plus key, identified by the character it now produces
+        b.up(0, Qt::Key_Asterisk, kWithShift);  // the plus key, identified by its current character
         QVERIFY(!b.moves());
         QCOMPARE(b.ends, QList<StopCause>{StopCause::HoldUnproven});
     }
@@ -264,7 +264,8 @@ private Q_SLOTS:
     }
 
     void autoRepeatInPairsBeginsNothing() {
-        // A display server without information about repeats: a release and a press with the same time stamp.
+        // A display server without information about key repeats: a release and a press with the same
+        // timestamp.
         Bench b;
         b.down(scan::kRight, Qt::Key_Right, {{}, false, 1000});
         b.up(scan::kRight, Qt::Key_Right, {{}, false, 1500});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One line shows the limit that stops the arm, the next one the direction away from it, without truncation at
-// any column width.
+// One line shows the limit that stops the arm, and the next line the direction away from it. They are not
+// truncated at any column width.
 #include <QApplication>
 #include <QTest>
 #include <numbers>
@@ -18,7 +18,7 @@ class TestLimiterLine : public QObject {
     Q_OBJECT
 
 private:
-    /// Returns one state per limit that the line can show.
+    /// Returns one state for each limit that the line can show.
     static QList<QPair<QByteArray, SessionState>> limits() {
         using control::LimiterKind;
         QList<QPair<QByteArray, SessionState>> out;
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QCOMPARE(line->height(), height);
     }
 
-    // A refusal ends with the action to take.
+    // A refusal ends with the required action.
     void aSentenceIsBrokenNotCutOff() {
         LimiterLine line;
         line.resize(344, 38);

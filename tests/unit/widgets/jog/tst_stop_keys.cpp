@@ -40,7 +40,7 @@ private:
         }
     };
 
-    /// A session that reports the states of the test, and a line edit.
+    /// A session that reports states set by the test, and a line edit.
     struct Dark {
         VirtualClock clock;
         RobotSession session{clock};
@@ -124,8 +124,8 @@ private Q_SLOTS:
         QCOMPARE(clicked.count(), 1);
         QVERIFY(s.stops.isEmpty());
     }
-    // A window manager may leave the keyboard focus with the window that the dialog blocks; Qt drops its key
-    // events.
+    // A window manager may leave the keyboard focus in the window that the dialog blocks. Qt then discards
+    // the key events of that window.
     void aBlockedWindowStops_data() {
         QTest::addColumn<Qt::Key>("key");
         QTest::addColumn<Qt::KeyboardModifier>("modifier");
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(dialog.isVisible() && field->text().isEmpty());
 
         s.window.activateWindow();
-        QTRY_VERIFY(s.window.isActiveWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(s.window.isActiveWindow(), 60'000);
         for (const StopKeys::Use use : {StopKeys::Use::StopOnly, StopKeys::Use::StopAndControl}) {
             s.use = use;
             s.stops.clear();
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(s.stops.isEmpty());
         QVERIFY(dialog.isVisible());
     }
-    // With two dialogs only the upper one takes part.
+    // With two dialogs, only the upper one is affected.
     void aBlockedWindowStopsBelowTwoDialogs() {
         Scene s;
         QDialog lower(&s.window);
@@ -180,14 +180,14 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(upper.get()));
         for (QWidget* blocked : {static_cast<QWidget*>(&s.window), static_cast<QWidget*>(&lower)}) {
             blocked->activateWindow();
-            QTRY_VERIFY(blocked->isActiveWindow());
+            QTRY_VERIFY_WITH_TIMEOUT(blocked->isActiveWindow(), 60'000);
             s.stops.clear();
             QTest::keyClick(blocked->windowHandle(), Qt::Key_Space);
             QCOMPARE(s.stops, QList<StopCause>{StopCause::Space});
         }
         upper.reset();
         s.window.activateWindow();
-        QTRY_VERIFY(s.window.isActiveWindow());
+        QTRY_VERIFY_WITH_TIMEOUT(s.window.isActiveWindow(), 60'000);
         s.stops.clear();
         QTest::keyClick(s.window.windowHandle(), Qt::Key_Escape);
         QCOMPARE(s.stops, QList<StopCause>{StopCause::Escape});
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QTest::keyClick(&button, Qt::Key_Space);
         QCOMPARE(clicked.count(), 1);
     }
-    // The palette can be closed and a name typed while the robot is switched off.
+    // The palette can be closed, and a name can be typed, while the robot is switched off.
     void withoutDataTheKeysGoOnWhenNothingMovedBefore() {
         Dark s;
         s.tell(LinkState::Live, false);
@@ -289,7 +289,7 @@ private Q_SLOTS:
         s.press(Qt::Key_Escape);
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
-    // An operator who only monitors must not stop a production program by typing.
+    // An operator who only monitors a robot must not stop a production program by typing.
     void aProgramOfOthersRunsOnWhileWeMonitor() {
         for (const ControlState control : {ControlState::None, ControlState::Refused}) {
             Dark s;
@@ -305,7 +305,7 @@ private Q_SLOTS:
             QCOMPARE(s.passed.size(), 3);
         }
     }
-    // Another program takes over while the operator reaches for a key that was a stop key a moment ago.
+    // Another program takes over while the operator is about to press a key that was a stop key until then.
     void theKeysStopForThreeSecondsAfterControlWasLost() {
         Dark s;
         s.state.runtimeState = RuntimeState::Playing;
@@ -333,7 +333,8 @@ private Q_SLOTS:
         s.press(Qt::Key_Escape);
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
-    // A stop key held longer than the reaction time must not close the dialog in which it was pressed.
+    // A stop key that is held longer than the reaction time must not close the dialog in which it was
+    // pressed.
     void repeatsOfAStopKeyAreIgnored() {
         Scene s;
         QTest::keyPress(s.edit, Qt::Key_Space);

@@ -65,21 +65,21 @@ private Q_SLOTS:
         QCOMPARE(rows(), 2);
     }
 
-    // A later message must never be above an earlier one.
+    // A later message must not be displayed above an earlier one.
     void onlyNeighboursAreCountedTogether() {
         const auto say = [this](Severity severity, const char* text) {
             tab_->append(severity, text, Origin::Robot);
             time_ = time_.addSecs(1);
         };
-        say(Severity::Info, "Safety is normal again");
+        say(Severity::Info, "Safety mode is Normal again");
         say(Severity::Error, "Emergency stop");
         say(Severity::Error, "Emergency stop");
-        say(Severity::Info, "Safety is normal again");
+        say(Severity::Info, "Safety mode is Normal again");
         QCOMPARE(rows(), 3);
         QCOMPARE(tab_->shownText(),
-                 QString("2024-09-17 14:02:11.000\tInfo\tSafety is normal again\n"
+                 QString("2024-09-17 14:02:11.000\tInfo\tSafety mode is Normal again\n"
                          "2024-09-17 14:02:12.000\tError\t(×2 until 14:02:13.000) Emergency stop\n"
-                         "2024-09-17 14:02:14.000\tInfo\tSafety is normal again\n"));
+                         "2024-09-17 14:02:14.000\tInfo\tSafety mode is Normal again\n"));
         QStringList times;
         for (int row = 0; row < rows(); ++row) {
             times << cell(row, LogModel::Time);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QCOMPARE(wanted.front()[0].toString(), QString("/a/b.mcap"));
         QTest::mouseDClick(table()->viewport(), Qt::LeftButton, {}, middleOf(1));
         QCOMPARE(wanted.count(), 2);
-        // Another file is another incident, even with the same text.
+        // Another file is a separate incident, even if the text is the same.
         tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop", "It is there.",
                               "/a/c.mcap");
         QCOMPARE(rows(), 3);
@@ -232,20 +232,20 @@ private Q_SLOTS:
         }
     }
 
-    // Messages that arrived while another page was shown are the ones that the operator needs to see.
+    // Messages that arrived while another tab was shown are those that the operator needs to see.
     void thePageOpensAtTheNewestLine() {
         const auto newestIsInSight = [&] {
             const QRect last = table()->visualRect(table()->model()->index(rows() - 1, 0));
             return last.isValid() && last.bottom() <= table()->viewport()->height();
         };
-        tab_ = std::make_unique<LogTab>(*session_);  // a tab that was never shown
+        tab_ = std::make_unique<LogTab>(*session_);  // the tab was never shown
         for (int n = 0; n < 100; ++n) {
             tab_->append(Severity::Info, QString::number(n));
         }
         tab_->resize(560, 400);
         tab_->show();
         QTest::qWait(50);
-        QTRY_VERIFY(newestIsInSight());
+        QTRY_VERIFY_WITH_TIMEOUT(newestIsInSight(), 60'000);
         table()->scrollToTop();
         tab_->hide();
         tab_->append(Severity::Info, "new");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A picture of a curve shows no value that the curve does not have: random recordings, windows, zooms and pens.
+// The image of a curve shows no value that the curve does not have. Tested with random recordings, windows,
+// zooms and pens.
 #include <QImage>
 #include <QPainter>
 #include <QPainterPath>
@@ -41,7 +42,7 @@ struct Drawn {
         QPainter painter(&image);
         sheet.paint(&painter, nullptr, nullptr);
     }
-    /// The first and last painted row of a column; empty: nothing is painted.
+    /// The first and last painted row of a column; empty if nothing is painted.
     std::optional<std::pair<int, int>> rowsOf(int column) const {
         std::optional<std::pair<int, int>> rows;
         for (int y = 0; y < image.height(); ++y) {
@@ -53,8 +54,8 @@ struct Drawn {
     }
 };
 
-/// For every column, minimum and maximum of its samples and of the lines to the samples before and after it, up to
-/// the middle of a step.
+/// For every column: minimum and maximum of its samples, and of the lines to the samples before and after it,
+/// up to the middle of a step.
 std::vector<MinMax> boundsOf(const SeriesBuffer& history, const ColumnGrid& grid) {
     const auto columns = static_cast<std::size_t>(grid.columns());
     std::vector<MinMax> own(columns);
@@ -64,9 +65,9 @@ std::vector<MinMax> boundsOf(const SeriesBuffer& history, const ColumnGrid& grid
         }
     }
     std::vector<MinMax> bounds = own;
-    // Columns of many samples may begin at a summary, up to a third of their width earlier.
+    // Columns with many samples may begin at a summary, up to a third of their width earlier.
     const bool isWide = grid.edges.back() - grid.edges.front() > 3 * SeriesColumn::kSummary * grid.columns();
-    // The line between two samples; samples without a value are skipped.
+    // Line between two samples. Samples without a value are skipped.
     std::int64_t before = -1;
     for (std::int64_t k = history.first(); k < history.end(); ++k) {
         if (std::isnan(history.value(0, k))) {
@@ -85,7 +86,7 @@ std::vector<MinMax> boundsOf(const SeriesBuffer& history, const ColumnGrid& grid
         before = k;
     }
     for (std::size_t i = 0; i < columns; ++i) {
-        // The middle of a step between two columns.
+        // The middle of the step between two columns.
         for (const std::size_t other : {i - 1, i + 1}) {
             if (other < columns && isWide) {
                 bounds[i].add(own[other]);
@@ -107,7 +108,7 @@ class TestCurveBounds : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // A 250 N edge, and a spike, zoomed out and in.
+    // A step of 250 N and a spike, zoomed out and in.
     void anEdgeIsNotDrawnBeyondItsEnds() {
         SeriesBuffer history(1);
         std::array<float, 1> row{};
@@ -187,7 +188,7 @@ private Q_SLOTS:
                                         .arg(bound.max)
                                         .arg(drawn.grid.edges.back() - drawn.grid.edges.front() > columns)));
             }
-            // The same in vector formats.
+            // The same check for vector formats.
             const QPainterPath path = drawn.curves[0]->path(QRectF(0, 0, columns, kHeight), 0, 1, low, high);
             MinMax all;
             for (const MinMax& bound : bounds) {

@@ -261,7 +261,7 @@ private Q_SLOTS:
                 if (column < 1 || column > kColumns - 2) {
                     continue;
                 }
-                // In its own column or, where a column holds many samples, at the edge of a neighbouring
+                // In its own column or, if a column contains many samples, at the edge of a neighbouring
                 // column.
                 bool isDrawn = false;
                 bool isKnown = false;
@@ -320,7 +320,7 @@ private Q_SLOTS:
         state.safetyMode = SafetyMode::ProtectiveStop;
         QCOMPARE(laneEntry(state, "X+").label, QString("Protective stop"));
         QVERIFY(laneEntry(state, {}).kind == LaneKind::Stopped);
-        // With late data the arm may move.
+        // If the data are late, the arm may be moving.
         state.quality.ageMs = 150;
         QVERIFY(laneEntry(state, {}).kind == LaneKind::NoData);
         QCOMPARE(laneEntry(state, {}).label, QString("Late data"));
@@ -397,7 +397,7 @@ private Q_SLOTS:
         QVERIFY(f.history.time(2) > 500.002);
         QCOMPARE(f.feed.plotTime(0.004), f.history.time(3));
     }
-    // The controller's time does not show how long the connection was silent before a restart.
+    // The controller's time does not show how long the connection was interrupted before a restart.
     void aSilenceIsAsLongAsItWasOnThisComputer_data() {
         QTest::addColumn<double>("timeBehind");
         QTest::addColumn<bool>("newLink");
@@ -454,7 +454,7 @@ private Q_SLOTS:
         frame(0, 50, 100);
         QCOMPARE(f.store.valueAt(scalar, 100.02).value(), 10.0);
         QCOMPARE(f.store.valueAt(scalar, 100.0215).value(), 10.0);  // the previous value is kept
-        // The controller restarts its time: both are handled together.
+        // The controller time restarts. Both events are handled together.
         f.feed.beginLink();
         frame(0, 50, 3);
         const double shown = f.feed.plotTime(3 + 49 * 0.002);
@@ -473,7 +473,7 @@ private Q_SLOTS:
         QVERIFY(bit >= 0 && store.info(bit).isState());
         const auto column = static_cast<std::size_t>(store.column(bit));
         const auto valueAt = [](int i) {
-            const double other = (i / 7) % 2 == 0 ? 1.0 : 0.0;  // another bit
+            const double other = (i / 7) % 2 == 0 ? 1.0 : 0.0;  // a different bit
             const bool on = (i >= 20'000 && i < 30'000) || i == 40'000;
             return other + (on ? 8 : 0);
         };

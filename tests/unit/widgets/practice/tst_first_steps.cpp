@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checklist of the first five minutes: the actions that complete an item, those that do not, and the card
-// that shows it.
+// The checklist of the first five minutes: actions that complete an item, actions that do not, and the card
+// that shows the checklist.
 
 #include <QLineEdit>
 #include <QPushButton>
@@ -47,7 +47,7 @@ private:
 
     void show(const SessionState& state) { Q_EMIT session_->stateChanged(state); }
     bool isDone(FirstStep step) const { return steps_->isDone(step); }
-    /// Simulates one of our own moves as frames show it.
+    /// Simulates one of Tiller's own moves, as reported in frames.
     void move(const JointPositions& from, const JointPositions& to) {
         SessionState state = liveState(from);
         show(state);
@@ -66,7 +66,7 @@ private Q_SLOTS:
     }
     void init() {
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // only states set by the test
+        session_->shutDown();  // states are set only by the test
         document_ = std::make_unique<UndoableDocument>();
         steps_ = std::make_unique<FirstSteps>(*session_, *document_);
         steps_->setFollowing(true);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY(view.rect().contains(card.geometry()));
         QVERIFY(!card.findChild<QPushButton*>("firstSteps.dismiss")->isVisible());
         view.resize(480, 400);
-        QTRY_VERIFY(!card.isFolded());
+        QTRY_VERIFY_WITH_TIMEOUT(!card.isFolded(), 60'000);
         QVERIFY(card.findChild<QPushButton*>("firstSteps.dismiss")->isVisible());
         QTest::mouseClick(card.findChild<QToolButton*>("firstSteps.fold"), Qt::LeftButton);
         QVERIFY(card.isFolded());

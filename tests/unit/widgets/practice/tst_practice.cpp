@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Practice tasks: when they can be started, what they set up and restore, and the card that shows them.
+// Practice tasks: when they can be started, what they set up and restore, and the card that displays them.
 
 #include <QLabel>
 #include <QLineEdit>
@@ -28,7 +28,7 @@ private:
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<Practice> practice_;
-    QString elsewhere_;  ///< reason why practising is not possible on this robot
+    QString elsewhere_;  ///< reason why practising is not possible with this robot
     QList<PracticeTask> setUp_;
     int tidied_ = 0;
 
@@ -50,7 +50,7 @@ private Q_SLOTS:
         setUp_.clear();
         tidied_ = 0;
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // only states set by the test
+        session_->shutDown();  // states are set only by the test
         document_ = std::make_unique<UndoableDocument>();
         PracticeHooks hooks;
         hooks.obstacle = [this](const SessionState&) { return elsewhere_; };
@@ -143,7 +143,7 @@ private Q_SLOTS:
         practice_->start();
         QCOMPARE(document_->waypoints().size(), 1);
         QCOMPARE(document_->waypoints().at(0).joints.values, kReadyJoints.values);
-        // Simulates a touch-up with the arm at the part.
+        // Simulates a touch-up while the arm is at the part.
         SessionState there = liveState();
         there.tcpPose.position.x() += kPartMoved;
         show(there);
@@ -231,7 +231,8 @@ private Q_SLOTS:
         QVERIFY2(!practice_->passed(), "not entered yet");
         QTest::keyClick(answer, Qt::Key_Return);
         QVERIFY(practice_->passed());
-        // When the task is done the field disappears, and the focus moves to the view, not to the next task.
+        // When the task is completed, the field disappears. The focus then moves to the view, not to the next
+        // task.
         answer->setFocus();
         practice_->finish();
         QVERIFY(!answer->isVisible() && view.hasFocus());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The checks of the practice tasks: each passes only for the required result.
+// The checks of the practice tasks. Each check passes only for the required result.
 
 #include <QTest>
 #include <numbers>
@@ -21,7 +21,7 @@ SessionState stoppedState() {
     return state;
 }
 
-/// A frame turned about the Z axis of the base and tilted about its X axis.
+/// A frame rotated about the Z axis of the base and tilted about its X axis.
 project::Frame frameAt(const Eigen::Vector3d& origin, double yawDegrees, double tipDegrees = 0) {
     project::Frame frame;
     frame.id = QUuid::createUuid();
@@ -118,7 +118,7 @@ private Q_SLOTS:
         const auto check = practiceCheck(PracticeTask::TeachFrame, project_);
         check->follow(liveState(), project_);
         QVERIFY(!check->passed());
-        // Meanwhile the arm has moved to the other points.
+        // In the meantime, the arm has moved to the other points.
         SessionState on = liveState();
         on.tcpPose.position += Eigen::Vector3d(-0.04, 0.06, 0);
         check->follow(on, project_);

@@ -44,7 +44,7 @@ private Q_SLOTS:
         add("moveJ");
         QCOMPARE(document_->project().programs.size(), std::size_t(1));
         add("loop");
-        add("wait");  // into the empty loop that is selected
+        add("wait");  // added to the selected empty loop
         QCOMPARE(shape(), QString("moveJ loop(wait)"));
         QCOMPARE(tree().selectedIds().size(), 1);
         document_->undo();
@@ -153,26 +153,26 @@ private Q_SLOTS:
         openTray();
         QVERIFY(QTest::qWaitFor([&] { return status().contains("can run"); }));
         add("moveL");
-        QTRY_VERIFY2(status().contains("Set a waypoint"), qPrintable(status()));
+        QTRY_VERIFY2_WITH_TIMEOUT(status().contains("Set a waypoint"), qPrintable(status()), 60'000);
         QVERIFY(!key("program.preview")->isEnabled());
         const QUuid added = *tree().selectedIds().begin();
         const QModelIndex at = model().indexOf(added).siblingAtColumn(ProgramModel::Result);
         QVERIFY(at.data().toString().contains("Set a waypoint"));
         document_->undo();
-        QTRY_VERIFY(key("program.preview")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview")->isEnabled(), 60'000);
     }
 
     void previewShowsTimesAndFindings() {
         openTray();
-        QTRY_VERIFY(key("program.preview")->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview")->isEnabled(), 60'000);
         click("program.preview");
         QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated"), qPrintable(status()), 60'000);
         const QModelIndex first = model().indexOf(steps()[0].id).siblingAtColumn(ProgramModel::Result);
         QVERIFY2(first.data().toString().startsWith("1 ×"), qPrintable(first.data().toString()));
-        // An edit makes it stale.
+        // An edit makes the preview outdated.
         tree().selectIds({steps()[1].id});
         type(*field<QLineEdit>("time"), "0.3");
-        QTRY_VERIFY(status().contains("can run"));
+        QTRY_VERIFY_WITH_TIMEOUT(status().contains("can run"), 60'000);
         QCOMPARE(first.data().toString(), QString());
     }
 

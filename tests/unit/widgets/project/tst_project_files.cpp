@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Messages about project files: damaged files, files of another version, and the folder of new files.
+// Messages about project files: damaged files, files of another version, and the folder for files that are
+// created.
 
 #include <QApplication>
 #include <QDir>
@@ -23,7 +24,7 @@ using namespace tiller;
 
 namespace {
 
-/// Presses this button of the next question.
+/// Clicks this button in the next question.
 class Answer {
 public:
     explicit Answer(const char* key) {
@@ -100,7 +101,7 @@ private Q_SLOTS:
         files_->open(path_);
         QVERIFY(!notice_.has_value());
         QCOMPARE(document_->waypoints().at(0).name, QString("home"));
-        QCOMPARE(content(), old);  // viewing does not change the file
+        QCOMPARE(content(), old);  // viewing does not modify the file
         document_->insertWaypoints(1, {named("pick")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
         QVERIFY(content().contains("\"tiller-project\""));
@@ -137,7 +138,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 2);
     }
 
-    // The notice stays while a sample is opened and changed.
+    // The notice remains while a sample is opened and changed.
     void readingADamagedFileKeepsUnsavedCopies() {
         document_->insertWaypoints(0, {named("a"), named("b"), named("c")}, "Teach");
         const QString sample = directory_->filePath("sample.tiller");
@@ -175,7 +176,7 @@ private Q_SLOTS:
         QVERIFY(notice_->accept.isEmpty() && !notice_->accepted);
     }
 
-    // The state after a start with a damaged file: there is no file in which the work could be saved.
+    // The state after starting with a damaged file: there is no file to save the work in.
     void workWithoutAFileIsAskedAbout() {
         QVERIFY(files_->mayLeave(nullptr));
         document_->insertWaypoints(0, {named("a")}, "Teach");
@@ -201,7 +202,7 @@ private Q_SLOTS:
             QVERIFY(!files_->mayLeave(nullptr));
             QVERIFY(answer.wasAsked());
         }
-        // When saving is possible again, no question is asked.
+        // When saving is possible again, no question is shown.
         QVERIFY(QDir().mkdir(folder));
         QVERIFY(files_->mayLeave(nullptr));
         QVERIFY(QFile::exists(folder + "/x.tiller"));
@@ -237,16 +238,17 @@ private Q_SLOTS:
         other.open(path_);
         asked->accepted();
         QVERIFY(other.store().obstacle() == ProjectStore::Obstacle::None);
-        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere);
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::OpenElsewhere, 60'000);
     }
 
-    // The notice may appear under the pointer of someone who is about to click another one.
+    // The notice may appear under the pointer of a user who is about to click another one.
     void theFirstAnswerToAForeignChangeKeepsBothVersions() {
         files_->open(path_);
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
         QVERIFY(project::saveProject(path_, project::Project()).ok());
-        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther);
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther,
+                                 60'000);
         QVERIFY(notice_ && notice_->accepted);
         notice_->accepted();
         QCOMPARE(files_->store().path(), directory_->filePath("cell-7-2.tiller"));
@@ -263,13 +265,13 @@ private Q_SLOTS:
         file.close();
         QSignalSpy resolved(files_.get(), &ProjectFiles::noticeResolved);
         QVERIFY(project::saveProject(path_, project::Project{}).ok());
-        QTRY_VERIFY(notice_.has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(notice_.has_value(), 60'000);
         const QString cause = notice_->cause;
         resolved.clear();
         QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
         file.write(own);
         file.close();
-        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::None);
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::None, 60'000);
         QCOMPARE(resolved.count(), 1);
         QCOMPARE(resolved[0][0].toString(), cause);
     }
@@ -279,7 +281,8 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
         QVERIFY(QFile::remove(path_) && QDir().mkdir(path_));
-        QTRY_VERIFY(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther);
+        QTRY_VERIFY_WITH_TIMEOUT(files_->store().obstacle() == ProjectStore::Obstacle::ChangedByOther,
+                                 60'000);
         QVERIFY(notice_.has_value());
     }
 
@@ -302,6 +305,30 @@ private Q_SLOTS:
         const Answer answer("unsavedCopy.drop");
         QVERIFY(files_->mayLeave(nullptr));
         QVERIFY(project::keptCopies(folder).isEmpty());
+    }
+
+    void keptWorkIsDiscardedOnRequest() {
+        const QString folder = directory_->filePath("Unsaved");
+        for (const char* name : {"first", "second"}) {
+            project::CopyKeeper keeper(folder);
+            project::Project project;
+            project.waypoints.append(named("kept"));
+            QVERIFY(keeper.keep(project, QString::fromLatin1(name), 1).ok());
+        }
+        files_->store().setCopyFolder(folder);
+        files_->offerKept();
+        QVERIFY(notice_ && notice_->otherAccepted);
+        QVERIFY(!notice_->other.isEmpty());
+        const QString offered = project::keptCopies(folder).first().name;
+        const auto discard = notice_->otherAccepted;
+        discard();
+        QCOMPARE(project::keptCopies(folder).size(), 1);
+        QVERIFY2(project::keptCopies(folder).first().name != offered, "the other one was removed");
+        QVERIFY2(notice_->text.contains(project::keptCopies(folder).first().name), qPrintable(notice_->text));
+        const auto discardOther = notice_->otherAccepted;
+        discardOther();
+        QVERIFY(project::keptCopies(folder).isEmpty());
+        QVERIFY2(document_->waypoints().isEmpty(), "nothing was opened");
     }
 
     void newProjectsGoToTheDocuments() {

@@ -46,11 +46,12 @@ private Q_SLOTS:
 
     void changesAreSavedAutomatically() {
         QVERIFY(store_->openOrStart(path_).ok());
-        QCOMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
         QVERIFY(!QFile::exists(path_));
+        QVERIFY2(!store_->statusText().contains("saved"), "there is no file");
+        QCOMPARE(store_->statusText(), QString("cell-7.tiller — new"));
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QCOMPARE(store_->statusText(), QString("cell-7.tiller — saving…"));
-        QTRY_COMPARE(store_->statusText(), QString("cell-7.tiller — saved"));
+        QTRY_COMPARE_WITH_TIMEOUT(store_->statusText(), QString("cell-7.tiller — saved"), 60'000);
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("home"));
     }
 
@@ -61,7 +62,7 @@ private Q_SLOTS:
             document_->insertWaypoints(0, {named(QString::number(document_->waypoints().size()))}, "Teach");
         });
         changes.start(ProjectStore::kAutosaveMs / 10);
-        QTRY_VERIFY(QFile::exists(path_));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path_), 60'000);
         QVERIFY(changes.isActive());
     }
 
@@ -85,9 +86,9 @@ private Q_SLOTS:
         QVERIFY(store_->copyName().isEmpty() && !store_->isModified());
         QCOMPARE(store_->statusText(), QString("mine.tiller — saved"));
         QCOMPARE(project::loadProject(mine)->waypoints.size(), 2);
-        // From here on the copy is saved automatically, and the original file is unchanged.
+        // From now on, the copy is saved automatically, and the original file is unchanged.
         document_->insertWaypoints(2, {named("home")}, "Teach");
-        QTRY_VERIFY(!store_->isModified());
+        QTRY_VERIFY_WITH_TIMEOUT(!store_->isModified(), 60'000);
         QCOMPARE(project::loadProject(mine)->waypoints.size(), 3);
         QCOMPARE(contentOf(path_), before);
     }
@@ -99,7 +100,7 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QVERIFY(store_->openCopy(sample, "Sample").ok());
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 1);
-        // An unreadable file changes nothing.
+        // A file that cannot be read changes nothing.
         QVERIFY(!store_->openCopy(directory_->filePath("nothing.tiller"), "Nothing").ok());
         QCOMPARE(store_->copyName(), QString("Sample"));
     }
@@ -116,7 +117,7 @@ private Q_SLOTS:
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QVERIFY(store_->saveNow().ok());
         document_->undoStack().undo();
-        QTRY_VERIFY(!store_->isModified());
+        QTRY_VERIFY_WITH_TIMEOUT(!store_->isModified(), 60'000);
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 0);
     }
 
@@ -130,7 +131,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 1);
         QVERIFY(!document_->undoStack().canUndo());
         QVERIFY(!store_->isModified());
-        // The file keeps the arm model it was taught with.
+        // The file keeps the arm model for which it was taught.
         document_->insertWaypoints(1, {named("b")}, "Teach");
         QVERIFY(store_->saveNow().ok());
         QCOMPARE(project::loadProject(path_)->robot, std::optional(RobotModelId::UR10e));
@@ -148,7 +149,7 @@ private Q_SLOTS:
         QVERIFY(store_->open(other).error().code == ErrorCode::FileCorrupt);
         QCOMPARE(store_->path(), path_);
         QCOMPARE(document_->waypoints().size(), 1);
-        QTRY_VERIFY(!store_->isModified());
+        QTRY_VERIFY_WITH_TIMEOUT(!store_->isModified(), 60'000);
         QCOMPARE(contentOf(other), before);
     }
 
@@ -182,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(QDir(folder).removeRecursively());  // including the lock of the project
         QSignalSpy failed(store_.get(), &ProjectStore::saveFailed);
         document_->insertWaypoints(0, {named("home")}, "Teach");
-        QTRY_COMPARE(failed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 60'000);
         QVERIFY2(store_->statusText().startsWith("x.tiller — not saved: "), qPrintable(store_->statusText()));
         QVERIFY(store_->isModified());
         QVERIFY(QDir().mkdir(folder));
@@ -220,11 +221,11 @@ private Q_SLOTS:
         QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
         QVERIFY(other.takeOver().ok());
         QVERIFY(other.obstacle() == ProjectStore::Obstacle::None);
-        QTRY_VERIFY(!other.isModified());
+        QTRY_VERIFY_WITH_TIMEOUT(!other.isModified(), 60'000);
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
-        // The first window reports it once, only views from then on, and overwrites nothing.
-        QTRY_COMPARE(lost.count(), 1);
-        QTRY_COMPARE(document_->waypoints().size(), 2);
+        // The first window reports this once, is then read-only, and overwrites nothing.
+        QTRY_COMPARE_WITH_TIMEOUT(lost.count(), 1, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(document_->waypoints().size(), 2, 60'000);
         QCOMPARE(changed.count(), 0);
         document_->insertWaypoints(1, {named("lost?")}, "Teach");
         QVERIFY(!store_->saveNow().ok());
@@ -243,20 +244,20 @@ private Q_SLOTS:
         for (int saves = 2; saves < 5; ++saves) {
             document_->insertWaypoints(0, {named("another")}, "Teach");
             QVERIFY(store_->saveNow().ok());
-            QTRY_COMPARE(otherDocument.waypoints().size(), saves);
+            QTRY_COMPARE_WITH_TIMEOUT(otherDocument.waypoints().size(), saves, 60'000);
             QVERIFY(!other.isModified());
             QVERIFY(other.obstacle() == ProjectStore::Obstacle::OpenElsewhere);
         }
         QCOMPARE(changed.count(), 0);
         QCOMPARE(elsewhere.count(), 1);
-        // With unsaved changes, the other window asks the operator once.
+        // If there are unsaved changes, the other window asks the operator once.
         otherDocument.insertWaypoints(0, {named("mine")}, "Teach");
         for (int saves = 0; saves < 2; ++saves) {
             document_->insertWaypoints(0, {named("another")}, "Teach");
             QVERIFY(store_->saveNow().ok());
             QTest::qWait(600);
         }
-        QTRY_COMPARE(changed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, 60'000);
         QVERIFY(other.isModified());
     }
 
@@ -270,8 +271,8 @@ private Q_SLOTS:
         otherDocument.insertWaypoints(1, {named("second")}, "Teach");
         QSignalSpy free(&other, &ProjectStore::freeAgain);
         store_.reset();
-        QTRY_COMPARE(free.count(), 1);
-        QTRY_VERIFY(!other.isModified());
+        QTRY_COMPARE_WITH_TIMEOUT(free.count(), 1, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!other.isModified(), 60'000);
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
     }
 
@@ -283,7 +284,7 @@ private Q_SLOTS:
         project::Project foreign;
         foreign.waypoints.append(named("theirs"));
         QVERIFY(project::saveProject(path_, foreign).ok());
-        QTRY_COMPARE(changed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, 60'000);
         QVERIFY(store_->obstacle() == ProjectStore::Obstacle::ChangedByOther);
         document_->insertWaypoints(1, {named("more")}, "Teach");
         QVERIFY(!store_->saveNow().ok());
@@ -295,9 +296,9 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(*copy)->waypoints.size(), 2);
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("theirs"));
         QCOMPARE(store_->statusText(), QString("cell-7-2.tiller — saved"));
-        // Or the other version is shown.
+        // Alternatively, the other version is shown.
         QVERIFY(project::saveProject(*copy, foreign).ok());
-        QTRY_COMPARE(changed.count(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 2, 60'000);
         QVERIFY(store_->reload().ok());
         QCOMPARE(document_->waypoints().at(0).name, QString("theirs"));
         QVERIFY(store_->isSaved());
@@ -313,11 +314,11 @@ private Q_SLOTS:
         project::Project foreign;
         foreign.waypoints.append(named("theirs"));
         QVERIFY(project::saveProject(path_, foreign).ok());
-        QTRY_COMPARE(changed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, 60'000);
         document_->insertWaypoints(1, {named("more")}, "Teach");
         QVERIFY(store_->reload().ok());
         QCOMPARE(document_->waypoints().at(0).name, QString("theirs"));
-        // Later changes are saved to the file, and do not remove the copy.
+        // Later changes are saved to the file and do not remove the copy.
         document_->insertWaypoints(1, {named("later")}, "Teach");
         QVERIFY(store_->saveNow().ok());
         store_.reset();
@@ -329,14 +330,14 @@ private Q_SLOTS:
         QCOMPARE(kept->waypoints.at(1).name, QString("more"));
     }
 
-    // Another window is about to save to the first free name.
+    // Another window is about to save under the first free name.
     void aNameThatIsTakenMeanwhileIsLeftToTheOther() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(store_->saveNow().ok());
         QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
         QVERIFY(project::saveProject(path_, project::Project()).ok());
-        QTRY_COMPARE(changed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, 60'000);
         project::ProjectAccess other(directory_->filePath("cell-7-2.tiller"));
         other.start();
         const Result<QString> copy = store_->keepBoth();
@@ -369,10 +370,10 @@ private Q_SLOTS:
         store_->setCopyFolder(folder);
         QVERIFY(store_->openCopy(path_, "Sample").ok());
         document_->insertWaypoints(1, {named("place")}, "Teach");
-        // The content of the disk is what a killed program would leave.
-        QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1);
+        // The content of the disk is the same as after the program was killed.
+        QTRY_COMPARE_WITH_TIMEOUT(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1, 60'000);
         const QString kept = QDir(folder).filePath(QDir(folder).entryList({"*.tiller"}, QDir::Files).first());
-        QTRY_COMPARE(project::loadProject(kept)->waypoints.size(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(project::loadProject(kept)->waypoints.size(), 2, 60'000);
         store_.reset();
         const auto copies = project::keptCopies(folder);
         QCOMPARE(copies.size(), 1);
@@ -413,7 +414,7 @@ private Q_SLOTS:
         project::Project foreign;
         foreign.waypoints.append(named("theirs"));
         QVERIFY(project::saveProject(path_, foreign).ok());
-        QTRY_COMPARE(changed.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, 60'000);
         document_->insertWaypoints(1, {named("more")}, "Teach");
         QVERIFY(store_->open(path_).ok());
         QCOMPARE(document_->waypoints().at(0).name, QString("theirs"));
@@ -437,14 +438,14 @@ private Q_SLOTS:
         store_ = std::make_unique<ProjectStore>(*document_);
         store_->setCopyFolder(folder);
         QVERIFY(store_->openKept(copies[0]).ok());
-        QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 2);
+        QTRY_COMPARE_WITH_TIMEOUT(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 2, 60'000);
     }
 
     void discardedWorkIsNotKept() {
         const QString folder = directory_->filePath("Unsaved");
         store_->setCopyFolder(folder);
         document_->insertWaypoints(0, {named("home")}, "Teach");
-        QTRY_COMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(QDir(folder).entryList({"*.tiller"}, QDir::Files).size(), 1, 60'000);
         store_->discardChanges();
         store_.reset();
         QVERIFY(project::keptCopies(folder).isEmpty());

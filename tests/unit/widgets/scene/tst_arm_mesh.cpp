@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The drawn housings: closed, for every model, inside the shapes of the collision check. Also writes a picture of
-// each model in two poses for visual inspection.
+// The displayed housings. For every model, they are closed and inside the shapes of the collision check. Also
+// saves an image of each model in two poses for visual inspection.
 
 #include <QApplication>
 #include <QPainter>
@@ -80,7 +80,7 @@ private Q_SLOTS:
         }
     }
 
-    // A pose that looks free of collisions in the picture must not be reported as a collision, and vice versa.
+    // A pose that looks collision-free in the view must not be reported as a collision, and vice versa.
     void drawnShapesAreInsideTheCheckedShapes() {
         for (const RobotModel& model : robotModels()) {
             const ArmMesh mesh = armMesh(model);
@@ -93,7 +93,7 @@ private Q_SLOTS:
                             nearest = std::min(nearest, outside(rod.shape, place.cast<double>()));
                         }
                     }
-                    // The foot is on the ground, where nothing moves.
+                    // The foot is on the ground and does not move.
                     const double allowed = link == 0 ? 0.03 : 0.004;
                     QVERIFY2(nearest < allowed,
                              qPrintable(QStringLiteral("%1, link %2: %3 mm at (%4, %5, %6)")
@@ -119,7 +119,7 @@ private Q_SLOTS:
         }
     }
 
-    // Creates pictures for visual inspection. The test only checks that something is drawn in the colours of
+    // Creates images for visual inspection. The test only checks that there are pixels with the colours of
     // the arm.
     void everyModelInTwoPoses() {
         constexpr int kWidth = 360;

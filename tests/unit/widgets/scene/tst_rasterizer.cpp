@@ -44,7 +44,7 @@ class TestRasterizer : public QObject {
     Q_OBJECT
 
 private:
-    /// Points behind and in front of the centre of the picture, on the line of sight.
+    /// Points behind and in front of the centre of the image, on the line of sight.
     Eigen::Vector3d onSight(const Camera& eye, double nearer) {
         return eye.eye().target + eye.viewRotation().col(2) * nearer;
     }
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QCOMPARE(before.alpha(), 255);
         const QColor behind = middle(-0.5);
         QCOMPARE(behind.blue(), 0);
-        // A single face has exactly the requested transparency.
+        // A single face has exactly the specified transparency.
         raster.begin(kSize, eye);
         raster.add(cube(0.2), at(onSight(eye, 0)), plain(Qt::blue, 0.5));
         const int alpha = qAlpha(raster.render(QRect(QPoint(0, 0), kSize)).pixel(150, 100));
@@ -106,14 +106,14 @@ private Q_SLOTS:
         }
         QVERIFY(whole > 1000);
         QVERIFY(part > 60 && part < whole / 5);
-        // No background is visible between its faces.
+        // No background is visible between the faces.
         QCOMPARE(qAlpha(image.pixel(150, 100)), 255);
         for (int x = 130; x < 170; ++x) {
             QCOMPARE(qAlpha(image.pixel(x, 100)), 255);
         }
     }
 
-    // Only the changed part is redrawn: it must join the rest without a seam.
+    // Only the changed part is redrawn. It must join the unchanged part without a seam.
     void aPartIsAsInTheWhole() {
         const Camera eye = camera(kSize);
         Rasterizer raster;
@@ -154,7 +154,7 @@ private Q_SLOTS:
         raster.add(cube(0.3), at(onSight(eye, 0)), plain(Qt::white));
         QVERIFY(std::abs(raster.covered().width() - 2 * once.width()) <= 2);
         raster.render(raster.covered());
-        QVERIFY(raster.hides({150, 100}, 50));  // pixels of the camera, as before
+        QVERIFY(raster.hides({150, 100}, 50));  // in pixels of the camera
     }
 };
 

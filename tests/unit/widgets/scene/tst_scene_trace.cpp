@@ -47,7 +47,7 @@ private Q_SLOTS:
         }
     }
 
-    // The arm moves back and forth on one line: the turning point must remain.
+    // The arm moves back and forth on one line. The turning point must be kept.
     void aTurnBackIsACorner() {
         SceneTrace trace;
         double time = 0;

@@ -72,7 +72,7 @@ int countBlue(const QImage& image) {
     return count;
 }
 
-/// Returns true if most of the surroundings of the point are blue.
+/// Returns true if most of the area around the point is blue.
 bool isBlueNear(const QImage& image, const QPointF& place) {
     return countBlue(image.copy(QRect(place.toPoint() - QPoint(3, 3), QSize(7, 7)))) > 25;
 }
@@ -91,7 +91,7 @@ QRectF coveredBy(const SceneView& view, const JointPositions& q) {
     return covered;
 }
 
-/// The part of the picture below the buttons, with a margin.
+/// The part of the image below the buttons, with a margin.
 QRectF inner(const SceneView& view, double margin) {
     const auto* keys = view.findChild<QWidget*>("scene.keys");
     return QRectF(view.rect()).adjusted(margin, margin + keys->geometry().bottom(), -margin, -margin);
@@ -123,8 +123,8 @@ struct ShownView : SceneView {
 class PaintCounter : public QObject {
 public:
     explicit PaintCounter(QWidget& watched) { watched.installEventFilter(this); }
-    /// Waits until no update is pending and restarts the count, because a wait that ends late has not checked the
-    /// condition again.
+    /// Waits until there are no paint events, then resets the count. The last wait may end late, so paint
+    /// events during it may not have been checked.
     void waitForQuiet() {
         int quiet = 0;
         for (int looks = 0; looks < 500 && quiet < 10; ++looks) {
@@ -171,7 +171,7 @@ private Q_SLOTS:
         const auto middle = camera.project({0, 0, 0.435 * 1.08});
         QVERIFY(std::hypot(middle.point.x() - 400, middle.point.y() - 300) < 1e-6);
         const Eigen::Vector3d target(0, 0, 0.435 * 1.08);
-        // X of the view points right, Y up, Z towards the viewer: the jog frame "View" depends on it.
+        // X of the view points right, Y up, and Z towards the viewer. The jog frame "View" depends on this.
         QVERIFY(camera.project(target + 0.1 * R.col(0)).point.x() > middle.point.x() + 10);
         QVERIFY(camera.project(target + 0.1 * R.col(1)).point.y() < middle.point.y() - 10);
         QVERIFY(camera.project(target + 0.1 * R.col(2)).depth < middle.depth);
@@ -235,11 +235,11 @@ private Q_SLOTS:
         state.speedFraction = 0.35;
         view.setState(state);
         view.setGhost(ghost);
-        // 41 deg = 0.7156 rad: full speed is not reached: 2 sqrt(0.7156) s; at 35 % 4.83 s.
+        // 41 deg = 0.7156 rad. Full speed is not reached: the move takes 2 sqrt(0.7156) s, or 4.83 s at 35 %.
         QCOMPARE(view.ghostText(),
                  QString("ghost “above tray” · reachable · largest rotation Wrist 2 41° · 4.8 s at 35 %"));
         QCOMPARE(texts.last().first().toString(), view.ghostText());
-        // The picture has turned blue at the flange of the ghost, and only there.
+        // The image is blue at the flange of the ghost, and only there.
         const Eigen::Vector3d flange =
             kinematics::forward(robotModel(RobotModelId::UR5e).dh, ghost.q) * Eigen::Vector3d(0, 0, -0.04);
         const QPointF at = onScreen(view, flange);
@@ -299,7 +299,7 @@ private Q_SLOTS:
         QCOMPARE(view.camera().azimuth(), before.azimuth());
     }
 
-    // At every window size the arm is large and not in the lower half.
+    // At every window size, the arm is large and not in the lower half of the view.
     void theArmFillsThePicture_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("as designed") << QSize(930, 520);
@@ -322,7 +322,7 @@ private Q_SLOTS:
         view.setCoveredBelow(48);
         picture(view);
         QVERIFY(inner(view, 4).adjusted(0, 0, 0, -48).contains(coveredBy(view, kStance)));
-        view.setCoveredBelow(1000);  // more than the height of the picture: the arm has priority
+        view.setCoveredBelow(1000);  // more than the height of the image: the arm has priority
         picture(view);
         QVERIFY(inner(view, 4).contains(coveredBy(view, kStance)));
         QVERIFY(coveredBy(view, kStance).height() > 0.3 * view.height());
@@ -336,7 +336,7 @@ private Q_SLOTS:
         QVERIFY(inner(view, 6).contains(coveredBy(view, uprightGhost().q)));
         QVERIFY(inner(view, 6).contains(coveredBy(view, kStance)));
         QVERIFY(view.camera().distance() > alone);
-        // After the preview the picture is the same as before.
+        // After the preview, the image is the same as before.
         view.setGhost(std::nullopt);
         picture(view);
         QVERIFY(std::abs(view.camera().distance() - alone) < 1e-9);
@@ -346,7 +346,7 @@ private Q_SLOTS:
         for (const Eigen::Vector3d& place : places) {
             QVERIFY(inner(view, 6).contains(onScreen(view, place)));
         }
-        // A ghost of another robot far away does not reduce the arm to a dot.
+        // A ghost of another robot far away does not make the arm very small.
         const double near = view.camera().distance();
         view.setWaypoints({{"far", Eigen::Vector3d(40, 0, 0), false}});
         picture(view);
@@ -365,7 +365,7 @@ private Q_SLOTS:
         }
     }
 
-    // An operator who zooms or pans wants to keep that view until the complete view is requested.
+    // An operator who zooms or pans keeps that view until the complete view is requested.
     void viewChosenByTheOperatorIsKept() {
         ShownView view;
         const Camera before = view.camera();
@@ -405,7 +405,7 @@ private Q_SLOTS:
 
     void theKeysLookFromTheStandardSides_data() {
         QTest::addColumn<QString>("key");
-        QTest::addColumn<int>("right");  // base axis that points to the right, and base axis that points up
+        QTest::addColumn<int>("right");  // base axis pointing right, and base axis pointing up
         QTest::addColumn<int>("up");
         QTest::newRow("front") << "scene.front" << 0 << 2;
         QTest::newRow("side") << "scene.side" << 1 << 2;
@@ -424,7 +424,7 @@ private Q_SLOTS:
         QVERIFY((view.viewRotation().col(1) - Eigen::Vector3d::Unit(up)).norm() < 1e-9);
         picture(view);
         QVERIFY(inner(view, 6).contains(coveredBy(view, kStance)));
-        // Rotating with the keys continues from there, and the 3D button restores the initial view.
+        // Rotating with the keys continues from this view, and the 3D button restores the initial view.
         QTest::keyClick(&view, Qt::Key_Right);
         QVERIFY(view.viewRotation().allFinite());
         QTest::mouseClick(view.findChild<QToolButton*>("scene.home"), Qt::LeftButton);
@@ -436,9 +436,9 @@ private Q_SLOTS:
         auto* keys = view.findChild<QWidget*>("scene.keys");
         QVERIFY(keys->isVisible() && view.rect().contains(keys->geometry()));
         view.resize(100, 180);
-        QTRY_VERIFY(!keys->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!keys->isVisible(), 60'000);
         view.resize(600, 400);
-        QTRY_VERIFY(keys->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(keys->isVisible(), 60'000);
     }
 
     void namesDoNotLieOnEachOther() {
@@ -455,7 +455,8 @@ private Q_SLOTS:
         QCOMPARE(view.labels().size(), std::size_t(3));
         QCOMPARE(view.hiddenLabels(), 0);
         QVERIFY(view.hiddenText().isEmpty());
-        // Too many labels for one place: the hidden ones are counted, and the selected waypoint is always labelled.
+        // Too many labels at one point: the view shows the number of hidden labels, and the selected waypoint
+        // is always labelled.
         for (int i = 3; i < 40; ++i) {
             marks.push_back({QStringLiteral("above the tray %1").arg(i),
                              tcp + Eigen::Vector3d(0.0005 * i, 0, 0), i == 39});
@@ -473,7 +474,7 @@ private Q_SLOTS:
                 QVERIFY2(!labels[i].box.intersects(labels[j].box), qPrintable(labels[i].text));
             }
         }
-        // When the view is zoomed in, they separate.
+        // Zooming in separates the labels.
         const int hidden = view.hiddenLabels();
         for (int i = 3; i < 40; ++i) {
             marks[static_cast<std::size_t>(i)].position =
@@ -496,7 +497,7 @@ private Q_SLOTS:
     }
 
     void viewCannotMoveTheRobot() {
-        // The view does not depend on the session; only the dock does, and it only reads.
+        // The view does not depend on the session. Only the dock does, and it only reads from the session.
         for (const char* file : {"scene_view.h", "scene_view.cpp", "scene_painter.cpp", "scene_dock.cpp"}) {
             const QString folder = qEnvironmentVariable("TILLER_TEST_DATA") + "/../../widgets/scene/";
             QFile source(QDir::cleanPath(folder) + '/' + QLatin1String(file));
@@ -534,10 +535,10 @@ private Q_SLOTS:
         JointPositions moved = kStance;
         moved[0] += 0.1;
         view.setState(live(moved, 1));
-        QTRY_VERIFY(counter.paints > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(counter.paints > 0, 60'000);
     }
 
-    // The TCP rises by a twentieth of a pixel each time: most of these states do not change the picture, but
+    // The TCP rises by a twentieth of a pixel in each step. Most of the steps do not change the image, but
     // all of them together do.
     void hiddenViewsAreNotDrawn() {
         ShownView view;
@@ -564,12 +565,12 @@ private Q_SLOTS:
             q[1] += step;
             view.setState(live(q, time += 0.02));
         }
-        QTRY_VERIFY(counter.paints > 0);
-        // A rotation at the same position is a change as well: the axes of the tool turn.
+        QTRY_VERIFY_WITH_TIMEOUT(counter.paints > 0, 60'000);
+        // A rotation at the same position is also a change, because the axes of the tool rotate.
         counter.waitForQuiet();
         q[5] += 0.3;
         view.setState(live(q, time += 0.02));
-        QTRY_VERIFY(counter.paints > 0);
+        QTRY_VERIFY_WITH_TIMEOUT(counter.paints > 0, 60'000);
     }
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shows every mode of every enumeration on one sheet as in the header bar, and checks that people with red-green
-// colour blindness can distinguish them. The sheet is written next to the test program or to TILLER_SCREENSHOTS.
+// Shows every mode of every enumeration on one sheet, as in the header bar, and checks that people with
+// red-green colour blindness can distinguish them. The sheet is saved next to the test program or in
+// TILLER_SCREENSHOTS.
 
 #include <QApplication>
 #include <QDir>
@@ -31,7 +32,7 @@ double fromLinear(double c) {
     return v <= 0.0031308 ? v * 12.92 : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-/// The colour as seen by an eye without the red or the green receptor. Source: Machado, Oliveira, Fernandes 2009,
+/// The colour as seen by an eye without red or green receptors. Source: Machado, Oliveira, Fernandes 2009,
 /// full severity, on linear RGB.
 QColor seenBy(const QColor& colour, Vision vision) {
     using Matrix = std::array<std::array<double, 3>, 3>;
@@ -75,7 +76,7 @@ struct Cell {
     QString name;
     ModeLook look;
     QImage picture;
-    QImage icon;  ///< the same without its text
+    QImage icon;  ///< the same image without its text
 };
 
 QImage pictureOf(const QString& group, const ModeLook& look, const QString& words) {
@@ -104,10 +105,10 @@ QVector<Cell> allCells() {
     return cells;
 }
 
-/// Area of the chip with shape and mark.
+/// Area of the chip that contains the shape and the mark.
 constexpr QRect kIcon(10, 22, 34, 26);
 
-/// Pixels of the icon whose colour is clearly different for this eye.
+/// Number of pixels of the icon whose colour is clearly different for this eye.
 int iconDifference(const QImage& a, const QImage& b, Vision vision) {
     int different = 0;
     for (int y = kIcon.top(); y <= kIcon.bottom(); ++y) {
@@ -168,7 +169,8 @@ class TestContactSheet : public QObject {
 
 private Q_SLOTS:
     void colourMeasureDistinguishesColours() {
-        // A red and a green of the same lightness: different for most people, identical without the green receptor.
+        // A red and a green of the same lightness. They are different for most people, but identical without
+        // green receptors.
         const QColor red(196, 80, 80);
         const QColor green(122, 117, 65);
         QVERIFY(distance(red, green) > 40);
@@ -199,7 +201,7 @@ private Q_SLOTS:
             for (int i = 0; i < cells.size(); ++i) {
                 for (int j = i + 1; j < cells.size(); ++j) {
                     if (cells[i].group != cells[j].group) {
-                        continue;  // the caption above distinguishes them
+                        continue;  // the caption above the icon distinguishes them
                     }
                     if (cells[i].look.text == cells[j].look.text ||
                         cells[i].look.advice == cells[j].look.advice) {
@@ -241,7 +243,7 @@ private Q_SLOTS:
     }
 
     void modesThatNeedActionDifferInColourToo() {
-        // Colour is never the only sign, but where it is used it must be visible to all.
+        // Colour is never the only difference, but where it is used, it must be visible to everyone.
         for (const Theme& theme : {Theme::light(), Theme::dark()}) {
             for (const QColor& fill : {theme.stop, theme.operatorNeeded, theme.moving}) {
                 for (const Vision vision : kVisions) {

@@ -17,7 +17,7 @@
 #include "widgets/status/status_line.h"
 #include "widgets/status/stop_button.h"
 
-// Outside of all namespaces: the macro declares a function of generated code.
+// Outside all namespaces, because the macro declares a function of generated code.
 static void initTranslations() {
     Q_INIT_RESOURCE(tiller_translations);
 }
@@ -195,14 +195,14 @@ private Q_SLOTS:
         state.robotMode = mode;
         state.safetyMode = safety;
         header.applyState(state);
-        QVERIFY(session.asked.isEmpty());  // nothing is sent without an action of the operator
+        QVERIFY(session.asked.isEmpty());  // nothing is sent without an action by the operator
         auto* button = header.findChild<QPushButton*>(QStringLiteral("nextStepButton"));
         QVERIFY(button->isVisible());
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(session.asked, QStringList{asked});
     }
 
-    // Someone who presses Space wants to stop the arm.
+    // An operator who presses Space wants to stop the arm.
     void spaceNeverTakesTheNextStep() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -246,7 +246,7 @@ private Q_SLOTS:
         for (int i = 0; i < 8; ++i) {
             menu.addAction(QStringLiteral("Record everything"));
         }
-        // Would cover the lower half of the button.
+        // This would cover the lower half of the button.
         menu.popup(stop->mapToGlobal(QPoint(stop->width() / 2, stop->height() / 2)));
         const QRect place(stop->mapToGlobal(QPoint(0, 0)), stop->size());
         QVERIFY2(!menu.geometry().intersects(place), "the menu covers STOP");
@@ -257,7 +257,7 @@ private Q_SLOTS:
         QCOMPARE(session.stops, QList<StopCause>{StopCause::StopButton});
     }
 
-    // One key press must not make the arm fifty times as fast.
+    // A single key press must not make the arm fifty times faster.
     void theSpeedSliderIgnoresKeysWithLargeSteps() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -319,7 +319,7 @@ private Q_SLOTS:
         state.remoteNeeded = false;
         state.remoteControl = true;
         header.applyState(state);
-        QTRY_VERIFY(button->isVisible() && button->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), 60'000);
     }
 
     void inControlThereIsNoButton() {
@@ -401,7 +401,7 @@ private Q_SLOTS:
         QCOMPARE(session.speeds, QList<double>{0.36});
     }
 
-    // Power on, Release brakes, Take control: the second click goes to the position of the first one.
+    // Power on, Release brakes, Take control: the second click is at the position of the first one.
     void secondClickHitsTheSameButton_data() {
         QTest::addColumn<int>("width");
         for (const int width : {1264, 1280, 1366, 1600, 1850, 1920}) {
@@ -432,7 +432,7 @@ private Q_SLOTS:
         const QPoint hand = button->geometry().center();
         QTest::mouseClick(button, Qt::LeftButton);
         QCOMPARE(session.asked, QStringList{QStringLiteral("power on")});
-        // The robot follows at once, the captions become longer and the next step is shown.
+        // The robot follows immediately, the captions become longer, and the next step is shown.
         for (const RobotMode mode : {RobotMode::Booting, RobotMode::Idle, RobotMode::Running}) {
             state.robotMode = mode;
             state.control = mode == RobotMode::Running ? ControlState::InControl : ControlState::None;
@@ -445,15 +445,15 @@ private Q_SLOTS:
         }
         QCOMPARE(session.asked.size(), 1);
         QVERIFY(session.speeds.isEmpty());
-        // Half a second later everything is in its final state.
-        QTRY_VERIFY(!button->isVisible());
+        // Half a second later, all widgets are in their final state.
+        QTRY_VERIFY_WITH_TIMEOUT(!button->isVisible(), 60'000);
         state.control = ControlState::None;
         header.applyState(state);
-        QTRY_VERIFY(button->isVisible() && button->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), 60'000);
         QCOMPARE(button->text(), nextStepText(NextStep::TakeControl));
     }
 
-    // Each button keeps its position permanently, not only for a moment after a click.
+    // Each button keeps its position permanently, even long after a click.
     void buttonsKeepTheirPositionsForAllTexts_data() { secondClickHitsTheSameButton_data(); }
     void buttonsKeepTheirPositionsForAllTexts() {
         QFETCH(int, width);
@@ -495,7 +495,7 @@ private Q_SLOTS:
         compare(state);
     }
 
-    // A disabled button normally hands its focus on, in this case to the speed slider.
+    // A disabled button normally passes its focus on, in this case to the speed slider.
     void theFocusDoesNotGoFromTheKeyToTheSlider() {
         FakeSession session;
         HeaderBar header(session.port());
@@ -517,11 +517,11 @@ private Q_SLOTS:
         state.robotMode = RobotMode::Running;
         state.control = ControlState::InControl;
         header.applyState(state);
-        QTRY_VERIFY(!button->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!button->isVisible(), 60'000);
         QVERIFY(header.focusWidget() == nullptr);
         state.control = ControlState::None;
         header.applyState(state);
-        QTRY_VERIFY2(button->hasFocus(), "who walks by keyboard goes on where he was");
+        QTRY_VERIFY2_WITH_TIMEOUT(button->hasFocus(), "who walks by keyboard goes on where he was", 60'000);
     }
 
     void draggingTakesPrecedenceOverTheReport() {
@@ -602,7 +602,7 @@ private Q_SLOTS:
         }
     }
 
-    // In every language; nothing overlaps. In the smallest windows the longest texts of some languages are elided.
+    // Checked in every language. Texts do not overlap.
     void everyModeIsWhole_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("width");
@@ -687,9 +687,7 @@ private Q_SLOTS:
         look(state);
         QCoreApplication::removeTranslator(&texts);
         elided.removeDuplicates();
-        const bool isCompact = QStringList{"en", "ja", "zh_CN"}.contains(language);
-        QVERIFY2(elided.isEmpty() || (!isCompact && width < 1440),
-                 qPrintable(elided.join(QLatin1String("; "))));
+        QVERIFY2(elided.isEmpty(), qPrintable(elided.join(QLatin1String("; "))));
         keepPicture(header, QStringLiteral("header-%1-%2").arg(language).arg(width));
     }
 
@@ -704,7 +702,8 @@ private Q_SLOTS:
         state.link = LinkState::Live;
         state.quality.recent = {5000, 1200, 12};
         header.applyState(state);
-        QTRY_VERIFY(header.findChild<StateChip*>("linkChip")->caption().contains("JOG MAY STOP"));
+        QTRY_VERIFY_WITH_TIMEOUT(header.findChild<StateChip*>("linkChip")->caption().contains("JOG MAY STOP"),
+                                 60'000);
         QCoreApplication::processEvents();
         const QString shown = header.findChild<StateChip*>("linkChip")->shownCaption();
         QVERIFY2(shown.endsWith("JOG MAY STOP"), qPrintable(shown));

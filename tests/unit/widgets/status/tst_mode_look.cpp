@@ -82,7 +82,7 @@ private Q_SLOTS:
         state.safetyMode = SafetyMode::SafeguardStop;
         state.safetyStatus = SafetyMode::AutomaticModeSafeguardStop;
         QCOMPARE(state.safety(), SafetyMode::AutomaticModeSafeguardStop);
-        state.safetyStatus = SafetyMode::Undefined;  // older software does not report it
+        state.safetyStatus = SafetyMode::Undefined;  // older software does not report this value
         QCOMPARE(state.safety(), SafetyMode::SafeguardStop);
         state.safetyStatus = SafetyMode::Normal;
         QCOMPARE(state.safety(), SafetyMode::SafeguardStop);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QCOMPARE(linkLook(state).emphasis, Emphasis::Alarm);
     }
 
-    // Packets that were late an hour ago are irrelevant for the current connection.
+    // Packets that were late an hour ago do not matter for the current connection.
     void onlyRecentLatenessIsReported() {
         SessionState state;
         state.link = LinkState::Live;
@@ -185,7 +185,7 @@ private Q_SLOTS:
         QCOMPARE(linkCaption(state), QStringLiteral("LINK · JOG MAY STOP"));
     }
 
-    // Without data it is unknown which program controls the robot and which runs.
+    // Without data, it is unknown which program controls the robot and which program is running.
     void withoutDataControlIsNotReady() {
         for (const ControlState control :
              {ControlState::InControl, ControlState::None, ControlState::Taking, ControlState::Refused}) {

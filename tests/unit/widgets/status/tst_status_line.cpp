@@ -71,7 +71,7 @@ private Q_SLOTS:
         QVERIFY2(shown.endsWith("Restart the robot."), qPrintable(shown));
     }
 
-    // The log keeps the message; the status line would show it as if the problem still existed.
+    // The log keeps the message. The status line would show it as if the problem still existed.
     void aWarningEndsWithItsTrouble() {
         StatusLine line;
         line.show();

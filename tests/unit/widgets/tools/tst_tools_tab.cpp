@@ -33,7 +33,7 @@ const DhParameters& dh() {
     return robotModel(RobotModelId::UR5e).dh;
 }
 
-/// Joint positions at which a tool with this offset touches the point, tilted by `turn` from vertical.
+/// Joint positions at which a tool with this offset touches the point. `turn` is the tilt from vertical.
 std::optional<JointPositions> onPoint(const Pose& tool, const Eigen::Vector3d& point,
                                       const Eigen::Vector3d& turn) {
     const Pose target(point, rotationVector(rotationMatrix({M_PI, 0, 0}) * rotationMatrix(turn)));
@@ -51,7 +51,7 @@ private Q_SLOTS:
     void init() {
         moves_.clear();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // only states set by the test
+        session_->shutDown();  // states are set only by the test
         document_ = std::make_unique<UndoableDocument>();
         MotionPort port;
         port.beginMove = [this](const MoveRequest& request) -> Result<MotionPort::Id> {
@@ -100,7 +100,7 @@ private Q_SLOTS:
         const QModelIndex name = table->model()->index(1, PartModel::Name);
         QVERIFY(!table->model()->setData(name, "tool 1", Qt::EditRole));
         QVERIFY(notice("tcp.page")->text().isEmpty());
-        QVERIFY(notice("tcp.page")->title().contains("is named"));
+        QVERIFY(notice("tcp.page")->title().contains("already exists"));
         action("tcp.action.rename")->trigger();
         auto* editor = tab_->findChild<QLineEdit*>("tcp.editor");
         QVERIFY(editor != nullptr);
@@ -108,7 +108,7 @@ private Q_SLOTS:
         editor->selectAll();
         QTest::keyClicks(editor, "gripper");
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(document_->tooling().tools.at(1).name, QString("gripper"));
+        QTRY_COMPARE_WITH_TIMEOUT(document_->tooling().tools.at(1).name, QString("gripper"), 60'000);
         action("tcp.action.delete")->trigger();
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));
         everythingGoesThereAndBack(4);
@@ -132,7 +132,7 @@ private Q_SLOTS:
         feed(state);
         QVERIFY(!notice("tcp.page")->isVisible());
         QVERIFY(document_->tooling() == tooling);
-        // Another program sets a third, new TCP on the robot.
+        // Another program sets a third TCP on the robot.
         state.tcpOffset = Pose(0, 0, 0.12, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->isVisible());
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(said.count(), 2);
     }
 
-    // The button of the notice sets the displayed value, never a later one.
+    // The button of the notice sets the displayed value, even if the value has changed since.
     void theNoticeFollowsTheProjectAndTheRobot() {
         project::Tooling tooling;
         tooling.tools = {{QUuid::createUuid(), "gripper", Pose(), 0, {}, {}}};
@@ -158,7 +158,7 @@ private Q_SLOTS:
         state.tcpOffset = Pose(0, 0, 0.10, 0, 0, 0);
         feed(state);
         QVERIFY(notice("tcp.page")->text().contains("50.0 mm"));
-        // After undo the value in the project is 0 again, and the notice shows this.
+        // After the undo, the value in the project is 0 again, and the notice shows this.
         document_->undoStack().undo();
         QVERIFY(notice("tcp.page")->isVisible());
         QVERIFY2(notice("tcp.page")->text().contains("100.0 mm"), qPrintable(notice("tcp.page")->text()));
@@ -220,7 +220,7 @@ private Q_SLOTS:
             const auto q = onPoint(tool, point, turn);
             QVERIFY(q.has_value());
             feed(liveState(*q));
-            QCOMPARE(button("tcp.teacher.take")->text(), QString("Take pose %1").arg(++taken));
+            QCOMPARE(button("tcp.teacher.take")->text(), QString("Record pose %1").arg(++taken));
             QVERIFY(!button("tcp.teacher.make")->isEnabled());
             click("tcp.teacher.take");
         }
@@ -292,13 +292,13 @@ private Q_SLOTS:
             click("tcp.teacher.take");
         }
         choose("tcp.teacher.turning", 2);
-        // Tool pointing straight down: +Z down, +X along +X of the base.
+        // The tool points straight down: +Z down, +X along +X of the base.
         for (const Eigen::Vector3d& way :
              {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, -0.05), Eigen::Vector3d(0.05, 0, 0)}) {
             feed(liveState(*onPoint(tool, point + way, {0, 0, 0})));
             click("tcp.teacher.takeTurn");
         }
-        QVERIFY2(label("tcp.teacher.turnFeedback").contains("Rotation taken"),
+        QVERIFY2(label("tcp.teacher.turnFeedback").contains("Rotation recorded"),
                  qPrintable(label("tcp.teacher.turnFeedback")));
         click("tcp.teacher.make");
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));
@@ -320,7 +320,7 @@ private Q_SLOTS:
         type(tab_->findChild<QDoubleSpinBox*>("payload.details.z"), "80");
         QCOMPARE(document_->tooling().payloads.at(0).mass, 2.25);
         QVERIFY(std::abs(document_->tooling().payloads.at(0).centre.z() - 0.08) < 1e-12);
-        // Values out of range are refused, never altered.
+        // Values out of range are refused and not altered.
         type(tab_->findChild<QDoubleSpinBox*>("payload.details.mass"), "80");
         QCOMPARE(document_->tooling().payloads.at(0).mass, 2.25);
         QTest::keyClick(tab_->findChild<QDoubleSpinBox*>("payload.details.mass"), Qt::Key_Escape);
@@ -361,7 +361,7 @@ private Q_SLOTS:
         click("payload.check");
         weigh(state);
         QCOMPARE(notice("payload.page")->title(), QString("The payload is correct"));
-        // A movement makes the measurement invalid, and this is reported.
+        // A motion invalidates the measurement, and this is reported.
         click("payload.check");
         state.moving = true;
         weigh(state, 1);
@@ -374,7 +374,7 @@ private Q_SLOTS:
         click("payload.weigh");
         const Eigen::Vector3d centre(0.01, -0.02, 0.07);
         for (int n = 0; n < 4; ++n) {
-            // Moves to the proposed pose while the key is held.
+            // The arm moves to the proposed pose while the button is held.
             auto* next = tab_->findChild<HoldToRunButton*>("payload.estimator.next");
             QTest::mousePress(next, Qt::LeftButton);
             QVERIFY(next->isHolding());
@@ -468,11 +468,11 @@ private Q_SLOTS:
 private:
     void feed(const SessionState& state) {
         Q_EMIT session_->stateChanged(state);
-        // The values update ten times a second.
+        // The values are updated ten times per second.
         tab_->tcps().setState(state);
         tab_->positions().setState(state);
     }
-    /// Feeds the given number of samples of an arm at rest.
+    /// Feeds the given number of samples of an arm at standstill.
     void weigh(SessionState state, int samples = StandstillMean::kSamples) {
         for (int n = 0; n < samples; ++n) {
             state.sequence = ++sequence_;
@@ -501,7 +501,7 @@ private:
         QTest::keyClicks(box, text);
         QTest::keyClick(box, Qt::Key_Return);
     }
-    /// Undoes all edits one by one and redoes them: the project is identical byte by byte.
+    /// Undoes all edits one by one and redoes them. The project is then identical, byte by byte.
     void everythingGoesThereAndBack(int edits) {
         const QByteArray after = *project::serializeProject(document_->project());
         QCOMPARE(document_->undoStack().count(), edits);

@@ -64,7 +64,7 @@ private Q_SLOTS:
 
     void init() {
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // only states set by the test
+        session_->shutDown();  // states are set only by the test
         document_ = std::make_unique<UndoableDocument>();
         document_->setAuthor("Ann");
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_, policy_);
@@ -143,7 +143,7 @@ private Q_SLOTS:
             QTest::keyClicks(x, "20");
             press(dialog, "waypoint.shift.accept");
         });
-        // X of the tray is Y of the base.
+        // X of the tray is parallel to Y of the base.
         QVERIFY((document_->waypoints().at(0).pose.position - was - Eigen::Vector3d(0, 0.02, 0)).norm() <
                 1e-9);
         thereAndBack(1);
@@ -195,7 +195,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().at(3).name, QString("tray 1.1"));
         QVERIFY((document_->waypoints().at(7).pose.position - Eigen::Vector3d(-0.35, -0.05, 0.2)).norm() <
                 1e-9);
-        // It remains a pattern: one row is added, and the omitted position is restored.
+        // The group remains a pattern. One row is added, and the omitted position is restored.
         const QUuid second = document_->waypoints().at(5).id;
         select({4});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {
@@ -208,7 +208,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().at(4).name, QString("tray 1.2"));
         QCOMPARE(document_->waypoints().at(6).name, QString("tray 2.1"));
         QVERIFY(document_->waypoints().indexOf(second) >= 0);
-        // A corner is touched up: the whole pattern follows in the same undo step.
+        // When a corner is touched up, the whole pattern follows in the same undo step.
         project::Waypoint corner = document_->waypoints().at(0);
         corner.pose.position.z() += 0.03;
         document_->changeWaypoint(0, corner, "Touch up");
@@ -263,7 +263,7 @@ private Q_SLOTS:
         select({0});
         inDialog("waypoint.action.pattern", [](QDialog& dialog) {
             QVERIFY(!dialog.findChild<QPushButton*>("pattern.accept")->isEnabled());
-            QVERIFY(dialog.findChild<QLabel*>("pattern.feedback")->text().contains("Select a waypoint"));
+            QVERIFY(dialog.findChild<QLabel*>("pattern.feedback")->text().contains("select a waypoint"));
             dialog.findChild<QSpinBox*>("pattern.columns")->setValue(200);
             dialog.findChild<QSpinBox*>("pattern.rows")->setValue(200);
             dialog.findChild<QComboBox*>("pattern.corner.column")->setCurrentIndex(2);
@@ -457,7 +457,7 @@ private:
     static void press(QDialog& dialog, const char* key) {
         QTest::mouseClick(dialog.findChild<QPushButton*>(key), Qt::LeftButton);
     }
-    /// Triggers the action and runs the function in the dialog that it opens.
+    /// Triggers the action and calls the function in the dialog that opens.
     void inDialog(const char* action, const std::function<void(QDialog&)>& inside) {
         bool seen = false;
         QTimer::singleShot(0, this, [&] {
@@ -490,7 +490,7 @@ private:
             press(dialog, "pattern.accept");
         });
     }
-    /// Undoes all edits one by one and redoes them: the file is identical byte by byte.
+    /// Undoes all edits one by one and redoes them. The file is then identical, byte by byte.
     void thereAndBack(int edits) {
         QCOMPARE(document_->undoStack().count(), edits);
         const QByteArray after = bytes();

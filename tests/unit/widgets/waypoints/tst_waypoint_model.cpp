@@ -105,7 +105,8 @@ private Q_SLOTS:
         QCOMPARE(cell(*model_, 2, WaypointModel::ReachColumn), QString("✓"));
     }
 
-    // An empty project takes over the connected arm. Waypoints restored by undo were taught with the previous arm.
+    // An empty project adopts the model of the connected arm. Waypoints restored by undo were taught with the
+    // previous arm.
     void undoBringsBackTheArmOfItsPlaces() {
         project::Project cell = document_->project();
         cell.robot = RobotModelId::UR5e;
@@ -128,7 +129,7 @@ private Q_SLOTS:
         document_->redo();
         QVERIFY(document_->project().robot == RobotModelId::UR10e);
         QVERIFY(!document_->isOfOtherModel());
-        // A project opened in the meantime has its own arm.
+        // A project that was opened in the meantime has its own arm model.
         document_->setProject(cell);
         QVERIFY(document_->project().robot == RobotModelId::UR5e);
     }
@@ -251,7 +252,7 @@ private Q_SLOTS:
         QVERIFY2(back.ok(), qPrintable(back.error().toString()));
         QCOMPARE(back->at(0).name, QString("home"));
         QVERIFY(std::abs(back->at(0).joints[0] - kStart[0]) < 1e-12);
-        // Without a header line, columns are read in the order in which they are written.
+        // Without a header line, columns are read in the order in which Tiller writes them.
         QVERIFY(waypoint_clipboard::fromText(lines[1], {}).ok());
     }
 

@@ -75,7 +75,7 @@ private Q_SLOTS:
     void init() {
         arm_ = FakeArm();
         session_ = std::make_unique<RobotSession>();
-        session_->shutDown();  // only states set by the test
+        session_->shutDown();  // states are set only by the test
         document_ = std::make_unique<UndoableDocument>();
         tab_ = std::make_unique<WaypointsTab>(*session_, *document_, arm_.port(), policy_);
         goTo()->guard().setClock(clock_);
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QVERIFY(document_->waypoints().at(1) == before);
 
         click("waypoint.touchUp");
-        feed(liveState(moved(4, 0.9)));  // the arm moves on: the displayed pose is the one that is kept
+        feed(liveState(moved(4, 0.9)));  // the arm continues to move, but the displayed pose is stored
         click("notice.accept");
         QCOMPARE(document_->waypoints().at(1).joints, live.q);
         QCOMPARE(document_->waypoints().at(1).name, before.name);
@@ -171,10 +171,10 @@ private Q_SLOTS:
         QTest::keyClick(table(), Qt::Key_F2);
         auto* editor = table()->findChild<QLineEdit*>("waypoint.editor");
         QVERIFY(editor != nullptr);
-        QTest::keyClicks(editor, "above tray");  // letters that are shortcuts elsewhere
+        QTest::keyClicks(editor, "above tray");  // letters that are shortcuts in other places
         QTest::keyClick(editor, Qt::Key_Return);
-        QTRY_COMPARE(names(), QStringList({"waypoint 1", "above tray", "waypoint 3"}));
-        QTRY_VERIFY(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr);
+        QTRY_COMPARE_WITH_TIMEOUT(names(), QStringList({"waypoint 1", "above tray", "waypoint 3"}), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr, 60'000);
         QTest::keyClick(table(), Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(names().at(1), QString("waypoint 2"));
         QTest::keyClick(table(), Qt::Key_Y, Qt::ControlModifier);
@@ -191,11 +191,11 @@ private Q_SLOTS:
         QVERIFY(arm_.moves.empty());
         QCOMPARE(editor->text(), QString("tug"));
         QTest::keyClick(editor, Qt::Key_Escape);
-        QTRY_VERIFY(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(table()->findChild<QLineEdit*>("waypoint.editor") == nullptr, 60'000);
         QCOMPARE(names().at(0), QString("waypoint 1"));
     }
 
-    // Letters typed in the list search for a name; the following letters of a word are not commands.
+    // Letters typed in the list search for a name. The following letters of a word are not commands.
     void aWordTypedAtTheListIsNoCommand() {
         const int interval = QApplication::keyboardInputInterval();
         const auto restore = qScopeGuard([interval] { QApplication::setKeyboardInputInterval(interval); });
@@ -211,14 +211,14 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 3);
         QVERIFY(!notice()->isVisible());
         QVERIFY(arm_.moves.empty());
-        // A click ends the word.
+        // A click ends the search text.
         QTest::mouseClick(table()->viewport(), Qt::LeftButton, {},
                           table()->visualRect(table()->model()->index(2, WaypointModel::Name)).center());
         QTest::keyClick(table(), Qt::Key_T);
         QCOMPARE(document_->waypoints().size(), 4);
     }
 
-    // A notice takes its height from the lower end of the table: no row moves, and none is covered.
+    // A notice reduces the table height at the lower end. No row moves, and none is covered.
     void aNoticeMovesAndCoversNoRow() {
         teachThree();
         tab_->resize(tab_->width(), 700);
@@ -259,7 +259,7 @@ private Q_SLOTS:
         QCOMPARE(tab_->currentRow(), 2);
         QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
         QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
-        QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);  // already first, so nothing happens
+        QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);  // already first, so there is no effect
         QCOMPARE(names(), QStringList({"waypoint 4", "waypoint 1", "waypoint 2", "waypoint 3"}));
         QTest::keyClick(table(), Qt::Key_Delete);
         QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 2", "waypoint 3"}));
@@ -300,7 +300,7 @@ private Q_SLOTS:
         QCOMPARE(arm_.moves.size(), std::size_t(1));
         QVERIFY(arm_.moves[0].kind == MoveRequest::Kind::MoveJ);
         QCOMPARE(arm_.moves[0].q, document_->waypoints().at(1).joints);
-        QTRY_VERIFY(arm_.holds >= 2);
+        QTRY_VERIFY_WITH_TIMEOUT(arm_.holds >= 2, 60'000);
         QTest::mouseRelease(key, Qt::LeftButton);
         QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::Released});
         const int holds = arm_.holds;
@@ -324,7 +324,7 @@ private Q_SLOTS:
         QVERIFY(!goTo()->isHolding());
     }
 
-    // The key may have been released in another window.
+    // The key may have been released while another window was active.
     void theLetterGEndsWithTheWindowItWasPressedIn() {
         teachThree();
         feed(liveState(moved(0, 0.3)));
@@ -337,7 +337,7 @@ private Q_SLOTS:
         QApplication::sendEvent(&left, &deactivate);
         QCOMPARE(arm_.ends, std::vector<StopCause>{StopCause::WindowDeactivated});
         QVERIFY(!goTo()->isHolding());
-        // The release went to another window: the next press is a new one.
+        // The release was sent to another window, so the next press counts as a new one.
         keyDown(to, scan::kG, Qt::Key_G);
         QCOMPARE(arm_.moves.size(), std::size_t(2));
         keyUp(to, scan::kG, Qt::Key_G);
@@ -379,7 +379,7 @@ private Q_SLOTS:
                 break;
         }
         QCOMPARE(arm_.ends, std::vector<StopCause>{cause});
-        // Key repeats are not presses.
+        // Key repeats do not count as presses.
         keyDown(to, code, Qt::Key_G, {{}, true});
         QCOMPARE(arm_.moves.size(), std::size_t(1));
     }
@@ -492,7 +492,8 @@ private Q_SLOTS:
         state.tcpPose.position.z() += 0.0612;
         feed(state);
         auto* details = tab_->findChild<WaypointDetails*>("waypoint.details");
-        QTRY_VERIFY2(details->headline().contains("61.2 mm"), qPrintable(details->headline()));
+        QTRY_VERIFY2_WITH_TIMEOUT(details->headline().contains("61.2 mm"), qPrintable(details->headline()),
+                                  60'000);
         QVERIFY(details->headline().startsWith("waypoint 1"));
         QVERIFY(details->poseLine().contains("RX"));
     }
@@ -524,7 +525,7 @@ private Q_SLOTS:
         for (int i = 0; i < kJointCount; ++i) {
             QVERIFY(std::abs(pasted.joints[i] - taught.joints[i]) < 0.5);
         }
-        // With a header line, a subset of the columns is sufficient.
+        // With a header line, some of the columns are sufficient.
         paste("Name\tX mm\tY mm\tZ mm\tRX °\tRY °\tRZ °\nover it\t" + figures);
         QCOMPARE(document_->waypoints().size(), 3);
         QCOMPARE(document_->waypoints().at(2).name, QStringLiteral("over it"));
@@ -553,18 +554,18 @@ private Q_SLOTS:
         QVERIFY(after.ruling == project::TargetKind::Joints);
         const Pose there = kinematics::forwardTcp(document_->robot().dh, after.joints, after.tcpOffset);
         QVERIFY(std::abs(there.position.z() * 1000 - (from + 50)) < 0.01);
-        // The nearest configuration: no joint has turned over.
+        // The nearest configuration is used: no joint has flipped.
         for (int i = 0; i < kJointCount; ++i) {
             QVERIFY(std::abs(after.joints[i] - before.joints[i]) < 0.5);
         }
         QCOMPARE(document_->undoStack().undoText(), QStringLiteral("Change the pose of “waypoint 1”"));
 
-        // If the arm cannot reach the pose, nothing is changed, and the box shows the pose of the waypoint.
+        // If the arm cannot reach the pose, nothing changes, and the box shows the pose of the waypoint.
         type(z, QStringLiteral("9000"));
         QCOMPARE(document_->waypoints().at(0), after);
         QVERIFY(std::abs(z->value() - (from + 50)) < 0.01);
 
-        // A pose that defines the waypoint may be anywhere: it is kept and marked.
+        // A pose that defines the waypoint may be anywhere. It is kept and marked.
         tab_->findChild<QComboBox*>("waypoint.details.frame")->setFocus();
         QTest::keyClick(tab_->findChild<QComboBox*>("waypoint.details.frame"), Qt::Key_Down);
         QVERIFY(document_->waypoints().at(0).ruling == project::TargetKind::Pose);

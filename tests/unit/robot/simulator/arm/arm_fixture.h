@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// An arm that is ready to move, and a step that checks the limits that every motion must respect.
+// An arm that is ready to move, and a step function that checks the limits for every motion.
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ public:
     Arm* operator->() { return &arm; }
     const ArmState& state() const { return arm.state(); }
 
-    /// Advances by one control period and records the worst values seen.
+    /// Advances by one control period and records the worst values observed.
     void step() {
         arm.step();
         const ArmState& s = arm.state();
@@ -36,7 +36,7 @@ public:
         const auto limit = Eigen::Map<const Vector6>(arm.model().maxJointSpeed.data());
         worstSpeed = std::max(worstSpeed, (qd.cwiseAbs().array() / limit.array()).maxCoeff());
         worstPosition = std::max(worstPosition, s.targetQ.values.cwiseAbs().maxCoeff());
-        // Positions change according to the velocities.
+        // Position changes match the velocities.
         worstMismatch = std::max(worstMismatch, (moved - 0.5 * (qd + qd_)).cwiseAbs().maxCoeff());
         q_ = s.targetQ.values;
         qd_ = qd;
@@ -49,7 +49,7 @@ public:
         }
     }
 
-    /// Steps until the command has finished; returns the time needed [s].
+    /// Steps until the command has finished. Returns the time taken [s].
     double finish(const MotionStart& start, double timeout = 60) {
         const int before = steps;
         while (arm.motion().progress(start.id) == MotionProgress::Running &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blended moves: when the first move returns, how close to the corner the path passes, and which quantities
+// Blended moves: when the first move returns, how close the path passes to the corner, and which quantities
 // stay continuous.
 #include <QTest>
 #include <cmath>
@@ -102,8 +102,8 @@ void TestArmBlends::firstMoveReturnsWhereTheZoneBegins() {
     const MotionStart one = go(arm, Move::L, kB, with(Move::L, 0.05));
     arm.finish(one);
     const double left = (arm.tcp() - kB.position).norm();
-    // The move returns one or two periods before the zone, so that the next move is available when the zone
-    // begins.
+    // The move returns one or two periods before the blend zone, so that the next move is available when the
+    // zone begins.
     QVERIFY2(left >= 0.05 && left < 0.05 + 3 * 0.25 * kTick, qPrintable(QString::number(left)));
 }
 
@@ -158,7 +158,7 @@ void TestArmBlends::processMoveKeepsItsSpeedThroughCorners() {
     const MotionStart one = go(arm, Move::P, kB, p);
     arm.run(0.3);
     run(one);
-    // The circle is inside the corner, at distance r / cos(45 deg) - r tan(45 deg) from it.
+    // The circle is inside the corner, at the distance r / cos(45 deg) - r tan(45 deg).
     const MotionStart two = go(arm, Move::P, kC, p);
     double nearest = 1;
     while (arm->motion().progress(two.id) == MotionProgress::Running) {

@@ -82,7 +82,7 @@ void TestArmCompliance::forceModeHoldsTenNewtonOnASurface() {
 }
 
 void TestArmCompliance::forceModeInFreeSpaceReturnsToTheStart() {
-    // The published run: 2 s down, 2 s up, streamed; ends near the start.
+    // The published run: 2 s down and 2 s up, streamed, ending near the start.
     WatchedArm arm(false, RobotModelId::UR5e, JointPositions(-1.54, -1.83, -2.28, -0.59, 1.60, 0.023));
     arm.run(0.1);
     arm->zeroForceSensor();
@@ -130,7 +130,7 @@ void TestArmCompliance::programMovesTheOtherAxes() {
     QVERIFY2(off.norm() < 1e-4, qPrintable(QString("%1 %2 %3").arg(off.x()).arg(off.y()).arg(off.z())));
     arm->compliance().endForceMode();
     arm.run(0.1);
-    // From here on the program controls the height again.
+    // From this point on, the program controls the height again.
     arm.finish(arm->motion().moveL(goal, {.a = 1.2, .v = 0.1}));
     QVERIFY((arm.tcp() - goal.position).norm() < 1e-8);
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());

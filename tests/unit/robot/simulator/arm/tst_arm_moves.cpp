@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves between waypoints: durations, parameters, targets that cannot be reached, pause and resume.
+// Moves between waypoints: durations, parameters, unreachable targets, pause and resume.
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -114,7 +114,7 @@ void TestArmMoves::pureRotationTakesTimeAndKeepsThePoint() {
         t += kTick;
         drift = std::max(drift, (arm.tcp() - start.position).norm());
     }
-    // 0.8 rad on the equivalent radius of 0.25 m are 0.2 m of tool path.
+    // 0.8 rad at the equivalent radius of 0.25 m correspond to 0.2 m of tool path.
     QVERIFY2(std::abs(t - (0.2 / 0.25 + 0.25 / 1.2)) <= 2 * kTick, qPrintable(QString::number(t)));
     QVERIFY(drift < 1e-8);
 }
@@ -201,7 +201,7 @@ void TestArmMoves::circleKeepsItsRadius() {
     QVERIFY2(worst < 1e-8, qPrintable(QString::number(worst)));
     QVERIFY(highest > 0.0999);
     QVERIFY((arm.tcp() - goal.position).norm() < 1e-9);
-    // Orientation fixed to the arc: half a turn about the axis of the circle.
+    // The orientation is fixed to the arc: half a turn about the axis of the circle.
     arm.finish(arm->motion().moveC(shifted(start, 0.1, 0, 0.1), start, {.a = 1.2, .v = 0.25},
                                    ArcOrientation::FixedToArc));
     if (!arm->protectiveStop()) {
@@ -238,7 +238,7 @@ void TestArmMoves::unreachableLineIsAProtectiveStop() {
     QVERIFY(arm->motion().moveJ(kTo, {}).ok());
 }
 
-// Programs that probe a surface move towards a distant point and stop before they reach it.
+// Programs that probe a surface move towards a distant point and stop before reaching it.
 void TestArmMoves::lineTowardsAFarPointIsFollowedToTheEndOfTheReach() {
     for (const double distance : {1.0, 2.0, 1000.0}) {
         WatchedArm arm;
@@ -252,7 +252,7 @@ void TestArmMoves::lineTowardsAFarPointIsFollowedToTheEndOfTheReach() {
         const double moved = begin.position.z() - arm->state().targetTcpPose.position.z();
         QVERIFY2(std::abs(moved - 0.02) < 0.001, qPrintable(QString::number(moved)));
         if (distance < 1.5) {
-            continue;  // within the reach
+            continue;  // within reach
         }
         arm.run(100);
         QVERIFY(arm->protectiveStop());
@@ -277,7 +277,7 @@ void TestArmMoves::lineThroughASingularityStopsBeforeIt() {
 }
 
 void TestArmMoves::lineNearASingularityIsSlowed() {
-    // Past the base: axis 1 has to turn fast, so the tool has to move slowly there.
+    // Past the base, axis 1 must rotate fast, so the tool must move slowly.
     WatchedArm arm;
     arm.finish(arm->motion().moveJ(Pose(-0.3, -0.18, 0.4, 0, 3.1416, 0), {.a = 1.4, .v = 1.05}));
     QVERIFY(!arm->protectiveStop());
@@ -399,7 +399,7 @@ void TestArmMoves::moveFromMotionStartsSmoothly() {
     arm->motion().moveJ(kTo, {.a = 3, .v = 1.5});
     arm.run(0.6);
     QVERIFY(arm.worstSpeed > 0.2);
-    // As after a killed thread: the next move starts while the arm is still moving.
+    // As after killing a thread, the next move starts while the arm is still moving.
     const JointPositions goal(-1.2, -1.4, -2.0, -1.0, 1.4, 0.3);
     const MotionStart move = arm->motion().moveJ(goal, {.a = 3, .v = 1.5});
     QVERIFY(move.ok());

@@ -57,7 +57,7 @@ void TestArmSensors::gravityTorquesMatchTheRecordedRobot() {
 }
 
 void TestArmSensors::currentsMatchTheRecordedRobot() {
-    // Source: first state package of the manufacturer's simulator, UR5e at its start position.
+    // Source: first state package of the manufacturer's simulator, a UR5e at its start position.
     WatchedArm arm;
     arm.step();
     const double expected[] = {
@@ -89,7 +89,7 @@ void TestArmSensors::forceOnTheFlangeLoadsTheJoints() {
     ArmGeometry geometry(model);
     Posture posture;
     const Vector6 q = kPoseC.values;
-    geometry.evaluate(q, posture);  // without a TCP: the Jacobian is the flange's
+    geometry.evaluate(q, posture);  // no TCP, so the Jacobian is that of the flange
     const Wrench onFlange{{3, -5, 7}, {0.4, 0.2, -0.6}};
     const Eigen::Matrix3d R = posture.frames[6].linear();
     Vector6 inBase;
@@ -188,7 +188,7 @@ void TestArmSensors::forcesShowInTheJointTorques() {
     WatchedArm arm;
     arm->environment().setHandWrench({{0, 0, -20}, {0, 0, 0}});
     arm.run(0.004);
-    // Pushing down with 20 N has the same effect as a load of that weight.
+    // A downward push of 20 N has the same effect as a load of that weight.
     const double pushed = arm.state().externalTorque[1];
     WatchedArm loaded;
     loaded->environment().setLoad(Payload{.mass = 20 / 9.82});
@@ -202,7 +202,7 @@ void TestArmSensors::accelerometerFeelsGravityInTheToolFrame() {
     arm.run(0.01);
     const Eigen::Matrix3d R = rotationMatrix(arm.state().actualFlangePose.rotation);
     QVERIFY((R * arm.state().toolAccelerometer - Eigen::Vector3d(0, 0, 9.82)).norm() < 1e-9);
-    // The tool points down: gravity along its z axis is negative.
+    // The tool points down, so gravity along its z axis is negative.
     QVERIFY(arm.state().toolAccelerometer.z() < -9.7);
     arm->motion().speedL({{0.5, 0, 0}, {0, 0, 0}}, 2.0, 0.1);
     arm.run(0.05);
@@ -214,7 +214,7 @@ void TestArmSensors::mountingChangesTheTorques() {
     WatchedArm arm;
     arm->setGravity({9.82, 0, 0});
     arm.step();
-    // With wall mounting the base joint carries the weight of the arm.
+    // With wall mounting, the base joint carries the weight of the arm.
     QVERIFY(std::abs(arm.state().targetMoment[0]) > 10);
     QVERIFY(std::abs(arm.state().toolAccelerometer.norm() - 9.82) < 1e-9);
 }
@@ -229,7 +229,7 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
     for (int n = 0; n < 2000; ++n) {
         a.step();
         b.step();
-        // Encoder readings are constant while nothing turns.
+        // Encoder readings are constant while the joints are at standstill.
         QCOMPARE(a.state().actualQ, resting);
         QCOMPARE(a.state().actualQ, b.state().actualQ);
         QCOMPARE(a.state().actualCurrent, b.state().actualCurrent);
@@ -260,8 +260,8 @@ void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
     QCOMPARE(ideal.state().actualQ, ideal.state().targetQ);
 }
 
-// A script at a quarter of the frame rate gives a new acceleration every fourth period; the values in between must
-// be constant for clients, including the last digit.
+// A script at a quarter of the frame rate produces a new acceleration every fourth period. The values in
+// between must be exactly constant for clients.
 void TestArmSensors::constantAccelerationHasConstantReadings() {
     WatchedArm arm;
     arm->setSpeedFraction(0.25);
@@ -321,7 +321,7 @@ void TestArmSensors::brakingTurnsMotionIntoHeat() {
     WatchedArm arm;
     arm.run(0.1);
     const double before = arm.state().energyBraked;
-    // Turning about a vertical axis lifts no weight: braking takes the same torque as accelerating.
+    // Rotation about a vertical axis lifts no weight, so braking takes the same torque as accelerating.
     arm.finish(arm->motion().speedJ(JointVelocities(1, 0, 0, 0, 0, 0), 4));
     QVERIFY(arm.state().energyBraked - before < 0.05);
     arm.finish(arm->motion().stopJ(4));
@@ -354,8 +354,8 @@ void TestArmSensors::momentumOfOneTurningJoint() {
     QVERIFY(arm.state().momentum < 1e-9);
 }
 
-// The first joint turns about the z axis of the base: the torque on the base about this axis is the joint torque,
-// which recursive Newton-Euler calculates independently.
+// The first joint rotates about the z axis of the base. The torque on the base about this axis equals the
+// joint torque, which recursive Newton-Euler computes independently.
 void TestArmSensors::theBaseBearsTheArmAndItsMotion() {
     WatchedArm arm;
     Payload payload;

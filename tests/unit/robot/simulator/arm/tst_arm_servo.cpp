@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Servo and torque commands, which guide the arm period by period.
+// Servo and torque commands, which set a target in every control period.
 #include <Eigen/Cholesky>
 #include <QTest>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Speed commands, stops, and a campaign of random commands.
+// Speed commands, stops, and a series of random commands.
 #include <QTest>
 #include <cmath>
 #include <random>
@@ -209,7 +209,7 @@ void TestArmSpeed::jointRangeEndsAJog() {
     QVERIFY(arm.worstPosition > kJointPositionLimit - 0.01);
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
     arm->clearProtectiveStop();
-    // The opposite direction is free.
+    // The opposite direction is not limited.
     arm->motion().speedJ(JointVelocities(0, 0, 0, 0, 0, -1.0), 10, 1.0);
     arm.run(1);
     QVERIFY(!arm->protectiveStop());
@@ -217,7 +217,7 @@ void TestArmSpeed::jointRangeEndsAJog() {
 }
 
 void TestArmSpeed::jogIntoASingularitySlowsAndStops() {
-    // Outwards until the arm is fully extended.
+    // Moves outwards until the arm is fully extended.
     WatchedArm arm;
     for (int n = 0; n < 20000 && !arm->protectiveStop(); ++n) {
         arm->motion().speedL(twist(0, -0.1, 0), 0.5, kTick);
@@ -239,7 +239,7 @@ void TestArmSpeed::jogIntoASingularitySlowsAndStops() {
 }
 
 void TestArmSpeed::jogOutOfASingularityIsFree() {
-    // Wrist 2 is close to zero; turning it away must not be slowed down.
+    // Wrist 2 is close to zero. Moving it away from zero must not be slowed down.
     WatchedArm arm(true, RobotModelId::UR5e, JointPositions(0, -1.5, -1.5, -1, 0.08, 0));
     for (int n = 0; n < 500; ++n) {
         arm->motion().speedJ(JointVelocities(0, 0, 0, 0, 0.3, 0), 1, kTick);
@@ -353,7 +353,7 @@ void TestArmSpeed::randomCommandsKeepTheBounds() {
                                             Vector6::Ones(), Vector6::Ones());
                     break;
                 case 17:
-                    // Sets the next tool, also during motion.
+                    // Sets the next tool, even during a motion.
                     arm->setTcp(Pose(number(-0.1, 0.1), number(-0.1, 0.1), number(0, 0.2), 0.1, 0.2, 0));
                     break;
                 default:
@@ -364,7 +364,7 @@ void TestArmSpeed::randomCommandsKeepTheBounds() {
                     break;
             }
             moves += start.id != 0 ? 1 : 0;
-            // Some moves run to the end, some are interrupted, some are blended.
+            // Some moves are completed, some are interrupted, and some are blended.
             if (random() % 2 == 0) {
                 arm.finish(start, 4);
             } else {
@@ -377,7 +377,7 @@ void TestArmSpeed::randomCommandsKeepTheBounds() {
                      qPrintable(QString("round %1, command %2: ").arg(round).arg(n) + arm.worst().c_str()));
         }
     }
-    // The commands must have moved the arm, not only been refused.
+    // The commands must have moved the arm, not just been refused.
     QVERIFY2(moves > 900, qPrintable(QString::number(moves)));
     qInfo("%d motions, %d protective stops", moves, stops);
 }

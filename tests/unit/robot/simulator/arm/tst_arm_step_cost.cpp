@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulation step of the arm neither allocates nor frees memory, for any kind of motion. With --cost the
+// A simulation step of the arm neither allocates nor frees memory for any kind of motion. With --cost, the
 // program prints the time per step [ns].
 #include <QTest>
 #include <cstdio>
@@ -29,7 +29,7 @@ using namespace tiller::simulator::arm;
 namespace {
 template <class Each>
 double nanosecondsPerStep(WatchedArm& arm, int steps, Each&& each) {
-    // Processor time, so that other programs on the machine do not count.
+    // CPU time, so that other programs on the machine have no effect.
     const std::clock_t start = std::clock();
     for (int n = 0; n < steps; ++n) {
         each(n);

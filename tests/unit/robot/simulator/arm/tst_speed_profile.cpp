@@ -92,7 +92,8 @@ void TestSpeedProfile::stretchKeepsTheLength() {
 }
 
 void TestSpeedProfile::fastStartBrakesOverTheWholeWay() {
-    // 1 m/s cannot be braked within 0.1 m at 1 m/s2: the profile brakes harder and still ends at the goal.
+    // Braking from 1 m/s within 0.1 m is impossible at 1 m/s2. The profile decelerates harder and still ends
+    // at the goal.
     const SpeedProfile p = SpeedProfile::plan({.length = 0.1, .v = 0.5, .a = 1.0, .startSpeed = 1.0});
     QVERIFY(std::abs(p.length() - 0.1) < 1e-12);
     QVERIFY(std::abs(p.duration() - 0.2) < 1e-12);

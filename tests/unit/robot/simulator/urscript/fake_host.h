@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A minimal robot in memory: every motion takes a fixed number of frames, registers and pins are arrays, sockets
-// are two strings. Tests can inspect the recorded requests of the script.
+// A minimal robot in memory. Every motion takes a fixed number of frames, registers and pins are arrays, and
+// sockets are two strings. Tests can inspect the recorded requests of the script.
 
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ public:
     };
     std::vector<Started> motions;
     std::vector<ThreadId> abandoned;
-    std::vector<std::string> calls;  ///< everything without a separate member
+    std::vector<std::string> calls;  ///< all functions without a separate member
     std::vector<Popup> popups;
     bool popupAnswered = false;
     std::optional<RequestAnswer> answer;
@@ -42,9 +42,9 @@ public:
     JointPositions q{0.1, -1.2, 1.3, -1.4, -1.5, 0.6};
     JointVelocities qd;
     Twist tcpVelocity{{0.5, 0, 0}, {0, 0, 0.25}};
-    double inertia = 2;  ///< of each joint, without coupling to the others [kg m2]
+    double inertia = 2;  ///< of each joint, without coupling to other joints [kg m2]
     bool steady = true;
-    std::function<JointPositions(int)> history;  ///< joint positions that number of steps ago
+    std::function<JointPositions(int)> history;  ///< joint positions that many steps ago
     Pose tcp;
     Payload load;
     std::array<bool, 128> boolIn{}, boolOut{};
@@ -129,7 +129,8 @@ public:
     double toolCurrent() const override { return 0.1; }
     Eigen::Vector3d toolAccelerometer() const override { return {0, 0, -9.81}; }
 
-    // ---- kinematics: the numbers of the pose are used as joints, which is sufficient to check arguments
+    // ---- kinematics: the values of the pose are used as joint positions, which is sufficient to check
+    // arguments
     Pose forwardKinematics(const std::optional<JointPositions>& at,
                            const std::optional<Pose>&) const override {
         return Pose::fromArray((at ? *at : q).array());

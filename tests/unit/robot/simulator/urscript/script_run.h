@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Compiles and runs scripts for the tests of this folder.
+// Compiles and runs scripts for the tests in this folder.
 
 #include <QTest>
 #include <memory>
@@ -40,8 +40,8 @@ struct ScriptRun {
     }
 };
 
-/// Returns the text message of `def t(): <body> textmsg(to_str(<expression>)) end`, or "error: ..." of compiling or
-/// running.
+/// Returns the text message of `def t(): <body> textmsg(to_str(<expression>)) end`, or "error: ..." if
+/// compiling or running fails.
 inline std::string evaluate(const std::string& expression, const std::string& body = {}) {
     const CompileOutcome outcome = compile("def t():\n" + body + "\nresult = " + expression + "\nend\n");
     if (!outcome) {

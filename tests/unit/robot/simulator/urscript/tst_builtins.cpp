@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Builtins: reference values, defaults, named arguments, errors.
+// Built-in functions: reference values, defaults, named arguments, errors.
 
 #include <set>
 
@@ -10,7 +10,7 @@ using namespace tiller::simulator::urscript;
 
 namespace {
 
-// All names of the reference, in its order.
+// All names in the reference, in the same order.
 const char* const kReferenceNames =
     "movej movel movep movec optimovej optimovel servoj servoc speedj speedl stopj stopl force_mode "
     "end_force_mode "

@@ -136,8 +136,8 @@ private Q_SLOTS:
         QCOMPARE(units("stop program\ndef a():\nend\n\n"),
                  (std::vector<std::string>{"command stop program", "def a():\nend\n"}));
         QCOMPARE(units("textmsg(\"x\")\nmovej([0,0,0,0,0,0],\na=1)\n").size(), std::size_t(2));
-        QVERIFY(units("def a():\nend").empty());  // the newline completes it
-        // Each followed by the terminating zero of a C string.
+        QVERIFY(units("def a():\nend").empty());  // the newline completes the line
+        // Each is followed by the terminating zero of a C string.
         QCOMPARE(units(std::string("f(1)\n\0g(2)\n\0", 12)), (std::vector<std::string>{"f(1)\n", "g(2)\n"}));
     }
     void section3CommandWords() {
@@ -430,12 +430,12 @@ private Q_SLOTS:
         QCOMPARE(run.host.ended, 1);
     }
 
-    // ---- 12. Interpreter mode: see tst_interpreter_mode; this covers the language itself
+    // ---- 12. Interpreter mode: see tst_interpreter_mode; here only the language itself is tested
     void section12InterpreterMode() {
         ScriptRun run(
             "def m():\n a = 1\n interpreter_mode(clearQueueOnEnter=True, clearOnEnd=True)\n a = 2\nend\n");
         run.frames(50);
-        QCOMPARE(run.value("a"), "1");  // it blocks the main thread
+        QCOMPARE(run.value("a"), "1");  // this call blocks the main thread
     }
 
     // ---- 13. Modifications that clients make to a script before sending it

@@ -244,7 +244,7 @@ private Q_SLOTS:
                  -1.0);
         run.host.intIn[0] = 0;
         run.frames(5);
-        run.host.intIn[0] = 1;  // a new target during motion: the old thread is killed, the new one moves
+        run.host.intIn[0] = 1;  // a new target during motion: the old thread is killed, the new one starts
         run.frames(2);
         QCOMPARE(countOf<Move>(run.host), 2u);
         QCOMPARE(run.host.abandoned.size(), 1u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Interpreter mode: lines run inside a program, in order, with its variables.
+// Interpreter mode: lines run inside a program, in order, with the program's variables.
 
 #include "robot/simulator/urscript/interpreter_mode.h"
 
@@ -21,7 +21,7 @@ struct Session : ScriptRun {
         frames(1);
     }
     InterpreterMode& mode() { return interpreter->mode(); }
-    /// "ack 3", "discard <reason>" or "wait".
+    /// Submits a line. Returns  "ack 3", "discard <reason>" or "wait".
     std::string line(const std::string& text) {
         const InterpreterMode::Reply reply = mode().submit(text);
         return reply.kind == Kind::Ack       ? "ack " + std::to_string(reply.id)
@@ -87,7 +87,7 @@ private Q_SLOTS:
         s.frames(1);
         QCOMPARE(s.host.lastMessage(), "25");
         QCOMPARE(s.line("def f(a): return 100 * a end"),
-                 "ack 3");  // redefined: the newest definition is used
+                 "ack 3");  // redefined, so the newest definition is used
         QCOMPARE(s.line("textmsg(f(2))"), "ack 4");
         s.frames(1);
         QCOMPARE(s.host.lastMessage(), "200");
@@ -137,7 +137,7 @@ private Q_SLOTS:
         s.frames(5);
         QCOMPARE(s.host.motions.size(), std::size_t(1));
         s.frames(20);
-        s.mode().abortMove();  // nothing is running
+        s.mode().abortMove();  // no line is running
         s.frames(2);
         QCOMPARE(s.host.motions.size(), std::size_t(1));
     }
@@ -159,7 +159,7 @@ private Q_SLOTS:
         s.line("def f(): return v end");
         s.frames(1);
         QCOMPARE(s.line("clear_interpreter()"), "ack 3");
-        QCOMPARE(s.line("textmsg(f())"), "wait");  // not before the queue is cleared
+        QCOMPARE(s.line("textmsg(f())"), "wait");  // waits until the queue is cleared
         s.frames(1);
         QCOMPARE(s.mode().counts().lastCleared, 3u);
         QCOMPARE(s.line("textmsg(f())"), "discard compile_error_name_not_found:f:");
@@ -180,7 +180,7 @@ private Q_SLOTS:
         Session s;
         s.line("thread t(): while True: sync() end end");
         s.line("h = run t()");
-        s.line("k = run counter()");  // defined by the program, so it stays
+        s.line("k = run counter()");  // defined by the program, so it is kept
         s.frames(2);
         QCOMPARE(s.interpreter->threadCount(), 3);
         s.line("clear_interpreter()");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The language apart from expressions: layout, functions, scopes, control flow, compile errors.
+// The language except expressions: layout, functions, scopes, control flow, compile errors.
 
 #include "tests/unit/robot/simulator/urscript/script_run.h"
 
@@ -7,7 +7,7 @@ using namespace tiller::simulator::urscript;
 
 namespace {
 
-// "line:column text" of the compile error, or "ok".
+// Compile error as "line:column text", or "ok".
 std::string compileError(const std::string& text) {
     const CompileOutcome outcome = compile(text);
     return outcome ? "ok"

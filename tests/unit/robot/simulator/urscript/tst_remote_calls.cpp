@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// XML-RPC: the request of a call, the handling of replies, and blocking of the program.
+// XML-RPC: the request of a call, the handling of replies, and program execution while a call blocks.
 
 #include "robot/simulator/urscript/xml_rpc.h"
 #include "tests/unit/robot/simulator/urscript/script_run.h"
@@ -15,7 +15,7 @@ std::string ok(const std::string& value) {
            body;
 }
 
-/// Value of a reply in the format of to_str, or "error: ...", or "more".
+/// Value of a reply in the format of to_str, "error: ...", or "more".
 std::string read(const std::string& reply, bool ended = true) {
     const auto outcome = xml_rpc::reply(reply, ended);
     if (!outcome.ok()) {
@@ -82,7 +82,7 @@ private Q_SLOTS:
             QCOMPARE(read(whole.substr(0, i), false), "more");
         }
         QCOMPARE(read(whole, false), "5");
-        // Without a length, the reply ends when the connection is closed.
+        // Without a length, the reply ends when the connection closes.
         std::string unmeasured = whole;
         unmeasured.erase(unmeasured.find("Content-length"), std::string("Content-length: 000\r\n").size());
         QCOMPARE(read(unmeasured, false), "more");
@@ -142,7 +142,7 @@ private Q_SLOTS:
         run.frames(3);
         run.host.sockets["\nrpc-1"].state = SocketHost::State::Closed;
         QCOMPARE(run.frames(2), Interpreter::State::Failed);
-        QCOMPARE(run.error(), "No XML-RPC server answers at 127.0.0.1:40405");
+        QCOMPARE(run.error(), "No XML-RPC server responds at 127.0.0.1:40405");
     }
     void wrongUses() {
         QCOMPARE(evaluate("rpc_factory(\"soap\", \"http://a\")"),

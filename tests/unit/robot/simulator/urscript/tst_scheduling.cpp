@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames, threads, critical sections, motion ownership, secondary programs, control from outside.
+// Frames, threads, critical sections, motion ownership, secondary programs, external control.
 
 #include "tests/unit/robot/simulator/urscript/script_run.h"
 
@@ -215,7 +215,7 @@ private Q_SLOTS:
         run.host.moveFrames = 20;
         QCOMPARE(run.frames(20), State::Running);
         QCOMPARE(run.frames(1), State::Finished);
-        QCOMPARE(run.value("n"), "21");  // in the last period too, before the main program ends
+        QCOMPARE(run.value("n"), "21");  // also in the last period, before the main program ends
     }
     void servoTakesOneFrameEach() {
         ScriptRun run("def m():\nwhile True:\nservoj([0,0,0,0,0,0], t=0.002)\nend\nend\n");
@@ -246,8 +246,8 @@ private Q_SLOTS:
         QCOMPARE(run.host.motions.back().thread, 0);
     }
     void finishedMotionFreesTheArmBeforeThreadsRun() {
-        // The servo command of the thread started last is already over when the main body, which runs first in the
-        // frame, stops.
+        // The servo command of the thread that was started last has already ended when the main body stops,
+        // because the main body runs first in the frame.
         ScriptRun run(
             "def m():\nthread t():\nservoj([0,0,0,0,0,0], t=0.002)\nwhile True:\nsync()\nend\nend\nh = run "
             "t()\n"
@@ -292,7 +292,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("x"), "5");
     }
 
-    // ---- from outside
+    // ---- external control
     void pauseFreezesAndResumeContinues() {
         ScriptRun run("def m():\nn = 0\nwhile True:\nn = n + 1\nsleep(0.004)\nend\nend\n");
         run.frames(4);
@@ -312,7 +312,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("x"), "2");
     }
     void protectiveStopLetsTheFrameEnd() {
-        // A client expects the one-line program to have ended although the robot is stopped.
+        // A client expects that the one-line program has ended although the robot is stopped.
         ScriptRun run("def m():\nprotective_stop()\nend\n");
         run.host.onProtectiveStop = [&] { run.interpreter->pause(); };
         QCOMPARE(run.frames(1), State::Finished);

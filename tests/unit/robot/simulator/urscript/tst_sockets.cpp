@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Socket builtins with two strings as the connection, and the splitter that divides incoming text into units.
+// Socket built-ins with two strings as the connection, and the splitter that divides incoming text into
+// program units.
 
 #include "robot/simulator/urscript/source_splitter.h"
 #include "tests/unit/robot/simulator/urscript/script_run.h"
@@ -10,7 +11,7 @@ using Kind = SourceSplitter::Unit::Kind;
 
 namespace {
 
-// `body` with an open socket "socket_0" in which `input` has arrived.
+// `body` with the open socket "socket_0", which has received `input`.
 struct SocketRun : ScriptRun {
     SocketRun(const std::string& body, const std::string& input) {
         host.sockets["socket_0"].state = SocketHost::State::Open;
@@ -92,8 +93,8 @@ private Q_SLOTS:
         run.socket().state = SocketHost::State::Closed;
         QCOMPARE(run.frames(10), State::Running);
     }
-    // Reading takes time; only a loop that neither waits nor reads is endless. The limits of a frame are small
-    // here, so that little data is sufficient.
+    // Reading takes time, so only a loop that neither waits nor reads is endless. The limits of a frame are
+    // small here, so a small amount of data is sufficient.
     void aLoopThatAlwaysFindsDataGoesOn_data() {
         QTest::addColumn<QString>("read");
         QTest::addColumn<QString>("unit");
@@ -125,7 +126,7 @@ private Q_SLOTS:
             run.host.sockets["socket_0"].in = unit.repeated(4000).toStdString();
             QCOMPARE(run.frames(1), State::Running);
             const int after = std::stoi(run.value("n"));
-            // Each frame reads some of the lines, because only part of the frame time is available for
+            // Each frame reads only some of the lines, because only part of the frame time is available for
             // reading.
             QVERIFY2(after - before > 10 && after - before < 2'000 / 20, qPrintable(QString::number(after)));
             before = after;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Features of published programs that earlier tests of the language did not cover: spellings, containers, builtins
-// that PolyScope writes into exported programs, functions that a software version lacks, and the end of a program
-// sent over a socket.
+// Features of published programs that the other language tests do not cover: spellings, containers, built-in
+// functions that PolyScope writes into exported programs, functions missing in a software version, and the
+// end of a program sent over a socket.
 
 #include <QTest>
 #include <vector>
@@ -17,7 +17,7 @@ using namespace tiller::simulator::urscript;
 
 namespace {
 
-/// Text messages of a program that ends by itself, or the error as the last message.
+/// Text messages of a program that ends by itself. After an error, the last message is the error.
 std::vector<std::string> messagesOf(const std::string& body) {
     const CompileOutcome outcome = compile("def p():\n" + body + "\nend\n");
     if (!outcome) {
@@ -59,7 +59,7 @@ class TestUserPrograms : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // Builtins of exported programs
+    // Built-in functions in exported programs
 
     void toolPoseIsTheTcpInTheBaseFrame() {
         const std::string same = "pose_dist(tool_pose(), get_actual_tcp_pose())";
@@ -156,7 +156,7 @@ private Q_SLOTS:
               "l.slice(3,2)", "l.slice(0,6)", "l.slice(-1,2)", "l.excess_capacity(1)"}) {
             QVERIFY2(messagesOf(list + wrong).back().find("error") == 0, wrong);
         }
-        // If one element does not fit, none is added.
+        // If one element does not fit, no element is added.
         ScriptRun run("def p():\n global l=make_list(1,1,2)\n l.extend([2,3])\nend\n");
         run.frames(5);
         QVERIFY(!run.error().empty());
@@ -233,7 +233,7 @@ private Q_SLOTS:
         const CompileOutcome outcome = compile(g);
         QVERIFY(!outcome);
         QVERIFY2(outcome.error.text.find("syntax_error_on_line:4") == 0, outcome.error.text.c_str());
-        // The last `end` is missing, a loop is open, and a secondary program follows.
+        // The last `end` is missing, a loop is not closed, and a secondary program follows.
         const std::string open = "def g():\n  textmsg(\"x\")\n";
         QCOMPARE(unitsOf(open + h), (Texts{open, h}));
         const std::string loop = "def g():\n\twhile True:\n\t\tsync()\nend\n";

@@ -24,15 +24,15 @@ QStringList saidIn(const recording::Recording& recording) {
     return said;
 }
 
-/// Advances time until the box has received this number of packets, in small steps because virtual time is
-/// faster than the box's thread and a ring holds only 8 s.
+/// Advances time until the black box has received this number of packets. The steps are small, because
+/// virtual time is faster than the thread of the black box, and a ring holds only 8 s.
 bool hasSeen(const IncidentWatch& watch, test::VirtualCell& cell, std::uint64_t packets) {
     QElapsedTimer patience;
     patience.start();
     while (watch.packets() < packets && patience.elapsed() < kWaitTimeoutMs) {
         const std::uint64_t before = watch.packets();
         cell.advanceMs(100);
-        // Waits for the sent packets; at first the thread may not be running yet.
+        // Waits for the sent packets. At first, the thread may not be running yet.
         const int patienceMs = before == 0 ? 20 : 5000;
         static_cast<void>(QTest::qWaitFor([&] { return watch.packets() >= before + 49; }, patienceMs));
     }
@@ -57,7 +57,7 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndTold() {
     QSignalSpy told(&watch, &IncidentWatch::told);
     test::VirtualCell cell(clock, session);
     QVERIFY2(cell.connect(), qPrintable(cell.what()));
-    QVERIFY(hasSeen(watch, cell, 1));  // the box starts in its own thread
+    QVERIFY(hasSeen(watch, cell, 1));  // the black box starts in its own thread
     watch.setProject("cell.tiller", "{\"waypoints\": []}");
     cell.advanceMs(1000);
     Q_EMIT session.message(Severity::Info, QStringLiteral("nearly there"), Origin::Operator);
@@ -66,7 +66,7 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndTold() {
     QVERIFY(hasSeen(watch, cell, watch.packets() + 4000));  // 8 s
     QCOMPARE(told.count(), 0);                              // packets after the stop belong to the incident
     QVERIFY(!QDir(folder.filePath("Incidents")).exists());
-    // At the stop the box may have been half a second behind, so its 4000 packets began before the stop.
+    // At the stop, the black box may have been half a second behind, so its 4000 packets began earlier.
     QVERIFY(hasSeen(watch, cell, watch.packets() + 2000));
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kWaitTimeoutMs);
     QCOMPARE(told.front()[0].value<Severity>(), Severity::Warning);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Distinguishes one continued stop from two stops when data were interrupted.
+// Distinguishes one stop that continues from two stops after an interruption of the data.
 #include <QSignalSpy>
 #include <QTest>
 #include <algorithm>
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QSignalSpy changed(&bench.stops, &StopRecorder::changed);
         bench.stop();
         QVERIFY(std::abs(bench.stoppedAt() - 100.202) < 1e-6);
-        bench.base += 0.1;  // the arm coasts or is pushed, without a gap in the data
+        bench.base += 0.1;  // the arm coasts or is pushed, and the data have no gap
         bench.run(1000);
         QCOMPARE(changed.count(), 1);
     }
@@ -100,7 +100,7 @@ private Q_SLOTS:
         if (anew) {
             QCOMPARE(bench.stops.last()->q[0], bench.base);
         }
-        // Reported once: the following data belong to this stop.
+        // Reported once, because the following data belong to this stop.
         bench.run(1000);
         QCOMPARE(changed.count(), anew ? 1 : 0);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Findings of a check of a whole project without a robot.
+// Findings of a check of a complete project without a robot.
 
 #include <QTest>
 #include <cmath>
@@ -20,7 +20,7 @@ const RobotModel& arm() {
     return robotModel(RobotModelId::UR5e);
 }
 
-/// The tool points down; the base joint is turned by this angle.
+/// The tool points down, and the base joint is at this angle.
 JointPositions turned(double degrees) {
     JointPositions q;
     q.values << toRadians(degrees), -M_PI / 2, M_PI / 2, -M_PI / 2, -M_PI / 2, 0;
@@ -117,7 +117,7 @@ private Q_SLOTS:
         QCOMPARE(findings[1].object.name, box.name);
         QCOMPARE(findings[1].object.frame, box.frame.toString(QUuid::WithoutBraces));
         QVERIFY(findings[1].isError());
-        // Excluded from the check by the user.
+        // The user has excluded this from the check.
         box.enabled = plane.enabled = false;
         project_.cell.boxes.replace(0, box);
         project_.cell.planes.replace(0, plane);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A recording that is too long to be read as a whole, with known contents in every row.
+// A recording that is too long to be read completely, with known contents in every row.
 
 #include <QTemporaryDir>
 #include <algorithm>
@@ -26,8 +26,8 @@ constexpr double kSpike = 40;
 struct Long {
     QTemporaryDir folder;
     QString path = folder.filePath("long.mcap");
-    std::vector<float> force;           ///< by row
-    std::vector<std::uint64_t> spikes;  ///< rows
+    std::vector<float> force;           ///< indexed by row
+    std::vector<std::uint64_t> spikes;  ///< number of rows
 
     Long() {
         test::MadeSamples made({"timestamp", "actual_TCP_force", "robot_mode"});

@@ -11,7 +11,7 @@ using namespace tiller;
 
 namespace {
 
-/// q0 = sin(t), q1 = 2, q2 = t; 500 Hz from time 0 on.
+/// q0 = sin(t), q1 = 2, q2 = t; 500 Hz, starting at time 0.
 struct Source {
     SignalStore store;
     int next = 0;
@@ -49,10 +49,11 @@ private Q_SLOTS:
         for (const double time : {0.5, 9.9, 10.5, 19.0}) {
             QVERIFY(std::abs(s.at(*made, time) - (std::sin(time) + 12)) < 0.003);
         }
-        // The same text returns the same signal.
+        // The same expression returns the same signal.
         QCOMPARE(*s.store.derive("Sum [rad] = actual_q_0 + 3 * actual_q_1 ^ 2"), *made);
         QCOMPARE(s.store.findOrDerive(s.store.info(*made).key), *made);
-        // A derived signal cannot use another derived signal: only names of robot signals are accepted.
+        // A derived signal cannot use another derived signal, because only names of robot signals are
+        // accepted.
         QVERIFY(!s.store.derive("x = Sum + 1").ok());
     }
 

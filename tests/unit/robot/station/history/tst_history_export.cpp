@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Exports of recordings: every number equals the number in the file, in exactly the rows of the window.
+// Exports of recordings: every number equals the number in the file, and the rows are exactly those of the
+// window.
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -91,7 +92,7 @@ private Q_SLOTS:
                 std::size_t first = random() % rows;
                 std::size_t last = random() % rows;
                 std::tie(first, last) = std::minmax({first, last});
-                // On the rows, as with cursors, or between two rows, as in a window.
+                // Limits on rows, as with cursors, or between two rows, as in a window.
                 const double margin = random() % 2 == 0 ? 0 : 2e-4;
                 const double t0 = times.time(static_cast<std::int64_t>(first)) - margin;
                 const double t1 = times.time(static_cast<std::int64_t>(last)) + margin;
@@ -155,7 +156,7 @@ private Q_SLOTS:
         QCOMPARE(mixed.error().code, ErrorCode::Rejected);
         QVERIFY(!mixed.error().controllerMessage.isEmpty());
         QVERIFY(!QFile::exists(to));
-        // A range without rows, and live signals in a format of recordings.
+        // A range without rows, and live signals in a recording format.
         QCOMPARE(exportSignals(store, {store.find(name + "/mine")}, 1e8, 1e9, to).error().code,
                  ErrorCode::InvalidArgument);
         QCOMPARE(exportSignals(store, {store.find("actual_q_0")}, 0, 1, folder.filePath("x.h5")).error().code,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A long recording in the plots: curves drawn from summaries lose no spike, curves of short ranges are exact,
+// A long recording in the plots. Curves drawn from summaries lose no spike, curves of short ranges are exact,
 // and single values equal those of the file at any position.
 
 #include <QTemporaryDir>
@@ -95,7 +95,7 @@ private Q_SLOTS:
                  long_->force[5]);
     }
 
-    /// In the draft, no spike is lost and none is wider than about two columns; after refinement each spike
+    /// The draft contains all spikes, and none is wider than about two columns. After refinement, each spike
     /// is in its exact column.
     void noSpikeIsLostAtAnyZoom() {
         Opened opened(long_->path);
@@ -124,7 +124,7 @@ private Q_SLOTS:
                 opened.history().cut(start, width, kColumns, grid);
                 for (int c = 2; c + 2 < kColumns; ++c) {
                     const auto at = static_cast<std::size_t>(c);
-                    MinMax near;  // over the neighbouring columns, because draft times are approximate
+                    MinMax near;  // including the neighbouring columns, because draft times are approximate
                     for (std::size_t k = at - 2; k <= at + 2; ++k) {
                         near.add(opened.history().minMax(column, grid.edges[k], grid.edges[k + 1]));
                     }
@@ -137,7 +137,7 @@ private Q_SLOTS:
             QVERIFY(!opened.store.sharpen(opened.history(), grid.edges.front() - 1, grid.edges.back() + 1,
                                           kColumns, HistoryFile::Effort::Draft));
             if (grid.edges.back() - grid.edges.front() <= 60'000) {
-                // At this zoom the rows themselves are read, so the result equals that of the buffer in
+                // At this zoom level the rows themselves are read, so the result equals that of the buffer in
                 // memory.
                 QVERIFY(grid.edges == raw.edges);
                 QVERIFY(opened.history().envelope(column, start, start + span, kColumns) ==
@@ -189,7 +189,7 @@ private Q_SLOTS:
     }
 
     /// Derived signals of a file equal the values computed from its rows: single values, the whole signal,
-    /// and values that need earlier rows across a block boundary.
+    /// and values that need earlier rows from another block.
     void whatIsComputedFromItIsThatOfItsRows() {
         Opened opened(long_->path);
         const QString fz = DerivedSignal::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
@@ -217,7 +217,7 @@ private Q_SLOTS:
         }
         QVERIFY2(std::isnan(opened.store.value(*slope, static_cast<std::int64_t>(kGap))),
                  "nothing is computed across a gap");
-        // The whole signal, once it has been computed completely.
+        // The whole signal, after it was computed completely.
         QTRY_COMPARE_WITH_TIMEOUT(opened.store.computedPart(*slope), 1.0, 60'000);
         QCOMPARE(opened.store.computedPart(*made), 1.0);
         const SeriesBuffer& history = *opened.store.buffer(*made);
@@ -250,8 +250,8 @@ private Q_SLOTS:
         connect(&opened.store, &SignalStore::computedFurther, this, [&] { ++told; });
         connect(&opened.store, &SignalStore::computationFailed, this, [&] { ++told; });
         opened.store.closeRecordings();
-        // A signal of a second recording is computed after the first one, so by then all notifications of the
-        // first have arrived.
+        // A signal of a second recording is computed after the first one, so all notifications of the first
+        // have then arrived.
         auto file = recording::openRecording(long_->path);
         const QString name = opened.store.open(std::move(file).value(), kBegin).value();
         const auto next = opened.store.derive(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Statistics of a range equal those of its samples, both in memory and in a long recording, and each sample
-// is read only once.
+// Statistics of a range equal those of its samples, both in memory and in a long recording. Each sample is
+// read only once.
 
 #include <QSignalSpy>
 #include <QTest>
@@ -16,7 +16,7 @@ using namespace tiller::test;
 
 namespace {
 
-/// Reference calculation in two passes.
+/// Reference computation in two passes.
 std::optional<RangeStatistics> plainly(const std::vector<double>& times, const std::vector<double>& values,
                                        double from, double to) {
     RangeStatistics all;
@@ -188,7 +188,7 @@ private Q_SLOTS:
                        plainly(times, values, kBegin + 0.001, end - 0.001)));
         QVERIFY(isSame(ask(sums, computed, kBegin + 0.001, end - 0.001),
                        plainly(times, twice, kBegin + 0.001, end - 0.001)));
-        // Now any other range is available without reading the file, except for the blocks at its ends.
+        // Any other range is now available without reading the file, except for the blocks at its ends.
         std::mt19937 random(9);
         for (int i = 0; i < 20; ++i) {
             const double from = std::uniform_real_distribution<double>(kBegin, end)(random);
@@ -212,7 +212,7 @@ private Q_SLOTS:
         QVERIFY(!ask(sums, opened.signal, kBegin, kBegin + 1000));
         QVERIFY(sums.problem().contains("goes.mcap"));
         // A repeated request reports the problem again without reading the file again. Signals that need no
-        // file access are still available.
+        // file access remain available.
         const std::array<int, 1> wanted = {opened.signal};
         QSignalSpy known(&sums, &RangeStatisticsCache::known);
         sums.want(wanted, kBegin, kBegin + 1000);
@@ -228,7 +228,7 @@ private Q_SLOTS:
         QVERIFY(sums.problem().isEmpty());
     }
 
-    /// A deleted recording does not delay the statistics of another one.
+    /// A deleted recording does not delay the statistics of another recording.
     void aRecordingThatFailsIsNotInTheWayOfAnother() {
         const QString path = long_->folder.filePath("a.mcap");
         QVERIFY(QFile::copy(long_->path, path));
@@ -251,8 +251,8 @@ private Q_SLOTS:
         QVERIFY(!sums.statistics(opened.signal, kBegin, to));
     }
 
-    /// A new file was recorded under the same name: the window still has the old recording open, and a worker
-    /// must not read the new file instead.
+    /// Another file was recorded under the same name. The window still has the earlier recording open, and a
+    /// worker must not read the other file instead.
     void anotherFileInItsPlaceIsNotTakenForIt() {
         const QString path = long_->folder.filePath("anew.mcap");
         QVERIFY(QFile::copy(long_->path, path));
@@ -280,7 +280,8 @@ private Q_SLOTS:
         RangeStatisticsCache sums(opened.store);
         ask(sums, opened.signal, kBegin, long_->timeOf(kRows - 1));
         const std::array<int, 1> wanted = {opened.signal};
-        QTRY_VERIFY((sums.want(wanted, kBegin, long_->timeOf(kRows - 1)), !sums.problem().isEmpty()));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (sums.want(wanted, kBegin, long_->timeOf(kRows - 1)), !sums.problem().isEmpty()), 60'000);
         const auto told = sums.statistics(opened.signal, kBegin, long_->timeOf(kRows - 1));
         QVERIFY(told.has_value());
         QVERIFY(told->count > static_cast<std::int64_t>(kRows) * 9 / 10);

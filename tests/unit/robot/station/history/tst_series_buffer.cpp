@@ -13,11 +13,11 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// Every sample ever appended, as a plain list: the reference for the results of the buffer.
+/// Every sample appended so far, as a plain list. Reference for the results of the buffer.
 struct Plain {
     struct Row {
         double time;
-        std::array<double, 3> values;  ///< two of them can be stored as float
+        std::array<double, 3> values;  ///< two columns can be stored as float
         bool gap;
     };
     std::vector<Row> rows;
@@ -48,7 +48,7 @@ void fill(SeriesBuffer& buffer, Plain& plain, int count, std::mt19937& random) {
     std::uniform_int_distribution<std::int64_t> word(0, std::int64_t{1} << 52);
     double time = plain.rows.empty() ? 100.0 : plain.rows.back().time;
     double bits = 7;
-    // Batches as large as those of a frame, and occasionally more rows than a block holds.
+    // Batches of the size of a frame, and occasionally more rows than a block holds.
     while (count > 0) {
         const int now = std::min(count, chance(random) == 0 ? 5000 : batch(random));
         count -= now;
@@ -58,7 +58,7 @@ void fill(SeriesBuffer& buffer, Plain& plain, int count, std::mt19937& random) {
             const bool gap = chance(random) == 0;
             time += gap ? 0.002 * (2 + chance(random)) : 0.002;
             if (chance(random) == 0 && chance(random) < 20) {
-                bits = static_cast<double>(word(random));  // rare, so that whole blocks have the same value
+                bits = static_cast<double>(word(random));  // rarely changes: whole blocks have the same value
             }
             const float spike = chance(random) == 0 ? 500.0F : 0.0F;
             plain.rows.push_back({time,
@@ -203,7 +203,7 @@ private Q_SLOTS:
         QCOMPARE(buffer.end(), std::int64_t{1});
     }
 
-    // All values are noise here, so no block can be stored as a single value.
+    // All values are noise, so no block can be stored as a single value.
     void memoryIsAFifthMoreThanTheNumbersThemselves() {
         SeriesBuffer buffer(24);
         std::mt19937 random(3);

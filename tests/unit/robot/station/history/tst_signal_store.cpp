@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The available signals of a robot, and the fields that have to be requested for them.
+// The available signals of a robot, and the fields to be requested for them.
 #include <QSet>
 #include <QTest>
 #include <array>
@@ -50,7 +50,7 @@ private Q_SLOTS:
         QVERIFY(store.want(this, {window}));
         QCOMPARE(store.extraFields(), QStringList("actual_current_window"));
         QVERIFY(store.buffer(window) != nullptr && store.buffer(window) != &store.live());
-        // A second subscriber requests the same field: it is requested until both have unsubscribed.
+        // A second subscriber requests the same field. The request ends after both have unsubscribed.
         const int other = 0;
         QVERIFY(store.want(&other, {store.find("actual_current_window_5")}));
         QVERIFY(store.want(this, {}));
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QVERIFY(store.info(inputs).precision() == Precision::Exact);
         const auto column = static_cast<std::size_t>(store.column(inputs));
         const SeriesBuffer::Row row{1, false};
-        const double word = 9007199254740991.0 - 131072.0;  // all 53 bits except the 17th
+        const double word = 9007199254740991.0 - 131072.0;  // all 53 bits except bit 17
         store.appendLive(std::span(&row, 1),
                          [&](std::size_t c, std::size_t) { return c == column ? word : 0; });
         QCOMPARE(store.value(inputs, 0), 0.0);
@@ -127,7 +127,7 @@ private Q_SLOTS:
                              [](std::size_t c, std::size_t r) { return static_cast<double>(r * c % 97); });
             store.appendFurther(rows, [](std::size_t, std::size_t r) { return static_cast<double>(r); });
         }
-        // At least one block is kept, whatever the memory limit.
+        // At least one block is kept, even with a small memory limit.
         QVERIFY(store.memoryBytes() <= 8'000'000);
         QVERIFY(store.live().first() > 0);
     }

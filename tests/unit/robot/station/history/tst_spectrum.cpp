@@ -36,7 +36,7 @@ private Q_SLOTS:
     }
     void aLineHasItsFrequencyAndItsHeight() {
         QFETCH(int, count);
-        // The frequency is exactly on a line of the transform, for every length.
+        // The frequency is exactly at a line of the transform, for every length.
         const double hertz = 500.0 / 16;
         const auto spectrum = spectrumOf(wave(static_cast<std::size_t>(count), hertz, 3, -7), kPeriod);
         QVERIFY(spectrum.ok());
@@ -47,7 +47,7 @@ private Q_SLOTS:
         QCOMPARE(static_cast<double>(top - lines.begin()) * spectrum->resolution, hertz);
         QVERIFY(std::abs(*top - 3) < 0.01);
         QVERIFY(std::abs(lines.front() - 7) < 0.1);
-        // Outside its main lobe a Hann window has almost no amplitude.
+        // Outside its main lobe, a Hann window has almost no amplitude.
         QVERIFY(*(top + 4) < 0.01);
     }
     void whatCannotBeIsRefusedWithAReason() {

@@ -82,7 +82,7 @@ private Q_SLOTS:
         QCOMPARE(step.kind, MoveRequest::Kind::MoveL);
         QVERIFY(step.pose.position.isApprox(Eigen::Vector3d(0.09, 0.2, 0.3)));
         QVERIFY(step.pose.rotation.isApprox(from.rotation));
-        selection.frame = FrameChoice::Tool;  // the tool's x points along base y
+        selection.frame = FrameChoice::Tool;  // x of the tool points along y of the base
         step = cartesianStep(selection, {0, 1}, 1, from, limits_);
         QVERIFY(step.pose.position.isApprox(Eigen::Vector3d(0.1, 0.21, 0.3)));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recorded track and the motion back along it, with ports that only record their calls.
+// The recorded path and the motion back along it, with interfaces that only record their calls.
 #include <QTest>
 
 #include "robot/station/jog/retrace_path.h"
@@ -36,7 +36,7 @@ struct Arm {
         };
     }
     void comeTo(double base, double shoulder) {
-        // Moves in small steps, as reported by a session.
+        // Moves in small steps, as a session reports them.
         const JointPositions to(base, shoulder, 0, 0, 0, 0);
         const int steps = std::max(1, static_cast<int>((to.values - q.values).cwiseAbs().maxCoeff() / 0.005));
         const JointPositions from = q;
@@ -81,7 +81,7 @@ private Q_SLOTS:
         int turns = 0;
         for (; turns < 5000 && arm.go(*id); ++turns) {
             QVERIFY(arm.target.qd.values.cwiseAbs().maxCoeff() <= speed + 1e-9);
-            // Never off the path: the arm is on one of the two straight halves.
+            // Never off the path: the arm is on one of its two straight halves.
             const double off = std::min(std::abs(arm.q[0] - 0.5), std::abs(arm.q[1]));
             QVERIFY2(off < 0.045, qPrintable(QString::number(off)));
             corner = std::min(corner, std::hypot(arm.q[0] - 0.5, arm.q[1]));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The remaining travel in each direction, and the direction away from a limit, checked with the kinematics
-// only.
+// The remaining travel in each direction, and the direction away from a limit, checked with kinematics only.
 #include <QTest>
 #include <memory>
 #include <numbers>
@@ -52,7 +51,7 @@ class TestTravel : public QObject {
 
 private Q_SLOTS:
     void theEndOfTheArmsReachIsFound() {
-        // Straight up: the jog ends shortly before the arm is fully extended.
+        // Straight up, the jog ends shortly before the arm is fully extended.
         const control::JogReach up = travelLeft(armAt(kMiddle), along(2, 1));
         QCOMPARE(up.end.kind, control::LimiterKind::Singularity);
         const Pose start = kinematics::forwardTcp(dh(), kMiddle);
@@ -65,7 +64,7 @@ private Q_SLOTS:
         QVERIFY2(!kinematics::inverseNearest(dh(), beyond, {}, kMiddle), "and not much more");
     }
 
-    // Only limits end the jog: the mounting plane is not a limit, a floor of the cell is.
+    // Only limits end the jog. The mounting plane is not a limit, but a floor of the cell is.
     void goingDownEndsAtAFloorOfTheCellOnly() {
         const control::JogReach open = travelLeft(armAt(kMiddle), along(2, -1));
         QVERIFY(open.end.kind != control::LimiterKind::Border);
@@ -80,7 +79,7 @@ private Q_SLOTS:
         QCOMPARE(down.end.link, collision::kToolLink);
         QVERIFY2(std::abs(down.distance - (tip - collision::kSafetyDistance)) < 0.002,
                  qPrintable(QString::number(down.distance)));
-        // The reach upwards is unchanged.
+        // The upward travel is unchanged.
         QCOMPARE(travelLeft(armAt(kMiddle, tool, 0, radius), along(2, 1)).end.kind,
                  control::LimiterKind::Singularity);
     }
@@ -89,7 +88,7 @@ private Q_SLOTS:
         JointPositions near = kMiddle;
         near[5] = kJointPositionLimit - 20 * kDeg;
         const Eigen::Matrix3d R = rotationMatrix(kinematics::forwardTcp(dh(), near).rotation);
-        // A rotation about the tool's own Z axis moves wrist 3 only.
+        // A rotation about the tool's Z axis moves only wrist 3.
         Vector6 about = Vector6::Zero();
         about.tail<3>() = R.col(2);
         const control::JogReach one = travelLeft(armAt(near), about);
@@ -107,7 +106,7 @@ private Q_SLOTS:
         near[2] = -(kJointPositionLimit - 12 * kDeg);
         const int key = escapeKey(armAt(near), Eigen::Matrix3d::Identity(), 2);
         QVERIFY(key >= 0);
-        // After following the advice for 20 mm (or 6 deg), the joint is further from its limit than before.
+        // After following the advice for 20 mm (or 6 deg), the joint is further away from its limit.
         const int axis = key / 2;
         const double sign = key % 2 == 0 ? -1 : 1;
         Pose pose = kinematics::forwardTcp(dh(), near);
@@ -135,7 +134,7 @@ private Q_SLOTS:
     }
 
     void theLimiterLineNamesTheBodiesThatAreNearAndTheKeyThatPartsThem() {
-        // A pose low enough for a floor below the shoulder, 15 mm above that floor.
+        // A pose that is low enough for a floor below the shoulder, 15 mm above that floor.
         Pose low = kinematics::forwardTcp(dh(), kMiddle);
         low.position.z() -= 0.2;
         const JointPositions q = kinematics::inverseNearest(dh(), low, {}, kMiddle).value();
@@ -154,7 +153,7 @@ private Q_SLOTS:
         LimiterAdvice limiter = nearestLimiter(state);
         QVERIFY2(limiter.what.contains("15 mm from the floor"), qPrintable(limiter.what));
         QCOMPARE(limiter.advice, QStringLiteral("jog Z+"));
-        // While the limiter slows down a jog, the text includes the remaining share of the speed.
+        // While the limiter slows down a jog, the text contains the remaining fraction of the speed.
         state.motionActive = true;
         state.limiter.kind = control::LimiterKind::Border;
         state.limiter.link = 6;
@@ -180,7 +179,7 @@ private Q_SLOTS:
     void alignmentTurnsTheToolToTheNearestAxisAndStaysInPlace() {
         JogSelection selection;
         Pose from(0.1, -0.4, 0.3, 0, 0, 0);
-        // The tool points down, with an inclination of ten degrees.
+        // The tool points down, tilted by ten degrees.
         from.rotation = rotationVector(
             Eigen::AngleAxisd(std::numbers::pi - 10 * kDeg, Eigen::Vector3d::UnitX()).matrix());
         const MoveRequest request = alignMove(selection, from, {});
@@ -193,7 +192,8 @@ private Q_SLOTS:
         QVERIFY2(std::abs(turn.angle() - 10 * kDeg) < 1e-9, "no more than the ten degrees");
         QVERIFY2(std::abs(request.speed - chosenSpeed(selection).rotation * 0.25) < 1e-12,
                  "as fast as a turn is chosen");
-        // The measured position of a robot at rest fluctuates; this must not count as a slow linear path.
+        // The measured position of a robot at standstill fluctuates. This must not count as a slow linear
+        // path.
         const JointPositions q = kMiddle;
         const Pose at = kinematics::forwardTcp(dh(), q);
         Pose turned = at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The session's conclusions about control without data: before the first data, and after a lost connection.
+// What the session assumes about control without data: before the first data, and after a lost connection.
 #include <QElapsedTimer>
 #include <QTest>
 
@@ -19,7 +19,7 @@ struct DoubtBench {
     VirtualCell cell{clock, session};
 
     const SessionState& state() const { return session.state(); }
-    /// Advances time until the condition holds. Returns false on timeout.
+    /// Advances time until the condition is true. Returns false on timeout.
     template <class Condition>
     bool until(const Condition& condition) {
         QElapsedTimer waited;
@@ -29,7 +29,7 @@ struct DoubtBench {
         }
         return condition();
     }
-    /// Advances time for the robot and the session, without waiting for data that cannot arrive.
+    /// Advances time for the robot and the session without waiting for data, because no data can arrive.
     void goOn(int ms) {
         for (int t = 0; t < ms; t += 2) {
             clock.advanceNs(2 * kNsPerMs);
@@ -45,7 +45,7 @@ struct DoubtBench {
         waited.start();
         while (!condition() && waited.elapsed() < kTimeoutMs) {
             goOn(kStepMs);
-            QTest::qWait(5);  // for the threads of the link
+            QTest::qWait(5);  // gives the threads of the connection time to run
         }
         return condition();
     }
@@ -68,9 +68,10 @@ class TestControlDoubt : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // It is not known yet whether another program is running, so taking control could end it without asking.
+    // It is not yet known whether another program is running. Taking control could end this program without
+    // confirmation.
     void takingControlWaitsForData() {
-        QStringList said;  // declared first: the session may send a message in its destructor
+        QStringList said;  // declared first, because the session may send a message in its destructor
         bool asked = false;
         DoubtBench bench;
         QVERIFY(bench.cell.robot.start().ok());
@@ -102,13 +103,13 @@ private Q_SLOTS:
         QVERIFY(bench.state().controlInDoubt);
         bench.cell.advanceMs(200);
         QVERIFY(!bench.state().controlInDoubt);
-        // Permanently: data that become late afterwards give no new information about the old connection.
+        // Permanent: data that become late afterwards give no new information about the previous connection.
         bench.silence();
         QVERIFY(!bench.state().isFresh());
         QVERIFY(!bench.state().controlInDoubt);
     }
 
-    // Old data prove nothing: the time starts again with fresh data.
+    // Outdated data prove nothing, so the time restarts with fresh data.
     void lateDataProlongTheDoubt() {
         DoubtBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

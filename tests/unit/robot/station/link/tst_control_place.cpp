@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The robot changes from Remote to Local while in control: motion stops, control is released, and the
-// operator is told the reason. A robot that was never in Remote may be controlled as it is.
+// The robot changes from remote to local control while Tiller is in control. Motion stops, control is
+// released, and the reason is displayed. A robot that was never in remote control may be controlled in local
+// control.
 #include <QElapsedTimer>
 #include <QTest>
 
@@ -12,12 +13,12 @@ using control::StopCause;
 
 namespace {
 
-/// Session time within which the remote switch is queried; the reply itself takes real time.
+/// Session time within which the remote switch is queried. The reply itself takes real time.
 constexpr int kNoticedMs = 600;
 constexpr int kWaitTimeoutMs = 20'000;
 
 struct Bench {
-    QStringList warnings;  // declared first: the session may send a message in its destructor
+    QStringList warnings;  // declared first, because the session may send a message in its destructor
     VirtualClock clock;
     RobotSession session{clock};
     VirtualCell cell;
@@ -87,16 +88,16 @@ private Q_SLOTS:
         bench.cell.advanceMs(kNoticedMs);
         QVERIFY(bench.answered([&] { return !bench.warnings.isEmpty(); }));
         QVERIFY2(bench.said().contains(QStringLiteral("Local")), qPrintable(bench.said()));
-        // The operator still holds the key, but it no longer moves the arm.
+        // The operator still holds the key, but the arm does not move.
         QVERIFY(
             bench.cell.advanceUntil([&] { return bench.cell.truth().tcpSpeed.linear.norm() < 0.001; }, 250));
         QVERIFY(bench.within([&] { return !bench.isInControl(); }));
         QVERIFY(bench.within([&] { return bench.cell.truth().runtimeState == RuntimeState::Stopped; }));
-        // The reason is updated once the controller itself has reported the mode.
+        // The reason is updated after the controller itself has reported the mode.
         QVERIFY(bench.answered([&] { return bench.session.state().control == ControlState::Refused; }));
         QVERIFY(bench.session.state().controlReason.contains(QStringLiteral("Local")));
         QCOMPARE(bench.warnings.size(), 1);
-        // Back in Remote: control is not taken automatically, but the operator can take it again.
+        // Back in remote control: control is not taken automatically, but the operator can take it again.
         bench.jog = 0;
         bench.cell.robot.setRemoteControl(true);
         QVERIFY(bench.knowsRemote());
@@ -107,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(bench.beginJog());
     }
 
-    // A robot that accepts no commands in Local is recognized once it has been in Remote.
+    // A robot that accepts no commands in local control is recognized once it has been in remote control.
     void inLocalTheNextStepIsAtTheTeachPendant() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -122,7 +123,8 @@ private Q_SLOTS:
         QVERIFY(!bench.session.state().controlReason.contains(QStringLiteral("Remote")));
     }
 
-    // A refused command also shows it; the refusal is forgotten when the robot is in Remote again.
+    // A refused command also indicates local control. The refusal is cleared when the robot is in remote
+    // control again.
     void refusalInLocalIsRememberedUntilRemote() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.remoteControl = false;
@@ -160,7 +162,7 @@ private Q_SLOTS:
         QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
     }
 
-    // Software that does not support the query.
+    // Software without support for the query.
     void noTransitionWithoutReportedMode() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.software = {5, 5, 1, 0};
@@ -184,9 +186,9 @@ private Q_SLOTS:
         QVERIFY2(bench.warnings.isEmpty(), qPrintable(bench.said()));
     }
 
-    // The speed slider is logged once it is at rest, whether the robot or the operator moved it.
+    // The speed slider is logged once it stops changing, regardless of who moved it.
     void aMovedSpeedSliderIsLogged() {
-        QStringList said;  // declared first: the session may send a message in its destructor
+        QStringList said;  // declared first, because the session may send a message in its destructor
         QList<Origin> origins;
         Bench bench;
         QObject::connect(&bench.session, &RobotSession::message, &bench.session,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stops that also apply to a program of another client.
+// Stops that also apply to programs of other clients.
 #include <QTest>
 #include <algorithm>
 
@@ -71,7 +71,8 @@ private Q_SLOTS:
         played.link = LinkState::Lost;
         QVERIFY(meansIt(played));
     }
-    // A program may have started since. Esc and Space may have another meaning in the window; STOP has not.
+    // A program may have started since then. Esc and Space may have another function in the window, but STOP
+    // always stops.
     void oldDataConfirmNoStandstill() {
         for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
             SessionState stopped = live(RuntimeState::Stopped);
@@ -84,7 +85,7 @@ private Q_SLOTS:
             QVERIFY(meansIt(played));
         }
     }
-    // While control is in doubt, the window shows Space and Esc as stop keys.
+    // While it is uncertain who has control, the window shows Space and Esc as stop keys.
     void everyStopKeyIsMeantWhileControlIsInDoubt() {
         for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
             SessionState stopped = live(RuntimeState::Stopped);
@@ -100,7 +101,8 @@ private Q_SLOTS:
         moving.moving = true;
         QVERIFY(meansIt(moving));
     }
-    // A stop goes to our own program first, and to all connections once it is not confirmed.
+    // A stop is sent to Tiller's own program first. If it is not confirmed, it is sent through all
+    // connections.
     void noOtherStopIsMeant() {
         for (int cause = 0; cause <= static_cast<int>(StopCause::TargetTooFar); ++cause) {
             const auto which = static_cast<StopCause>(cause);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a session judges the program that runs on the robot: one of another client, its own, or the control program of a
-// client that has ended.
+// How a session classifies the program that runs on the robot: a program of another client, its own, or the
+// control program of a client that has exited.
 #include <QElapsedTimer>
 #include <QTest>
 #include <chrono>
@@ -36,7 +36,7 @@ struct ProgramBench {
     }
     bool isInControl() const { return state().control == ControlState::InControl; }
 
-    /// Advances in real time, because other clients take part.
+    /// Advances in real time, because other clients are involved.
     bool within(const std::function<bool()>& condition) {
         QElapsedTimer waited;
         waited.start();
@@ -59,7 +59,8 @@ struct ProgramBench {
                            "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
                            "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\nsync()\nend\nend\n"));
     }
-    /// Starts a control program without a client, as a killed process leaves it, until the session has recognized it.
+    /// Starts a control program without a client, as left by a killed process, and waits until the session
+    /// has recognized it.
     bool abandonProgram() {
         return send(control::Programs::controlProgram(cell.robot.options().software,
                                                       control::RegisterRange::Upper)) &&
@@ -81,7 +82,7 @@ class TestForeignProgram : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    // The control program of a killed process keeps running at standstill for five seconds.
+    // The control program of a killed process continues to run at standstill for five seconds.
     void controlOfAnAbandonedProgramIsTakenWithoutAQuestion() {
         ProgramBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -93,7 +94,7 @@ private Q_SLOTS:
         QVERIFY(!bench.state().programAbandoned);
     }
 
-    // The number in its register remains.
+    // The value in the program's register remains.
     void theProgramAfterAnAbandonedOneIsNotReplacedWithoutAQuestion() {
         ProgramBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -124,21 +125,22 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.abandonProgram());
         bench.session.stop(StopCause::StopButton);
-        QVERIFY(bench.cell.advanceUntil([&] { return !bench.runs(); }, 1000));  // by itself only after 5 s
+        QVERIFY(bench.cell.advanceUntil([&] { return !bench.runs(); }, 1000));  // it ends only after 5 s
     }
 
-    // Each key press belongs to the same stop: pressing again does not postpone the other routes.
+    // All key presses belong to the same stop. Pressing again does not postpone the stop through the other
+    // interfaces.
     void aStopAfterATakeoverIsNotPostponedByPressingAgain() {
         ProgramBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.sendMovingProgram());
         QVERIFY(bench.within([&] { return bench.moves(); }));
         QVERIFY2(bench.isInControl(), "the loss of control is already known");
-        bench.press(12, 20);  // below the 500 ms after which the loss is noticed
+        bench.press(12, 20);  // less than the 500 ms after which the loss is detected
         QVERIFY2(!bench.runs(), "the program goes on");
     }
 
-    // The robot's data confirm each of them: our own program is not ended.
+    // The robot's data confirm each stop, so Tiller's own program is not ended.
     void repeatedStopsOfOurMotionKeepControl() {
         ProgramBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -159,7 +161,7 @@ private Q_SLOTS:
         }
     }
 
-    // Nothing can be checked against an object whose position is unknown.
+    // Collisions with an object cannot be checked if its position is unknown.
     void movesAreRefusedWhileAnObjectHasNoPosition() {
         ProgramBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -187,7 +189,7 @@ private Q_SLOTS:
         QVERIFY2(move.error().context.contains("crate"), qPrintable(move.error().context));
         QVERIFY(!bench.session.permits({&request, 1}).ok());
         QVERIFY(!bench.session.permitsPath({&target, 1}).ok());
-        // A jog is watched by the operator, and may be needed to teach the position again.
+        // The operator watches a jog, and may need it to teach the position again.
         control::JogTarget up;
         up.twist.linear.z() = 0.05;
         const auto jog = bench.session.beginJog(up);

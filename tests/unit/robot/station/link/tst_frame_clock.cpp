@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One clock for the whole user interface: each frame fetches the samples since the previous frame once, and
-// all parts of the window show the latest one.
+// One clock for the whole user interface. Each frame fetches the samples since the previous frame once, and
+// all parts of the window show the latest sample.
 #include <QElapsedTimer>
 #include <QTest>
 #include <vector>
@@ -15,12 +15,12 @@ namespace {
 
 /// Records the signals that a part of the window receives from a session.
 struct Listener {
-    std::vector<std::uint64_t> sequences;  ///< of all samples, in order of arrival
+    std::vector<std::uint64_t> sequences;  ///< sequence numbers of all samples, in order of arrival
     std::uint64_t lost = 0;
     int links = 0;
     int batches = 0;
     int frames = 0;
-    int framesBehind = 0;  ///< frames whose state was not made from the latest sample
+    int framesBehind = 0;  ///< number of frames whose state does not belong to the latest sample
     QObject context;       ///< destroying it disconnects the listener
 
     explicit Listener(RobotSession& session) {
@@ -79,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(second.sequences == first.sequences);
     }
 
-    // Late samples are delivered with the next frame; samples that did not fit into the ring are counted.
+    // Late samples are delivered with the next frame. Samples that did not fit into the ring are counted.
     void aFrozenInterfaceGetsAllOfItAfterwards() {
         Bench bench;
         Listener listener(bench.session);
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(listener.isWhole());
     }
 
-    // A motion at the time of disconnecting has no effect on the next robot.
+    // A motion that was active when disconnecting has no effect on the next robot.
     void aNewLinkHasMissedNoStop() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -132,7 +132,8 @@ private Q_SLOTS:
         QVERIFY(bench.session.state().lastStopSeen);
     }
 
-    // The connected() signal is emitted again, so clients need not compare it with the earlier state.
+    // The connected() signal is emitted again, so clients need not compare the connection with the earlier
+    // state.
     void aRobotThatComesBackIsTheSameLink() {
         constexpr int kWaitTimeoutMs = 20'000;
         Bench bench;
@@ -158,7 +159,7 @@ private Q_SLOTS:
         QCOMPARE(connections, 2);
     }
 
-    // A slot that receives a frame may process events and so start another frame.
+    // A slot that receives a frame may process events and thus start another frame.
     void aFrameWithinAFrameLeavesTheFirstWhole() {
         bool nested = false;
         Bench bench;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Late and lost packets of the last ten seconds.
+// Late and lost packets in the last ten seconds.
 #include <QTest>
 
 #include "robot/core/clock.h"
@@ -11,7 +11,7 @@ class TestLinkHistory : public QObject {
     Q_OBJECT
 
 private:
-    /// One second with 500 packets, some of them late or lost, in 16 ms frames.
+    /// One second with 500 packets in 16 ms frames; some of the packets are late or lost.
     PacketCounts second(std::uint64_t late, std::uint64_t lost) {
         PacketCounts recent;
         for (int frame = 1; frame <= 50; ++frame) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chosen speed limits a move at every part of the arm.
+// The selected speed limits a move at every part of the arm.
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -17,15 +17,15 @@ namespace {
 constexpr double kFast = 0.25;  // [m/s]
 constexpr double kChosen = 0.05;
 
-/// The forearm points back: the wrist is near the axis of the shoulder.
+/// The forearm points back, so the wrist is near the axis of the shoulder.
 const JointPositions kFolded(0, -0.8, 2.7, -1.9, 1.57, 0);
 
 const DhParameters& dh() {
     return robotModel(RobotModelId::UR5e).dh;
 }
 
-/// TCP velocity while the shoulder turns at 1 rad/s and wrist 1 turns back, without rotation of the tool
-/// [m/s].
+/// TCP velocity while the shoulder rotates at 1 rad/s and wrist 1 rotates back, so that the orientation of
+/// the tool is constant [m/s].
 Eigen::Vector3d aroundTheShoulder(const JointPositions& q) {
     const auto J = kinematics::jacobian(dh(), q);
     return (J.col(1) - J.col(3)).head<3>();
@@ -63,7 +63,7 @@ private Q_SLOTS:
         const MoveRequest asked = line(state, 0.03 * around.normalized());
         const double speed = slowedTo(chosen(), asked, state).speed;
         QVERIFY2(speed > 0 && speed < 0.6 * kChosen, qPrintable(QString::number(speed)));
-        // At the start, the elbow turns around the shoulder together with the upper arm.
+        // At the start, the elbow rotates about the shoulder together with the upper arm.
         const double elbow = std::abs(dh().a[1]) * speed / around.norm();
         QVERIFY2(elbow < 1.05 * kChosen && elbow > 0.8 * kChosen, qPrintable(QString::number(elbow)));
     }
@@ -73,7 +73,7 @@ private Q_SLOTS:
         MoveRequest turning = line(state, 0.03 * aroundTheShoulder(kFolded).normalized());
         turning.pose.rotation =
             rotationVector(rotationMatrix(state.tcpPose.rotation) * rotationMatrix({0, 0, 0.4}));
-        // The rotation dominates: the speed refers to a longer path, and the line takes as long as the elbow
+        // The rotation dominates: the speed applies to a longer path, and the line takes as long as the elbow
         // needs.
         const double length = kinematics::lineLength(state.tcpPose, turning.pose);
         QVERIFY(std::abs(length - 0.4 * kinematics::kTurnRadius) < 1e-6);

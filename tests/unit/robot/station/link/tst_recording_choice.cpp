@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// File names of recordings: the expansion of the pattern, and no recording overwrites another one.
+// File names of recordings: the pattern is expanded, and no recording overwrites another one.
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -34,7 +34,7 @@ private Q_SLOTS:
         QCOMPARE(name("{robot} {date}"), QString("Lab UR5e 2024-09-17.csv"));
         QCOMPARE(name("gluing"), QString("gluing.csv"));
         QCOMPARE(name(" gluing.CSV "), QString("gluing.csv"));
-        // The name of a robot may contain characters that a file name must not.
+        // The name of a robot may contain characters that are not permitted in file names.
         QCOMPARE(name("{robot}", "../cell 7: \"left\""), QString("_.._cell 7_ _left_.csv"));
     }
 
@@ -85,7 +85,7 @@ private Q_SLOTS:
             QFile made(folder_.filePath(there));
             QVERIFY(made.open(QIODevice::WriteOnly));
         }
-        // A dangling link also occupies its name.
+        // A dangling link also reserves its name.
         QVERIFY(QFile::link(folder_.filePath("no such file"), folder_.filePath("lot 004.csv")));
         QCOMPARE(name("lot {number}"), QString("lot 006.csv"));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Programs for tests, step by step, and a project with the elements that their steps refer to.
+// Programs for tests, created step by step, and a project with the elements used by the steps.
 
 #include "robot/kinematics/arm_kinematics.h"
 #include "robot/project/project_file.h"
@@ -26,7 +26,8 @@ inline project::Waypoint waypointAt(const QString& name, const Eigen::Vector3d& 
     return point;
 }
 
-/// Waypoints "home", "pick" and "place", a group "row" of three, a pattern "tray" of 3 x 4, a frame, two tools, a payload.
+/// Waypoints "home", "pick" and "place", a group "row" of three waypoints, a pattern "tray" of 3 x 4
+/// positions, a frame, two tools, a payload.
 inline project::Project sampleProject() {
     project::Project project;
     project.robot = RobotModelId::UR5e;
@@ -59,7 +60,7 @@ inline QString waypointId(const project::Project& project, const QString& name) 
     return idText(project.waypoints.at(project.waypoints.indexOfName(name)).id);
 }
 
-/// A step with the default values of its kind, overridden by `fields`.
+/// A step with the default values of its kind; `fields` override them.
 inline project::ProgramStep step(const char* kind, const QJsonObject& fields = {},
                                  std::vector<project::ProgramStep> steps = {}) {
     const StepKind* found = findStepKind(QLatin1String(kind));
@@ -76,7 +77,8 @@ inline project::Program makeProgram(const QString& name, std::vector<project::Pr
     return {QUuid::createUuid(), name, {}, std::move(steps), {}, {}};
 }
 
-/// From the pick position into each position of the tray, with a check of the part and an On error section.
+/// Moves parts from the pick position to each position of the tray, with a check of the part and an On error
+/// section.
 inline project::Program trayProgram(const project::Project& project) {
     const QString pick = waypointId(project, "pick");
     const QString tray = idText(project.patterns.at(0).id);

@@ -11,7 +11,7 @@ using namespace tiller::program;
 
 namespace {
 
-/// "a b(c d) e": the texts of log steps, and folders with their contents.
+/// Describes a tree, e.g. "a b(c d) e": the texts of log steps, and folders with their contents.
 QString shapeOf(const Steps& steps) {
     QStringList texts;
     for (const project::ProgramStep& step : steps) {
@@ -26,7 +26,7 @@ project::ProgramStep leaf(const char* text) {
     return step("log", {{"text", text}});
 }
 
-/// a b(c d(e) f) g
+/// Creates the tree a b(c d(e) f) g.
 project::Program sample() {
     return makeProgram("p", {leaf("a"),
                              step("folder", {{"name", "b"}},
@@ -121,8 +121,8 @@ private Q_SLOTS:
         const project::Program program = sample();  // a b(c d(e) f) g
         QCOMPARE(shapeOf(withNested(program, idsOf(program, {"g"})).steps), QString("a b(c d(e) f g)"));
         QCOMPARE(shapeOf(withNested(program, idsOf(program, {"f"})).steps), QString("a b(c d(e f)) g"));
-        QVERIFY(withNested(program, idsOf(program, {"a"})) == program);  // nothing above it
-        QVERIFY(withNested(program, idsOf(program, {"b"})) == program);  // "a" is no section
+        QVERIFY(withNested(program, idsOf(program, {"a"})) == program);  // no element above it
+        QVERIFY(withNested(program, idsOf(program, {"b"})) == program);  // "a" is not a section
         QCOMPARE(shapeOf(withUnnested(program, idsOf(program, {"e"})).steps), QString("a b(c d e f) g"));
         QCOMPARE(shapeOf(withUnnested(program, idsOf(program, {"c", "f"})).steps),
                  QString("a b(d(e)) c f g"));
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(into(idOf(program, "d")), QString("a b(c d(e) x f) g"));
         QCOMPARE(into({}), QString("a b(c d(e) f) g x"));
         program = withoutSteps(program, idsOf(program, {"e"}));
-        QCOMPARE(into(idOf(program, "d")), QString("a b(c d(x) f) g"));  // an empty section
+        QCOMPARE(into(idOf(program, "d")), QString("a b(c d(x) f) g"));  // the section is empty
     }
 
     void nestingIsLimited() {
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QCOMPARE(fieldInput(field, "50").value, QJsonValue(0.05));
         QCOMPARE(fieldInput(field, " 12.5 ").value, QJsonValue(0.0125));
         QCOMPARE(fieldInput(field, "2000").value, QJsonValue(2));
-        // A comma never groups digits: "1,250" must not become 1250.
+        // A comma never groups digits, so "1,250" must not become 1250.
         QCOMPARE(fieldInput(field, "1,250").value, QJsonValue(0.00125));
         QVERIFY(fieldInput(field, "1.250,5").value.isUndefined());
         QVERIFY(fieldInput(field, "").value.isUndefined() && fieldInput(field, "").refusal.isEmpty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Programs run in the simulated controller, in virtual time.
+// Programs that run in the simulated controller, in virtual time.
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -67,7 +67,7 @@ private Q_SLOTS:
         options.inputs = on(0);
         const Ran ran = run(project, trayProgram(project), options);
         QVERIFY2(ran.preview.isGood(), describe(ran));
-        // The tray has twelve positions; the steps in the loop ran once for each of them.
+        // The tray has twelve positions, and the steps in the loop ran once for each of them.
         QCOMPARE(ran.preview.timings[5].count, 12);
         QCOMPARE(ran.preview.timings[11].count, 12);
         QVERIFY(ran.preview.timings[11].total > 12 * 0.01);
@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY2(ran.preview.isGood(), describe(ran));
         QCOMPARE(ran.preview.timings[7].count, 1);   // the gripper closes once
         QCOMPARE(ran.preview.timings[8].count, 0);   // and no later step in the loop runs
-        QCOMPARE(ran.preview.timings[14].count, 1);  // On error
+        QCOMPARE(ran.preview.timings[14].count, 1);  // the On error section runs
         QCOMPARE(ran.preview.timings[16].count, 1);  // the last step still runs
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Random programs: valid programs run in the order predicted by a model of the steps, invalid programs are
+// Random programs. Valid programs run in the order predicted by a model of the steps, invalid programs are
 // refused at the faulty step, and damaged files cause no crash.
 
 #include <QRandomGenerator>
@@ -50,7 +50,7 @@ private:
         return all[below(static_cast<int>(all.size()))];
     }
 
-    /// One step, or a group of steps that belong together.
+    /// One step, or a group of related steps.
     std::vector<project::ProgramStep> group(int depth, bool inLoop, bool inTry) {
         const int kinds = depth < 3 ? 14 : 7;
         switch (below(kinds)) {
@@ -109,7 +109,7 @@ private:
     const project::Program& helper_;
 };
 
-/// The expected behaviour of the steps, modelled without a script.
+/// Model of the expected behaviour of the steps, without a script.
 class Model {
 public:
     Model(const ProgramScript& script, const project::Program& helper, bool input0)
@@ -228,7 +228,7 @@ project::Program helperProgram() {
     return helper;
 }
 
-/// The steps of a tree, with those inside sections.
+/// The steps of a tree, including those inside sections.
 void collect(std::vector<project::ProgramStep>& steps, std::vector<project::ProgramStep*>& all) {
     for (project::ProgramStep& step : steps) {
         if (!step.disabled) {
@@ -320,7 +320,7 @@ private Q_SLOTS:
             project::Program made = maker.program();
             std::vector<project::ProgramStep*> all;
             collect(made.steps, all);
-            std::vector<project::ProgramStep*> plain;  // steps whose position does not matter
+            std::vector<project::ProgramStep*> plain;  // steps that are valid at any position
             for (project::ProgramStep* step : all) {
                 if (step->steps.empty() && step->kind != "comment" && step != all.front()) {
                     plain.push_back(step);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Programs as URScript: every kind of step compiles, and errors are reported at their step.
+// Programs as URScript: every kind of step compiles, and errors are reported at the step that caused them.
 
 #include <QTest>
 
@@ -51,7 +51,7 @@ private Q_SLOTS:
         QCOMPARE(script.name, QString("program_fill_the_tray"));
     }
 
-    // A step of each kind in a permitted position, with all elements it refers to.
+    // A step of each kind at a permitted position, with all elements that it refers to.
     void everyKindCompiles_data() {
         QTest::addColumn<QString>("kind");
         for (const StepKind* kind : stepKinds()) {

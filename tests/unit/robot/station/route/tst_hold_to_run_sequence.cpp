@@ -10,7 +10,7 @@ using State = SequenceStep::State;
 
 namespace {
 
-/// The calls that the steps received, in order.
+/// Calls received by the steps, in order.
 using Notes = QStringList;
 
 class NotedStep : public SequenceStep {
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(id.ok());
         QCOMPARE(b.notes, Notes{"begin a after 7"});
         QVERIFY(b.motion.hold(*id));
-        QVERIFY(b.motion.hold(*id));  // a is complete, b begins in the same cycle
+        QVERIFY(b.motion.hold(*id));  // a is complete, and b begins in the same cycle
         QCOMPARE(b.notes, (Notes{"begin a after 7", "begin b after 7"}));
         QVERIFY(b.motion.hold(*id) && b.motion.hold(*id));
         QVERIFY(!b.motion.hold(*id));
@@ -92,7 +92,7 @@ private Q_SLOTS:
         QCOMPARE(b.planned.size(), std::size_t(1));
     }
 
-    // A stop during a pause between two motions finds no motion to stop; the next motion must not begin
+    // A stop during a pause between two motions finds no motion to stop. The next motion must not begin
     // either.
     void aStopBetweenTwoEndsAll() {
         Bench b;

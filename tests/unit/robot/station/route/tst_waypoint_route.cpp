@@ -50,8 +50,7 @@ private Q_SLOTS:
         QVERIFY(!route.isDone());
     }
 
-    // Between two waypoints, a step back returns to the waypoint just left; at a waypoint, to the previous
-    // one.
+    // Between two waypoints, a step back returns to the last waypoint; at a waypoint, to the previous one.
     void aStepBackLeadsToTheOneThatWasLeft() {
         WaypointRoute route;
         route.setWaypoints(someIds(4));

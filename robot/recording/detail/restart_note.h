@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The event of a recording when the time of the controller jumped back, because the controller was restarted.
+
+#include <QString>
+
+namespace tiller::recording {
+
+inline constexpr int kRestartLevel = 30;  ///< warning
+inline constexpr const char* kRestartSource = "recorder";
+
+/// before, after  time stamps of the controller around the restart [s]
+inline QString restartText(double before, double after) {
+    return QStringLiteral("The controller was restarted: its time jumped from %1 s to %2 s")
+        .arg(before, 0, 'f', 3)
+        .arg(after, 0, 'f', 3);
+}
+
+}  // namespace tiller::recording

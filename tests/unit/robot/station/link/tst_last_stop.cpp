@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// The last stop that a session shows: a stop by the safety system replaces the stop measured before it.
+#include <QTest>
+
+#include "robot/script/script_client.h"
+#include "tests/support/virtual_cell.h"
+#include "tests/support/waiting.h"
+
+using namespace tiller;
+using namespace tiller::test;
+using control::StopCause;
+
+namespace {
+
+struct Bench {
+    VirtualClock clock;
+    RobotSession session{clock};
+    VirtualCell cell{clock, session};
+
+    const SessionState& state() const { return session.state(); }
+    /// Jogs upwards until the arm moves.
+    bool jog() {
+        control::JogTarget up;
+        up.twist.linear.z() = 0.05;
+        const auto motion = session.beginJog(up);
+        if (!motion) {
+            return false;
+        }
+        id_ = *motion;
+        cell.everyRefresh = [this] { session.hold(id_); };
+        if (!cell.advanceUntil([this] { return state().moving; }, 2000)) {
+            return false;
+        }
+        cell.advanceMs(100);
+        return state().moving;
+    }
+    /// Jogs and releases; true if the stop was measured.
+    bool jogAndRelease() {
+        const std::uint64_t before = state().lastStop.count;
+        if (!jog()) {
+            return false;
+        }
+        cell.everyRefresh = {};
+        session.endMotion(id_, StopCause::Released);
+        return cell.advanceUntil([&] { return state().lastStop.count == before + 1; }, 2000) &&
+               state().lastStop.cause == StopCause::Released && state().lastStopSeen;
+    }
+    bool comesToRest() {
+        return cell.advanceUntil([this] { return !allowsMotion(state().safety()) && !state().moving; }, 2000);
+    }
+    /// Advances in real time, because another client takes part.
+    bool within(const std::function<bool()>& condition) {
+        const Deadline limit = patience();
+        while (!condition() && !limit.hasExpired()) {
+            cell.robot.drainSockets();
+            cell.advanceMs(2);
+        }
+        return condition();
+    }
+
+private:
+    RobotSession::MotionId id_ = 0;
+};
+
+enum class Safety { Protective, Emergency, Safeguard };
+
+void stopBy(Safety safety, simulator::Simulator& robot) {
+    switch (safety) {
+        case Safety::Protective:
+            robot.protectiveStop();
+            break;
+        case Safety::Emergency:
+            robot.emergencyStop(true);
+            break;
+        case Safety::Safeguard:
+            robot.safeguardStop(true);
+            break;
+    }
+}
+
+void addSafetyRows() {
+    QTest::addColumn<Safety>("safety");
+    QTest::addRow("protective stop") << Safety::Protective;
+    QTest::addRow("emergency stop") << Safety::Emergency;
+    QTest::addRow("safeguard stop") << Safety::Safeguard;
+}
+
+}  // namespace
+
+class TestLastStop : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aSafetyStopOfAJogIsTheLastStop_data() { addSafetyRows(); }
+    void aSafetyStopOfAJogIsTheLastStop() {
+        QFETCH(const Safety, safety);
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.jogAndRelease());
+        const std::uint64_t before = bench.state().lastStop.count;
+        QVERIFY(bench.jog());
+        stopBy(safety, bench.cell.robot);
+        QVERIFY(bench.comesToRest());
+        bench.cell.advanceMs(200);
+        QCOMPARE(bench.state().lastStop.count, before + 1);
+        QCOMPARE(bench.state().lastStop.cause, StopCause::UnsafeMode);
+        QVERIFY(bench.state().lastStopSeen);
+        QVERIFY(bench.state().lastStop.durationMs > 0);
+    }
+
+    // The controller ends the motion while the window hangs; it is reported when the window continues.
+    void aStopDuringAHangOfTheWindowIsReported() {
+        Bench bench;
+        QStringList messages;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.jogAndRelease());
+        const std::uint64_t before = bench.state().lastStop.count;
+        QVERIFY(bench.jog());
+        messages.clear();
+        bench.cell.advanceWithFrozenInterface(500);
+        bench.session.refresh();
+        QCOMPARE(bench.state().lastStop.count, before + 1);
+        QCOMPARE(bench.state().lastStop.cause, StopCause::EventLoopStalled);
+        QCOMPARE(messages.filter(QStringLiteral("Stopped: ")).size(), 1);
+    }
+
+    void aSafetyStopOfAnotherProgramIsTheLastStop_data() { addSafetyRows(); }
+    void aSafetyStopOfAnotherProgramIsTheLastStop() {
+        QFETCH(const Safety, safety);
+        Bench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.jogAndRelease());
+        const std::uint64_t before = bench.state().lastStop.count;
+        bench.session.releaseControl();
+        QVERIFY(bench.within([&] {
+            return bench.state().control == ControlState::None &&
+                   bench.state().runtimeState == RuntimeState::Stopped;
+        }));
+        script::ScriptClient other(bench.cell.robot.listenAddress(),
+                                   script::kPrimaryPort + bench.cell.robot.options().portOffset);
+        QVERIFY(other.connect(patience()).ok());
+        QVERIFY(other
+                    .send(QStringLiteral("def others():\nwhile True:\n"
+                                         "movej([1.0, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\n"
+                                         "movej([-1.6, -1.7, -2.2, -0.8, 1.6, 0], a=2, v=1)\nsync()\n"
+                                         "end\nend\n"),
+                          patience())
+                    .ok());
+        QVERIFY(bench.within([&] { return bench.state().moving; }));
+        bench.cell.advanceMs(200);
+        stopBy(safety, bench.cell.robot);
+        QVERIFY(bench.comesToRest());
+        bench.cell.advanceMs(200);
+        QCOMPARE(bench.state().lastStop.count, before + 1);
+        QCOMPARE(bench.state().lastStop.cause, StopCause::UnsafeMode);
+        QVERIFY(bench.state().lastStop.durationMs > 0);
+    }
+};
+
+QTEST_MAIN(TestLastStop)
+#include "tst_last_stop.moc"

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Events of the display server that end a hold, read before Qt evaluates them. On X11, Qt waits 100 ms after a
+// window has lost the input focus before it reports the loss, in case the focus returns. Other platforms report a
+// lost focus at once.
+
+#include <QByteArray>
+#include <QWindow>
+
+namespace tiller {
+
+struct NativeWindowEvent {
+    enum class Kind {
+        Other,
+        FocusLost,  ///< the input focus left the windows of this program; not for grabs, after which it returns
+        Hidden,     ///< the window is no longer on the screen: minimised, or on another desktop
+    };
+    Kind kind = Kind::Other;
+    WId window = 0;
+};
+
+/// type, message  as for QAbstractNativeEventFilter; types of other platforms are Kind::Other
+NativeWindowEvent nativeWindowEvent(const QByteArray& type, const void* message);
+
+}  // namespace tiller
