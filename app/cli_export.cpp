@@ -7,6 +7,7 @@
 #include "app/cli_options.h"
 #include "app/cli_progress.h"
 #include "robot/recording/formats/export_recording.h"
+#include "robot/recording/formats/file_formats.h"
 #include "robot/recording/formats/open_recording.h"
 
 namespace tiller::app {
@@ -66,7 +67,7 @@ int exportRecording(const QStringList& arguments) {
         return wrongArguments(
             target.isEmpty()
                 ? QStringLiteral("export: --out FILE.csv, --out FILE.h5 or --out FILE.mcap is missing")
-                : QStringLiteral("export: '%1' must end in .csv, .h5 or .mcap").arg(target));
+                : QStringLiteral("export: '%1' must end in %2").arg(target, recording::suffixWords(false)));
     }
     const QString source = parser.positionalArguments().constFirst();
     if (QFileInfo(source).canonicalFilePath() == QFileInfo(target).canonicalFilePath() &&

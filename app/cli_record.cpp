@@ -14,7 +14,7 @@
 #include "robot/core/file_reading.h"
 #include "robot/dashboard/robot_identity.h"
 #include "robot/receive/robot_state.h"
-#include "robot/recording/mcap/mcap_format.h"
+#include "robot/recording/formats/file_formats.h"
 #include "robot/recording/recorder.h"
 #include "tiller_version.h"
 
@@ -67,11 +67,11 @@ const QString kRecordHelp = QStringLiteral(
 struct RecordOptions {
     receive::ReceiverOptions receiver;
     recording::RecorderOptions recorder;
-    recording::McapFormatOptions mcap;
+    recording::McapFormatOptions extras;
     double duration = 0;  ///< [s]; 0: no limit
     double wait = 10;     ///< [s]
     int portOffset = 0;
-    bool isMcap = false;
+    const recording::FileFormat* format = nullptr;
     bool quiet = false;
 };
 
@@ -136,10 +136,12 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     RecordOptions options;
     const QString path =
         parser.isSet(outFolder) ? newFileIn(parser.value(outFolder), address) : parser.value(outFile);
-    options.isMcap = path.endsWith(QLatin1String(".mcap"), Qt::CaseInsensitive);
-    if (!options.isMcap && !path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        wrongArguments(path.isEmpty() ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
-                                      : QStringLiteral("record: '%1' must end in .mcap or .csv").arg(path));
+    options.format = recording::fileFormatOf(path);
+    if (options.format == nullptr || options.format->recorder == nullptr) {
+        wrongArguments(
+            path.isEmpty()
+                ? QStringLiteral("record: --out FILE.mcap or --out FILE.csv is missing")
+                : QStringLiteral("record: '%1' must end in %2").arg(path, recording::suffixWords(true)));
         return std::nullopt;
     }
     if (!parser.isSet(force) && !parser.isSet(trigger) && QFileInfo::exists(path)) {
@@ -169,7 +171,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
     options.recorder.fields = namesIn(parser.value(fields));
     if (!options.recorder.fields.empty()) {
         options.receiver.fields = options.recorder.fields;
-    } else if (!options.isMcap) {
+    } else if (!options.format->isComplete) {
         options.recorder.fields = recording::defaultRecordedFields();
     }
     if (parser.isSet(trigger)) {
@@ -183,7 +185,7 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
         options.recorder.trigger->after = *later;
         options.recorder.trigger->files = static_cast<int>(*most);
     }
-    options.mcap.ros = !parser.isSet(noRos);
+    options.extras.ros = !parser.isSet(noRos);
     if (parser.isSet(attach)) {
         constexpr qint64 kMaxValue = 64 << 20;
         const Result<QByteArray> attached = readWholeFile(parser.value(attach), kMaxValue);
@@ -192,8 +194,8 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
                                .arg(parser.value(attach)));
             return std::nullopt;
         }
-        options.mcap.attachmentName = QFileInfo(parser.value(attach)).fileName().toStdString();
-        options.mcap.attachment = attached->toStdString();
+        options.extras.attachmentName = QFileInfo(parser.value(attach)).fileName().toStdString();
+        options.extras.attachment = attached->toStdString();
     }
     return options;
 }
@@ -235,18 +237,16 @@ int record(const QStringList& arguments) {
             kFailed);
     }
     const SoftwareVersion version = receiver.version();
-    options->mcap.facts["robot"] = options->receiver.host.toStdString();
-    options->mcap.facts["software"] = toString(version);
-    if (options->isMcap) {
+    options->extras.facts["robot"] = options->receiver.host.toStdString();
+    options->extras.facts["software"] = toString(version);
+    if (options->format->isComplete) {
         const auto identity = dashboard::askIdentity(options->receiver.host, options->portOffset,
                                                      version.isCb3(), Deadline::after(kIdentityTimeout));
-        options->mcap.facts["model"] = identity.model.toStdString();
-        options->mcap.facts["serial_number"] = identity.serialNumber.toStdString();
+        options->extras.facts["model"] = identity.model.toStdString();
+        options->extras.facts["serial_number"] = identity.serialNumber.toStdString();
     }
-    options->mcap.facts["written_by"] = "tiller-cli " TILLER_VERSION;
-    if (options->isMcap) {
-        options->recorder.format = recording::mcapFormat(options->mcap);
-    }
+    options->extras.facts["written_by"] = "tiller-cli " TILLER_VERSION;
+    options->recorder.format = options->format->recorder(options->extras);
     recording::Recorder recorder;
     if (const auto started = recorder.start(options->recorder, receiver); !started) {
         return complain(started.error().toString(), kFailed);

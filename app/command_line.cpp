@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
+#include "robot/recording/formats/file_formats.h"
+
 namespace tiller::app {
 namespace {
 
@@ -16,8 +18,7 @@ struct CommandLineText {
 }  // namespace
 
 bool isRecordingName(const QString& path) {
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    return QStringList{"mcap", "csv", "h5", "hdf5"}.contains(suffix);
+    return recording::fileFormatOf(path) != nullptr;
 }
 
 Result<CommandLine> parseCommandLine(const QStringList& arguments) {

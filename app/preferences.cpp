@@ -86,7 +86,7 @@ Preferences readPreferences(const SettingsView& settings) {
     recording.pattern = settings.value("recording/pattern", recording.pattern).toString();
     recording.fields = settings.value("recording/fields").toStringList();
     recording.every = settings.value("recording/every", recording.every).toInt();
-    recording.format = formatByName(settings.value("recording/format").toString());
+    recording.format = settings.value("recording/format").toString();
     recording.keepFree = settings.value("recording/keepFree", recording.keepFree).toInt();
     preferences.recording = recording.sane();
     const QStringList ids = settings.childKeys("shortcuts");
@@ -114,7 +114,7 @@ SettingsMap preferenceValues(const Preferences& preferences) {
         {"recording/pattern", preferences.recording.pattern},
         {"recording/fields", preferences.recording.fields},
         {"recording/every", preferences.recording.every},
-        {"recording/format", formatName(preferences.recording.format)},
+        {"recording/format", preferences.recording.format},
         {"recording/keepFree", preferences.recording.keepFree}};
     for (auto it = preferences.devices.constBegin(); it != preferences.devices.constEnd(); ++it) {
         const QString group = "devices/" + it.key();

@@ -61,7 +61,7 @@ RecordingSettings::RecordingSettings(const RecordingChoice& choice, QWidget* par
     });
     connect(format_, &QComboBox::currentIndexChanged, this, [this] {
         RecordingChoice next = choice_;
-        next.format = formatByName(format_->currentData().toString());
+        next.format = format_->currentData().toString();
         tell(next);
         showExample();
     });
@@ -101,12 +101,12 @@ void RecordingSettings::build() {
 
     format_->setObjectName(QStringLiteral("settings.recording.format"));
     format_->setAccessibleName(tr("Recording format"));
-    for (const auto& [format, text] :
-         {std::pair{RecordingChoice::Format::Csv, tr("CSV: text, for pandas and spreadsheets")},
-          {RecordingChoice::Format::Mcap, tr("MCAP: every field, the log and the project, for ROS tools")}}) {
-        format_->addItem(text, formatName(format));
+    for (const recording::FileFormat& format : recording::fileFormats()) {
+        if (format.recorder != nullptr) {
+            format_->addItem(recordingFormatWords(format).choice, format.suffixes.constFirst());
+        }
     }
-    format_->setCurrentIndex(format_->findData(formatName(choice_.format)));
+    format_->setCurrentIndex(format_->findData(choice_.format));
     keepFree_->setObjectName(QStringLiteral("settings.recording.keepFree"));
     keepFree_->setAccessibleName(tr("Free disk space to keep, in megabytes"));
     keepFree_->setDecimals(0);

@@ -235,7 +235,7 @@ private Q_SLOTS:
         const auto& events = (*file)->events();
         QVERIFY(std::any_of(events.begin(), events.end(),
                             [](const auto& event) { return event.text == "seen"; }));
-        QCOMPARE(app::Settings(bench.file).preferences().recording.format, RecordingChoice::Format::Mcap);
+        QCOMPARE(app::Settings(bench.file).preferences().recording.format, QString("mcap"));
     }
 
     void fullDiskEndsTheRecordingWithAMessage() {

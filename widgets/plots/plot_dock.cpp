@@ -902,14 +902,9 @@ void PlotDock::updateHeader() {
     const QString record =
         recording_ ? tr("● REC %1").arg(format::duration(recordingSeconds_)) : tr("● Record");
     setTextIfNew(record_, record);
-    const bool mcap = choice_.format == RecordingChoice::Format::Mcap;
-    record_->setAccessibleName(recording_ ? tr("Stop recording")
-                               : mcap     ? tr("Record to an MCAP file")
-                                          : tr("Record to a CSV file"));
-    record_->setToolTip(
-        recording_ ? recordingText(session_.state().recording)
-        : mcap ? tr("Record robot data to an MCAP file. Use the arrow button to select signals and folder")
-               : tr("Record robot data to a CSV file. Use the arrow button to select signals and folder"));
+    const RecordingFormatWords chosen = recordingFormatWords(recordingFormat(choice_.format));
+    record_->setAccessibleName(recording_ ? tr("Stop recording") : chosen.button);
+    record_->setToolTip(recording_ ? recordingText(session_.state().recording) : chosen.buttonHint);
     if (record_->property("recording").toBool() != recording_) {
         record_->setProperty("recording", recording_);
         styleHeader();
@@ -1049,12 +1044,16 @@ void PlotDock::askExport() {
                                {tr("Values (*.csv)"), QStringLiteral(".csv")}};
     const PlotView& shown = pages_->view();
     const bool isRecorded = !shown.recordingsShown().isEmpty();
-    if (isRecorded) {
-        kinds.push_back({QStringLiteral("HDF5 (*.h5)"), QStringLiteral(".h5")});
-        kinds.push_back({QStringLiteral("MCAP (*.mcap)"), QStringLiteral(".mcap")});
+    QStringList tables{QStringLiteral(".csv")};
+    for (const recording::FileFormat& format : recording::fileFormats()) {
+        const QString suffix = QLatin1Char('.') + format.suffixes.constFirst();
+        if (isRecorded && !tables.contains(suffix)) {
+            tables << suffix;
+            kinds.push_back({QStringLiteral("%1 (*%2)").arg(format.name, suffix), suffix});
+        }
     }
     if (shown.cursor(PlotView::Cursor::A) && shown.cursor(PlotView::Cursor::B)) {
-        for (const QString& suffix : isRecorded ? QStringList{".csv", ".h5", ".mcap"} : QStringList{".csv"}) {
+        for (const QString& suffix : tables) {
             kinds.push_back({tr("Values between the cursors A and B (*%1)").arg(suffix), suffix,
                              ExportRange::BetweenCursors});
         }
@@ -1144,15 +1143,17 @@ void PlotDock::showRecordMenu() {
         });
     }
     menu->addSeparator();
-    for (const auto& [format, text] :
-         {std::pair{RecordingChoice::Format::Csv, tr("CSV: text, for pandas and spreadsheets")},
-          {RecordingChoice::Format::Mcap, tr("MCAP: every field, the log and the project, for ROS tools")}}) {
-        QAction* action = add("plots.record.format", text);
+    for (const recording::FileFormat& format : recording::fileFormats()) {
+        if (format.recorder == nullptr) {
+            continue;
+        }
+        const QString suffix = format.suffixes.constFirst();
+        QAction* action = add("plots.record.format", recordingFormatWords(format).choice);
         action->setCheckable(true);
-        action->setChecked(format == choice_.format);
-        action->setData(formatName(format));
-        connect(action, &QAction::triggered, this, [this, format = format] {
-            choice_.format = format;
+        action->setChecked(suffix == choice_.format);
+        action->setData(suffix);
+        connect(action, &QAction::triggered, this, [this, suffix] {
+            choice_.format = suffix;
             updateHeader();
             Q_EMIT recordingChosen(choice_);
         });

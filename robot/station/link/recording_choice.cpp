@@ -6,6 +6,7 @@
 #include <QSet>
 #include <QStandardPaths>
 #include <algorithm>
+#include <iterator>
 
 #include "robot/recording/recorder.h"
 
@@ -20,7 +21,6 @@ struct RecordingChoiceText {
 
 constexpr qsizetype kMaxNameLength = 120;
 constexpr int kMaxFileNumber = 99'999;
-constexpr RecordingChoice::Format kFormats[] = {RecordingChoice::Format::Csv, RecordingChoice::Format::Mcap};
 const QString kNumber = QStringLiteral("{number}");
 
 /// Characters that are not allowed in file names on some file systems.
@@ -30,9 +30,9 @@ bool isForbidden(QChar c) {
 
 QString withoutEnding(const QString& pattern) {
     const QString trimmed = pattern.trimmed();
-    for (const RecordingChoice::Format format : kFormats) {
-        const QString ending = QLatin1Char('.') + formatName(format);
-        if (trimmed.endsWith(ending, Qt::CaseInsensitive)) {
+    for (const recording::FileFormat& format : recording::fileFormats()) {
+        const QString ending = QLatin1Char('.') + format.suffixes.constFirst();
+        if (format.recorder != nullptr && trimmed.endsWith(ending, Qt::CaseInsensitive)) {
             return trimmed.chopped(ending.size());
         }
     }
@@ -66,13 +66,41 @@ QSet<QString> namesIn(const QDir& folder) {
 
 }  // namespace
 
-QString formatName(RecordingChoice::Format format) {
-    return format == RecordingChoice::Format::Mcap ? QStringLiteral("mcap") : QStringLiteral("csv");
+const recording::FileFormat& recordingFormat(const QString& suffix) {
+    const std::vector<recording::FileFormat>& rows = recording::fileFormats();
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const recording::FileFormat& format) {
+        return format.recorder != nullptr && format.suffixes.contains(suffix);
+    });
+    return row == rows.end() ? *recording::fileFormatOf(QStringLiteral(".csv")) : *row;
 }
 
-RecordingChoice::Format formatByName(const QString& name) {
-    return name == formatName(RecordingChoice::Format::Mcap) ? RecordingChoice::Format::Mcap
-                                                             : RecordingChoice::Format::Csv;
+RecordingFormatWords recordingFormatWords(const recording::FileFormat& format) {
+    struct Row {
+        const char* name;
+        const char* choice;
+        const char* button;
+        const char* buttonHint;
+    };
+    static constexpr Row kRows[] = {
+        {"CSV", QT_TRANSLATE_NOOP("tiller::PlotDock", "CSV: text, for pandas and spreadsheets"),
+         QT_TRANSLATE_NOOP("tiller::PlotDock", "Record to a CSV file"),
+         QT_TRANSLATE_NOOP("tiller::PlotDock",
+                           "Record robot data to a CSV file. The arrow button sets signals and folder")},
+        {"MCAP",
+         QT_TRANSLATE_NOOP("tiller::PlotDock", "MCAP: every field, the log and the project, for ROS tools"),
+         QT_TRANSLATE_NOOP("tiller::PlotDock", "Record to an MCAP file"),
+         QT_TRANSLATE_NOOP("tiller::PlotDock",
+                           "Record robot data to an MCAP file. The arrow button sets signals and folder")},
+    };
+    const auto row = std::find_if(std::begin(kRows), std::end(kRows),
+                                  [&](const Row& words) { return format.name == QLatin1String(words.name); });
+    if (row == std::end(kRows)) {
+        return {format.name, format.name, format.name};
+    }
+    const auto translated = [](const char* text) {
+        return QCoreApplication::translate("tiller::PlotDock", text);
+    };
+    return {translated(row->choice), translated(row->button), translated(row->buttonHint)};
 }
 
 QStringList recordableFields() {
@@ -105,6 +133,7 @@ QString patternProblem(const QString& pattern) {
 RecordingChoice RecordingChoice::sane() const {
     RecordingChoice out = *this;
     out.folder = folder.trimmed();
+    out.format = recordingFormat(format).suffixes.constFirst();
     out.every = std::clamp(every, 1, kMaxDecimation);
     out.keepFree = std::clamp(keepFree, 0, kMaxKeptFree);
     if (!patternProblem(pattern).isEmpty()) {
@@ -123,7 +152,7 @@ QString recordingPath(const RecordingChoice& choice, const QString& robot, const
     const RecordingChoice sane = choice.sane();
     const QDir folder(sane.folder.isEmpty() ? recordingFolder() : sane.folder);
     const QString name = nameOf(sane.pattern, robot, now);
-    const QString ending = QLatin1Char('.') + formatName(sane.format);
+    const QString ending = QLatin1Char('.') + sane.format;
     const auto free = [taken = namesIn(folder)](const QString& file) {
         return !taken.contains(file.toLower());
     };

@@ -8,19 +8,17 @@
 #include <QString>
 #include <QStringList>
 
+#include "robot/recording/formats/file_formats.h"
+
 namespace tiller {
 
 struct RecordingChoice {
-    enum class Format {
-        Csv,   ///< one row per packet, for any program that reads text
-        Mcap,  ///< every field with its type, including log and project
-    };
-    QString folder{};                    ///< if empty, recordingFolder()
-    QString pattern = defaultPattern();  ///< pattern of the file name; see recordingPath()
-    QStringList fields{};                ///< RTDE names; empty: all of recordableFields()
-    int every = 1;                       ///< every n-th packet becomes a row
-    Format format = Format::Csv;
-    int keepFree = 200;  ///< minimum free disk space; recording stops below it [MB]
+    QString folder{};                        ///< empty: recordingFolder()
+    QString pattern = defaultPattern();      ///< pattern of the file name; see recordingPath()
+    QStringList fields{};                    ///< RTDE names; empty: all of recordableFields()
+    int every = 1;                           ///< every n-th packet becomes a row
+    QString format = QStringLiteral("csv");  ///< usual suffix of a row of recording::fileFormats()
+    int keepFree = 200;                      ///< stops recording when less is free on the disk [MB]
 
     static constexpr int kMaxDecimation = 500;
     static constexpr int kMaxKeptFree = 100'000;  ///< [MB]
@@ -32,10 +30,16 @@ struct RecordingChoice {
     friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
 };
 
-/// "csv" or "mcap": the file name suffix, and the name in the settings.
-QString formatName(RecordingChoice::Format format);
-/// Returns CSV for unknown names.
-RecordingChoice::Format formatByName(const QString& name);
+/// The row of a format that a recorder can write; CSV for unknown names.
+const recording::FileFormat& recordingFormat(const QString& suffix);
+
+/// Translated words for a format.
+struct RecordingFormatWords {
+    QString choice;      ///< in a list of formats
+    QString button;      ///< accessible name of the button that starts a recording
+    QString buttonHint;  ///< its tooltip
+};
+RecordingFormatWords recordingFormatWords(const recording::FileFormat& format);
 /// Fields that every robot can record.
 QStringList recordableFields();
 /// The folder "Tiller" in the user's documents folder.

@@ -50,14 +50,14 @@ void SessionRecording::start(const RecordingOrder& order) {
     for (const QString& field : order.fields) {
         options.fields.push_back(field.toStdString());
     }
-    recording::McapFormatOptions mcap;
-    mcap.facts["robot"] = d_.address.host.toStdString();
-    mcap.facts["software"] = toString(receiver.version());
-    mcap.facts["written_by"] = "tiller " + QCoreApplication::applicationVersion().toStdString();
-    mcap.attachmentName = projectName_.toStdString();
-    mcap.attachment = project_.toStdString();
-    const bool isMcap = order.format == RecordingChoice::Format::Mcap;
-    if (!isMcap && options.fields.empty()) {
+    recording::McapFormatOptions extras;
+    extras.facts["robot"] = d_.address.host.toStdString();
+    extras.facts["software"] = toString(receiver.version());
+    extras.facts["written_by"] = "tiller " + QCoreApplication::applicationVersion().toStdString();
+    extras.attachmentName = projectName_.toStdString();
+    extras.attachment = project_.toStdString();
+    const recording::FileFormat& format = recordingFormat(order.format);
+    if (!format.isComplete && options.fields.empty()) {
         for (const std::string& field : recording::defaultRecordedFields()) {
             if (receiver.layout()->find(field) != nullptr) {
                 options.fields.push_back(field);
@@ -66,18 +66,18 @@ void SessionRecording::start(const RecordingOrder& order) {
     }
     // File access may be slow, so the file worker opens and closes the file. Until then, samples are kept in
     // the subscription.
-    d_.files.post(&session_, [this, options, mcap, isMcap, robot = d_.address,
+    d_.files.post(&session_, [this, options, extras, &format, robot = d_.address,
                               isCb3 = receiver.version().isCb3(), stream = receiver.subscribe(),
                               layout = receiver.layout()](const CancelToken& cancel) {
         recording::RecorderOptions chosen = options;
-        if (isMcap) {
-            recording::McapFormatOptions format = mcap;
+        recording::McapFormatOptions facts = extras;
+        if (format.isComplete) {
             const auto identity = dashboard::askIdentity(robot.host, robot.portOffset, isCb3,
                                                          Deadline::after(kIdentityWait, cancel));
-            format.facts["model"] = identity.model.toStdString();
-            format.facts["serial_number"] = identity.serialNumber.toStdString();
-            chosen.format = recording::mcapFormat(std::move(format));
+            facts.facts["model"] = identity.model.toStdString();
+            facts.facts["serial_number"] = identity.serialNumber.toStdString();
         }
+        chosen.format = format.recorder(facts);
         const Result<void> result = d_.recorder.start(chosen, stream, layout);
         return std::function<void()>([this, path = options.path, result] {
             if (result) {

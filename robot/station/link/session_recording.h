@@ -21,10 +21,11 @@ struct SessionBackend;
 /// Settings of a new recording.
 struct RecordingOrder {
     QString path;
-    QStringList fields{};  ///< RTDE names; empty: those recorded by ur_rtde, or for MCAP all available fields
-    int every = 1;         ///< every n-th packet becomes a row
-    RecordingChoice::Format format = RecordingChoice::Format::Csv;
-    std::int64_t keepFree = 200'000'000;  ///< minimum free disk space; recording stops below it [bytes]
+    QStringList
+        fields{};   ///< RTDE names; empty: all that ur_rtde records, in a complete format all available ones
+    int every = 1;  ///< every n-th packet becomes a row
+    QString format = QStringLiteral("csv");  ///< as RecordingChoice::format
+    std::int64_t keepFree = 200'000'000;     ///< stops recording when less is free on the disk [bytes]
 };
 
 class SessionRecording {

@@ -31,7 +31,7 @@ REASONS = {
     "FrameCheck": TUTORIAL, "FrameModel": MODEL, "Gamepad": DEVICE, "GamepadSource": DEVICE, "HoverKeeper": EVENTS,
     "InputDevice": DEVICE, "KeyGhosts": EVENTS, "KeyStateProbe": PROBE, "LabelPlacer": VIEW, "LimitCheck": TUTORIAL,
     "Link": PROBE, "ListTyping": EVENTS, "LogFilter": FILTER, "MeasureCheck": TUTORIAL, "NoKeyStateProbe": PROBE,
-    "PaperColors": "selects the theme for printing", "PartModel": MODEL,
+    "PaintWatch": EVENTS, "PaperColors": "selects the theme for printing", "PartModel": MODEL,
     "PhysicalKeys": "the pressed keys of the keyboard, from key events",
     "PlotComparison": "the recordings compared in the plots, and their offsets on the time axis",
     "Practice": TUTORIAL, "PracticeCheck": TUTORIAL, "ProgramModel": MODEL,

@@ -40,13 +40,25 @@ private Q_SLOTS:
 
     void theFormatIsItsEnding() {
         RecordingChoice choice{.folder = folder_.path(), .pattern = "weld.csv"};
-        choice.format = RecordingChoice::Format::Mcap;
+        choice.format = "mcap";
         QCOMPARE(QFileInfo(recordingPath(choice, {}, kNow)).fileName(), QString("weld.mcap"));
         choice.pattern = "weld.MCAP";
         QCOMPARE(QFileInfo(recordingPath(choice, {}, kNow)).fileName(), QString("weld.mcap"));
-        QVERIFY(formatByName(formatName(choice.format)) == choice.format);
-        QVERIFY(formatByName("of another time") == RecordingChoice::Format::Csv);
+        QCOMPARE(recordingFormat("mcap").name, QString("MCAP"));
+        QCOMPARE(recordingFormat("of another time").name, QString("CSV"));
+        choice.format = "h5";  // a recorder cannot write it
+        QCOMPARE(choice.sane().format, QString("csv"));
         QCOMPARE((RecordingChoice{.keepFree = -1}.sane().keepFree), 0);
+    }
+
+    void everyRecordableFormatHasWords() {
+        for (const recording::FileFormat& format : recording::fileFormats()) {
+            const RecordingFormatWords words = recordingFormatWords(format);
+            for (const QString& text : {words.choice, words.button, words.buttonHint}) {
+                QVERIFY2(format.recorder == nullptr || (text.contains(format.name) && text != format.name),
+                         qPrintable(format.name));
+            }
+        }
     }
 
     void noNameIsHidden() {
