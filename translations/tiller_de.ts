@@ -4908,8 +4908,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
 <context>
     <name>tiller::DecimalSpinBox</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>„%1“ liegt außerhalb des Bereichs (%2 bis %3). Es wurde nichts geändert.</translation>
+        <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
+        <translation>„%1“ liegt außerhalb des Bereichs (%2 bis %3). Der Wert ist weiterhin %4.</translation>
     </message>
 </context>
 <context>
@@ -8888,6 +8888,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>another program has changed it</source>
         <translation>ein anderes Programm hat die Datei geändert</translation>
     </message>
+    <message>
+        <source>%1 — new</source>
+        <translation>%1 — neu</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -9042,6 +9046,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Hide the popup</source>
         <translation>Das Meldungsfenster ausblenden</translation>
+    </message>
+    <message>
+        <source>Read the popup first.</source>
+        <translation>Lesen Sie zuerst die Meldung des Roboters.</translation>
     </message>
 </context>
 <context>
@@ -11628,6 +11636,26 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <source>A path is being recorded. Stop it first.</source>
         <translation>Eine Bahn wird aufgezeichnet. Beenden Sie zuerst die Aufzeichnung.</translation>
     </message>
+    <message>
+        <source>Close window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>A recording is running.</source>
+        <translation>Eine Aufzeichnung läuft.</translation>
+    </message>
+    <message>
+        <source>Closing the window stops it.</source>
+        <translation>Sie endet, wenn das Fenster geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>Stop recording and close</source>
+        <translation>Aufzeichnung beenden und schließen</translation>
+    </message>
+    <message>
+        <source>Keep recording</source>
+        <translation>Weiter aufzeichnen</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -11886,14 +11914,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Recording format</source>
         <translation>Aufzeichnungsformat</translation>
-    </message>
-    <message>
-        <source>CSV: text, for pandas and spreadsheets</source>
-        <translation>CSV: Text, für pandas und Tabellenprogramme</translation>
-    </message>
-    <message>
-        <source>MCAP: every field, the log and the project, for ROS tools</source>
-        <translation>MCAP: jedes Feld, Log und Projekt, für ROS-Werkzeuge</translation>
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>

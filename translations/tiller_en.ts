@@ -4906,7 +4906,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::DecimalSpinBox</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
+        <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8876,6 +8876,10 @@ Release the button to stop the arm.</source>
         <source>another program has changed it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 — new</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -9029,6 +9033,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Hide the popup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the popup first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11613,6 +11621,26 @@ Jog the arm to a position and press Teach here (T).</source>
         <source>A path is being recorded. Stop it first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Close window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closing the window stops it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop recording and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep recording</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -11870,14 +11898,6 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Recording format</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>CSV: text, for pandas and spreadsheets</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MCAP: every field, the log and the project, for ROS tools</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

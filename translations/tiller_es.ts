@@ -4908,8 +4908,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
 <context>
     <name>tiller::DecimalSpinBox</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>«%1» está fuera del intervalo (%2 a %3). No se cambió nada.</translation>
+        <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
+        <translation>«%1» está fuera del rango (%2 a %3). El valor sigue siendo %4.</translation>
     </message>
 </context>
 <context>
@@ -8888,6 +8888,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>another program has changed it</source>
         <translation>otro programa lo ha cambiado</translation>
     </message>
+    <message>
+        <source>%1 — new</source>
+        <translation>%1 — nuevo</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -9042,6 +9046,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Hide the popup</source>
         <translation>Ocultar el aviso</translation>
+    </message>
+    <message>
+        <source>Read the popup first.</source>
+        <translation>Lea primero el mensaje emergente.</translation>
     </message>
 </context>
 <context>
@@ -11628,6 +11636,26 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <source>A path is being recorded. Stop it first.</source>
         <translation>Se está grabando una trayectoria. Deténgala primero.</translation>
     </message>
+    <message>
+        <source>Close window</source>
+        <translation>Cerrar ventana</translation>
+    </message>
+    <message>
+        <source>A recording is running.</source>
+        <translation>Hay una grabación en curso.</translation>
+    </message>
+    <message>
+        <source>Closing the window stops it.</source>
+        <translation>Terminará al cerrar la ventana.</translation>
+    </message>
+    <message>
+        <source>Stop recording and close</source>
+        <translation>Detener y cerrar</translation>
+    </message>
+    <message>
+        <source>Keep recording</source>
+        <translation>Seguir grabando</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -11886,14 +11914,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Recording format</source>
         <translation>Formato de grabación</translation>
-    </message>
-    <message>
-        <source>CSV: text, for pandas and spreadsheets</source>
-        <translation>CSV: texto, para pandas y hojas de cálculo</translation>
-    </message>
-    <message>
-        <source>MCAP: every field, the log and the project, for ROS tools</source>
-        <translation>MCAP: todos los campos, el registro y el proyecto, para herramientas de ROS</translation>
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>

@@ -4908,8 +4908,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
 <context>
     <name>tiller::DecimalSpinBox</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>« %1 » est hors plage (%2 à %3). Rien n’a été modifié.</translation>
+        <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
+        <translation>« %1 » est hors de la plage (%2 à %3). La valeur reste %4.</translation>
     </message>
 </context>
 <context>
@@ -8888,6 +8888,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>another program has changed it</source>
         <translation>un autre programme l’a modifié</translation>
     </message>
+    <message>
+        <source>%1 — new</source>
+        <translation>%1 — nouveau</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -9042,6 +9046,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Hide the popup</source>
         <translation>Cacher le message</translation>
+    </message>
+    <message>
+        <source>Read the popup first.</source>
+        <translation>Lisez d’abord le message.</translation>
     </message>
 </context>
 <context>
@@ -11628,6 +11636,26 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <source>A path is being recorded. Stop it first.</source>
         <translation>Une trajectoire est en cours d’enregistrement. Arrêtez-la d’abord.</translation>
     </message>
+    <message>
+        <source>Close window</source>
+        <translation>Fermer la fenêtre</translation>
+    </message>
+    <message>
+        <source>A recording is running.</source>
+        <translation>Un enregistrement est en cours.</translation>
+    </message>
+    <message>
+        <source>Closing the window stops it.</source>
+        <translation>Il s’arrête à la fermeture de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>Stop recording and close</source>
+        <translation>Arrêter et fermer</translation>
+    </message>
+    <message>
+        <source>Keep recording</source>
+        <translation>Continuer l’enregistrement</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -11886,14 +11914,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Recording format</source>
         <translation>Format d’enregistrement</translation>
-    </message>
-    <message>
-        <source>CSV: text, for pandas and spreadsheets</source>
-        <translation>CSV : texte, pour pandas et tableurs</translation>
-    </message>
-    <message>
-        <source>MCAP: every field, the log and the project, for ROS tools</source>
-        <translation>MCAP : tous les champs, le journal et le projet, pour les outils ROS</translation>
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>

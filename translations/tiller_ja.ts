@@ -4906,8 +4906,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
 <context>
     <name>tiller::DecimalSpinBox</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>「%1」は範囲外です（%2〜%3）。何も変更されていません。</translation>
+        <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
+        <translation>「%1」は範囲外です (%2～%3)。値は %4 のままです。</translation>
     </message>
 </context>
 <context>
@@ -8866,6 +8866,10 @@ Release the button to stop the arm.</source>
         <source>another program has changed it</source>
         <translation>別のプログラムが変更しました</translation>
     </message>
+    <message>
+        <source>%1 — new</source>
+        <translation>%1 — 新規</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -9019,6 +9023,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Hide the popup</source>
         <translation>ポップアップを隠す</translation>
+    </message>
+    <message>
+        <source>Read the popup first.</source>
+        <translation>先にポップアップを読んでください。</translation>
     </message>
 </context>
 <context>
@@ -11588,6 +11596,26 @@ Jog the arm to a position and press Teach here (T).</source>
         <source>A path is being recorded. Stop it first.</source>
         <translation>経路を記録中です。先に停止してください。</translation>
     </message>
+    <message>
+        <source>Close window</source>
+        <translation>ウィンドウを閉じる</translation>
+    </message>
+    <message>
+        <source>A recording is running.</source>
+        <translation>記録中です。</translation>
+    </message>
+    <message>
+        <source>Closing the window stops it.</source>
+        <translation>ウィンドウを閉じると停止します。</translation>
+    </message>
+    <message>
+        <source>Stop recording and close</source>
+        <translation>記録を停止して閉じる</translation>
+    </message>
+    <message>
+        <source>Keep recording</source>
+        <translation>記録を続ける</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -11845,14 +11873,6 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Recording format</source>
         <translation>記録の形式</translation>
-    </message>
-    <message>
-        <source>CSV: text, for pandas and spreadsheets</source>
-        <translation>CSV: テキスト、pandasや表計算用</translation>
-    </message>
-    <message>
-        <source>MCAP: every field, the log and the project, for ROS tools</source>
-        <translation>MCAP: すべてのフィールド、ログ、プロジェクト。ROSツール用</translation>
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>

@@ -4906,8 +4906,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
 <context>
     <name>tiller::DecimalSpinBox</name>
     <message>
-        <source>“%1” is out of range (%2 to %3). Nothing was changed.</source>
-        <translation>“%1”超出范围（%2 至 %3）。没有任何更改。</translation>
+        <source>“%1” is out of range (%2 to %3). The value is still %4.</source>
+        <translation>“%1”超出范围（%2 到 %3）。当前值仍为 %4。</translation>
     </message>
 </context>
 <context>
@@ -8866,6 +8866,10 @@ Release the button to stop the arm.</source>
         <source>another program has changed it</source>
         <translation>其他程序已更改它</translation>
     </message>
+    <message>
+        <source>%1 — new</source>
+        <translation>%1 — 新建</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RecoveryPage</name>
@@ -9019,6 +9023,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Hide the popup</source>
         <translation>隐藏弹窗</translation>
+    </message>
+    <message>
+        <source>Read the popup first.</source>
+        <translation>请先阅读弹出消息。</translation>
     </message>
 </context>
 <context>
@@ -11588,6 +11596,26 @@ Jog the arm to a position and press Teach here (T).</source>
         <source>A path is being recorded. Stop it first.</source>
         <translation>正在录制路径。请先停止录制。</translation>
     </message>
+    <message>
+        <source>Close window</source>
+        <translation>关闭窗口</translation>
+    </message>
+    <message>
+        <source>A recording is running.</source>
+        <translation>正在记录。</translation>
+    </message>
+    <message>
+        <source>Closing the window stops it.</source>
+        <translation>关闭窗口会停止记录。</translation>
+    </message>
+    <message>
+        <source>Stop recording and close</source>
+        <translation>停止记录并关闭</translation>
+    </message>
+    <message>
+        <source>Keep recording</source>
+        <translation>继续记录</translation>
+    </message>
 </context>
 <context>
     <name>tiller::app::PanelDock</name>
@@ -11845,14 +11873,6 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Recording format</source>
         <translation>录制的格式</translation>
-    </message>
-    <message>
-        <source>CSV: text, for pandas and spreadsheets</source>
-        <translation>CSV：文本，用于 pandas 和电子表格</translation>
-    </message>
-    <message>
-        <source>MCAP: every field, the log and the project, for ROS tools</source>
-        <translation>MCAP：所有字段、日志和项目，用于 ROS 工具</translation>
     </message>
     <message>
         <source>Free disk space to keep, in megabytes</source>
