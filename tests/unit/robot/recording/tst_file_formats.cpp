@@ -63,8 +63,8 @@ private Q_SLOTS:
         QVERIFY(fileFormatOf("recording") == nullptr);
         QVERIFY(fileFormatOf("recording.csv.txt") == nullptr);
         QVERIFY(!canExportTo("recording.png"));
-        QCOMPARE(suffixWords(true, "or"), QString(".csv or .mcap"));
-        QCOMPARE(suffixWords(false, "or"), QString(".csv, .h5 or .mcap"));
+        QCOMPARE(suffixWords(true), QString(".csv or .mcap"));
+        QCOMPARE(suffixWords(false), QString(".csv, .h5 or .mcap"));
     }
 
 private:
