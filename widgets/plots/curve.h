@@ -27,7 +27,7 @@ public:
 
         bool isEmpty() const { return std::isnan(left); }
         void setLeft(double value);   ///< extends the minimum and maximum if necessary
-        void setRight(double value);  ///< as setLeft()
+        void setRight(double value);  ///< like setLeft()
         friend bool operator==(const Column& a, const Column& b) {
             return (a.isEmpty() && b.isEmpty()) ||
                    (a.left == b.left && a.right == b.right && a.low == b.low && a.high == b.high);
