@@ -5195,7 +5195,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>Rotation, rad</source>
-        <translation>Drehung rad</translation>
+        <translation>Drehung, rad</translation>
     </message>
     <message>
         <source>Rotation</source>

@@ -5195,7 +5195,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>Rotation, rad</source>
-        <translation>Rotación rad</translation>
+        <translation>Rotación, rad</translation>
     </message>
     <message>
         <source>Rotation</source>

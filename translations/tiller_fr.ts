@@ -5195,7 +5195,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>Rotation, rad</source>
-        <translation>Rotation rad</translation>
+        <translation>Rotation, rad</translation>
     </message>
     <message>
         <source>Rotation</source>
