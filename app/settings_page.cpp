@@ -144,7 +144,7 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     monitorOnly_->setChecked(preferences_.monitorOnly);
     cap_ = new DecimalSpinBox;
     cap_->setObjectName("settings.speedCap");
-    cap_->setAccessibleName(tr("Speed cap of Tiller"));
+    cap_->setAccessibleName(tr("Tiller speed cap"));
     showCapValue();
     capNote_ = note({}, "secondary");
     capNote_->setObjectName("settings.speedCapNote");

@@ -3975,7 +3975,7 @@
         <translation>Aktivieren Sie die Schnittstelle am Roboter: Einstellungen, Sicherheit, Dienste. Ein gerade gestarteter Roboter benötigt eventuell noch eine Minute.</translation>
     </message>
     <message>
-        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
+        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
         <translation>Der Roboter hat die Verbindung geschlossen: Er startet eventuell neu oder wurde zwischen Lokal und Fernsteuerung umgeschaltet.</translation>
     </message>
     <message>
@@ -5194,8 +5194,8 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ursprung in Basis, X Y Z, %1</translation>
     </message>
     <message>
-        <source>Rotation rad</source>
-        <translation>Drehung rad</translation>
+        <source>Rotation, rad</source>
+        <translation>Drehung, rad</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -5296,7 +5296,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Die drei Punkte liegen auf einer Linie: Der dritte ist nur %1 von der X-Achse entfernt. Nehmen Sie ihn mindestens %2 in Richtung +Y erneut.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
         <translation>Bereit: Der Punkt auf +X ist %1 vom Ursprung entfernt, der dritte %2 von der X-Achse.</translation>
     </message>
     <message>
@@ -5304,7 +5304,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Fahren Sie die Spitze zum Ursprung des Koordinatensystems und nehmen Sie den Punkt (P).</translation>
     </message>
     <message>
-        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
+        <source>Now jog to a point on +X: %1 from the origin (minimum %2).</source>
         <translation>Fahren Sie nun zu einem Punkt auf +X: %1 vom Ursprung, mindestens %2.</translation>
     </message>
     <message>
@@ -6785,7 +6785,7 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <translation>Bahn %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was stored.</source>
+        <source>The arm did not move. No path was stored.</source>
         <translation>Der Arm hat sich nicht bewegt: Es wurde keine Bahn gespeichert.</translation>
     </message>
     <message>
@@ -8644,7 +8644,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         </translation>
     </message>
     <message>
-        <source>Resumed saving %1</source>
+        <source>Saving %1 again</source>
         <translation>%1 wird wieder gespeichert</translation>
     </message>
     <message>
@@ -9911,7 +9911,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>%1: noch %2 bis zur Grenze von %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 to the reach limit or a singularity</source>
         <translation>%1: noch %2 bis zur Reichweitengrenze oder einer Singularität</translation>
     </message>
     <message>
@@ -12109,7 +12109,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Rotationsvektor in Radiant, wie in Skripten</translation>
     </message>
     <message>
-        <source>Speed cap of Tiller</source>
+        <source>Tiller speed cap</source>
         <translation>Geschwindigkeitsgrenze von Tiller</translation>
     </message>
     <message>

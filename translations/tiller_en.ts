@@ -3975,7 +3975,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
+        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5191,7 +5191,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation rad</source>
+        <source>Rotation, rad</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5293,7 +5293,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5301,7 +5301,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
+        <source>Now jog to a point on +X: %1 from the origin (minimum %2).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6786,7 +6786,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm did not move: no path was stored.</source>
+        <source>The arm did not move. No path was stored.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8632,7 +8632,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Resumed saving %1</source>
+        <source>Saving %1 again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9898,7 +9898,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 to the reach limit or a singularity</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12066,7 +12066,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed cap of Tiller</source>
+        <source>Tiller speed cap</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -3975,7 +3975,7 @@
         <translation>Active la interfaz en el robot: Ajustes, Seguridad, Servicios. Un robot recién arrancado puede necesitar un minuto más.</translation>
     </message>
     <message>
-        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
+        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
         <translation>El robot cerró la conexión: puede estar reiniciándose, o se cambió entre Local y Remoto.</translation>
     </message>
     <message>
@@ -5194,8 +5194,8 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Origen en Base, X Y Z, %1</translation>
     </message>
     <message>
-        <source>Rotation rad</source>
-        <translation>Rotación rad</translation>
+        <source>Rotation, rad</source>
+        <translation>Rotación, rad</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -5296,7 +5296,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Los tres puntos están alineados: el tercero está a solo %1 del eje X. Tómelo de nuevo a %2 como mínimo hacia +Y.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
         <translation>Listo: el punto en +X está a %1 del origen y el tercero a %2 del eje X.</translation>
     </message>
     <message>
@@ -5304,7 +5304,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Mueva la punta al origen del sistema de coordenadas y tome el punto (P).</translation>
     </message>
     <message>
-        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
+        <source>Now jog to a point on +X: %1 from the origin (minimum %2).</source>
         <translation>Ahora vaya a un punto en +X: a %1 del origen, mínimo %2.</translation>
     </message>
     <message>
@@ -6785,7 +6785,7 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <translation>trayectoria %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was stored.</source>
+        <source>The arm did not move. No path was stored.</source>
         <translation>El brazo no se movió: no se guardó ninguna trayectoria.</translation>
     </message>
     <message>
@@ -8644,7 +8644,7 @@ Suelte el botón para detener el brazo.</translation>
         </translation>
     </message>
     <message>
-        <source>Resumed saving %1</source>
+        <source>Saving %1 again</source>
         <translation>Se reanudó el guardado de %1</translation>
     </message>
     <message>
@@ -9911,7 +9911,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>%1: quedan %2 hasta el límite de %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 to the reach limit or a singularity</source>
         <translation>%1: quedan %2 hasta el límite de alcance o una singularidad</translation>
     </message>
     <message>
@@ -12109,7 +12109,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Vector de rotación en radianes, como en los scripts</translation>
     </message>
     <message>
-        <source>Speed cap of Tiller</source>
+        <source>Tiller speed cap</source>
         <translation>Límite de velocidad de Tiller</translation>
     </message>
     <message>

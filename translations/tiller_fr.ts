@@ -3975,7 +3975,7 @@
         <translation>Activez l’interface sur le robot : Réglages, Sécurité, Services. Un robot qui vient de démarrer peut avoir besoin d’une minute de plus.</translation>
     </message>
     <message>
-        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
+        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
         <translation>Le robot a fermé la connexion : il redémarre peut-être, ou il a été commuté entre Local et À distance.</translation>
     </message>
     <message>
@@ -5194,8 +5194,8 @@ Videz la recherche pour tout voir.</translation>
         <translation>Origine en Base, X Y Z, %1</translation>
     </message>
     <message>
-        <source>Rotation rad</source>
-        <translation>Rotation rad</translation>
+        <source>Rotation, rad</source>
+        <translation>Rotation, rad</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -5296,7 +5296,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Les trois points sont alignés : le troisième n’est qu’à %1 de l’axe X. Reprenez-le à au moins %2 vers +Y.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
         <translation>Prêt : le point sur +X est à %1 de l’origine, le troisième à %2 de l’axe X.</translation>
     </message>
     <message>
@@ -5304,7 +5304,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Amenez la pointe à l’origine du repère et prenez le point (P).</translation>
     </message>
     <message>
-        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
+        <source>Now jog to a point on +X: %1 from the origin (minimum %2).</source>
         <translation>Allez maintenant à un point sur +X : à %1 de l’origine, minimum %2.</translation>
     </message>
     <message>
@@ -6785,7 +6785,7 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <translation>trajectoire %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was stored.</source>
+        <source>The arm did not move. No path was stored.</source>
         <translation>Le bras n’a pas bougé : aucune trajectoire n’a été gardée.</translation>
     </message>
     <message>
@@ -8644,7 +8644,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         </translation>
     </message>
     <message>
-        <source>Resumed saving %1</source>
+        <source>Saving %1 again</source>
         <translation>Enregistrement de %1 repris</translation>
     </message>
     <message>
@@ -9911,7 +9911,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>%1 : reste %2 jusqu’à la limite de %3</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 to the reach limit or a singularity</source>
         <translation>%1 : reste %2 jusqu’à la limite de portée ou une singularité</translation>
     </message>
     <message>
@@ -12109,7 +12109,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Vecteur de rotation en radians, comme dans les scripts</translation>
     </message>
     <message>
-        <source>Speed cap of Tiller</source>
+        <source>Tiller speed cap</source>
         <translation>Plafond de vitesse de Tiller</translation>
     </message>
     <message>

@@ -3974,7 +3974,7 @@
         <translation>ロボットでインターフェースを有効にしてください：設定、セキュリティ、サービス。起動直後のロボットはもう 1 分かかることがあります。</translation>
     </message>
     <message>
-        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
+        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
         <translation>ロボットが接続を終えました：再起動中か、ローカルとリモートが切り替えられた可能性があります。</translation>
     </message>
     <message>
@@ -5187,7 +5187,7 @@ Clear the search to see everything.</source>
         <translation>ベースでの原点、X Y Z、%1</translation>
     </message>
     <message>
-        <source>Rotation rad</source>
+        <source>Rotation, rad</source>
         <translation>回転 rad</translation>
     </message>
     <message>
@@ -5289,7 +5289,7 @@ Clear the search to see everything.</source>
         <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して記録し直してください。</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
         <translation>準備完了：+X 上の点は %1、3 点目は X 軸から %2。</translation>
     </message>
     <message>
@@ -5297,7 +5297,7 @@ Clear the search to see everything.</source>
         <translation>先端を座標系の原点へジョグして記録してください (P)。</translation>
     </message>
     <message>
-        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
+        <source>Now jog to a point on +X: %1 from the origin (minimum %2).</source>
         <translation>次は +X 上の点へ：原点から %1、最小 %2。</translation>
     </message>
     <message>
@@ -6776,7 +6776,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>経路 %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was stored.</source>
+        <source>The arm did not move. No path was stored.</source>
         <translation>アームが動きませんでした：経路は保存されていません。</translation>
     </message>
     <message>
@@ -8623,7 +8623,7 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Resumed saving %1</source>
+        <source>Saving %1 again</source>
         <translation>%1の保存を再開しました</translation>
     </message>
     <message>
@@ -9885,7 +9885,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>%1：%3 の限界まで残り %2</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 to the reach limit or a singularity</source>
         <translation>%1：残り %2、その先は到達限界か特異点</translation>
     </message>
     <message>
@@ -12068,7 +12068,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>回転ベクトル（ラジアン）、スクリプトと同じ</translation>
     </message>
     <message>
-        <source>Speed cap of Tiller</source>
+        <source>Tiller speed cap</source>
         <translation>Tiller の速度上限</translation>
     </message>
     <message>

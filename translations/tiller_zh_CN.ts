@@ -3974,7 +3974,7 @@
         <translation>在机器人上打开接口：设置、安全、服务。刚启动的机器人可能还需要一分钟。</translation>
     </message>
     <message>
-        <source>The robot closed the connection: it may be restarting, or it was switched between Local and Remote.</source>
+        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
         <translation>机器人结束了连接：可能正在重启，或在本地与远程之间切换。</translation>
     </message>
     <message>
@@ -5187,7 +5187,7 @@ Clear the search to see everything.</source>
         <translation>基座中的原点，X Y Z，%1</translation>
     </message>
     <message>
-        <source>Rotation rad</source>
+        <source>Rotation, rad</source>
         <translation>旋转 rad</translation>
     </message>
     <message>
@@ -5289,7 +5289,7 @@ Clear the search to see everything.</source>
         <translation>三点在一条线上：第三点距 X 轴仅 %1。请重新取，向 +Y 侧至少 %2。</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
         <translation>就绪：+X 上的点距 %1，第三点距 X 轴 %2。</translation>
     </message>
     <message>
@@ -5297,7 +5297,7 @@ Clear the search to see everything.</source>
         <translation>将尖端点动到坐标系的原点并取点 (P)。</translation>
     </message>
     <message>
-        <source>Now jog to a point on +X: %1 from the origin, minimum %2.</source>
+        <source>Now jog to a point on +X: %1 from the origin (minimum %2).</source>
         <translation>现在到 +X 上的一点：距原点 %1，最少 %2。</translation>
     </message>
     <message>
@@ -6776,7 +6776,7 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <translation>路径 %1</translation>
     </message>
     <message>
-        <source>The arm did not move: no path was stored.</source>
+        <source>The arm did not move. No path was stored.</source>
         <translation>机械臂没有移动：未保存路径。</translation>
     </message>
     <message>
@@ -8623,7 +8623,7 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Resumed saving %1</source>
+        <source>Saving %1 again</source>
         <translation>%1 已恢复保存</translation>
     </message>
     <message>
@@ -9885,7 +9885,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>%1：距 %3 的极限剩余 %2</translation>
     </message>
     <message>
-        <source>%1: %2 left to the reach limit or a singularity</source>
+        <source>%1: %2 to the reach limit or a singularity</source>
         <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
     </message>
     <message>
@@ -12068,7 +12068,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>旋转矢量（弧度），与脚本相同</translation>
     </message>
     <message>
-        <source>Speed cap of Tiller</source>
+        <source>Tiller speed cap</source>
         <translation>Tiller 的速度上限</translation>
     </message>
     <message>

@@ -43,7 +43,7 @@ void AbandonedProgram::add(double timestamp, RuntimeState runtime, const std::ar
         Count& count = counts_[i];
         const bool isAbandoned = runtime == RuntimeState::Playing && value >= kAbandonedAfter;
         const double passed = timestamp - count.compared;
-        // The delay is permitted once in total, not again in every comparison.
+        // The delay is permitted only once, so it is not added again in every comparison.
         const bool grows = count.active && timestamp >= count.newest &&
                            follows(value - count.value, passed) &&
                            follows(value - count.first, timestamp - count.since);

@@ -37,8 +37,8 @@ public:
     void commit(std::size_t bytes);  ///< Marks `bytes` of the writable space as received.
 
     /// Copies bytes into the buffer. Invalidates earlier views.
-    /// Returns  the number of bytes accepted; fewer than offered if packages have to be taken first, or after a
-    ///          fault
+    /// Returns  the number of bytes accepted; fewer than offered if the buffer is full until packages are
+    /// taken, or after a fault
     std::size_t feed(ByteView bytes);
 
     /// The next complete package, if any. Its view is valid until the next writable() or feed().

@@ -27,8 +27,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Maximum number of periods that are caught up after the machine was busy. Further periods are dropped, and
-/// robot time is paused for their duration.
+/// Maximum number of overdue periods that are run after the machine was busy. Further periods are dropped,
+/// and robot time is paused for their duration.
 constexpr std::uint64_t kMaxCatchUp = 25;
 /// Response time to requests while virtual time is stopped.
 constexpr auto kVirtualPoll = 500us;

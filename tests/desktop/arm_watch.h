@@ -58,7 +58,8 @@ public:
 
     /// Time without motion that counts as standstill [s]. Longer than any short pause.
     static constexpr double kQuiet = 0.06;
-    /// Time with motion that counts as moving [s], so that the release ends an actual motion.
+    /// Minimum duration of a motion before the arm counts as moving [s], so that the release ends an actual
+    /// motion.
     static constexpr double kConnectPending = 0.05;
     static constexpr double kGoesOnAfter = 1.0;
 

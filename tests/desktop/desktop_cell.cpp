@@ -346,7 +346,7 @@ Standstill DesktopCell::standstill(double contract) {
     const auto waited = [this] { return display_.withoutProcessor() + program_.withoutProcessor(); };
     const double before = waited();
     Standstill result = arm_->standstill(contract);
-    // A process that has ended meanwhile has no statistics any more.
+    // A process that has ended in the meantime has no statistics.
     result.withoutProcessor = std::max(waited() - before, 0.0);
     if (result.verdict == Standstill::Verdict::Late && result.seconds - result.withoutProcessor <= contract) {
         result.verdict = Standstill::Verdict::Stood;

@@ -100,10 +100,10 @@ public:
     bool toTheFront();
     /// Takes control with the button in the header if the window is not in control.
     bool takeControl();
-    /// Arms the keyboard jog by its shortcut.
+    /// Arms the keyboard jog with its shortcut.
     bool armKeyboard();
-    /// As ArmWatch::standstill(). The contract is about the program: time without a processor, because other tests run
-    /// at the same time, does not count.
+    /// Like ArmWatch::standstill(). The contract applies to the program, so time in which it has no processor
+    /// because of other tests does not count.
     Standstill standstill(double contract);
     /// Sends a fault command to the controller, e.g. "hand 30 0 0".
     bool fault(const QString& words);

@@ -52,7 +52,7 @@ protected:
     void useUp() { usedUp_ = true; }
 
     /// Presses and waits until the arm is moving. On a busy computer, a press may be rejected because of late
-    /// data, or the control may be lost: then it is repeated after `release`.
+    /// data, or control may be lost. The press is then repeated after `release`.
     void holdBy(const std::function<void()>& press, const std::function<void()>& release) {
         for (int attempt = 0; attempt < 5; ++attempt) {
             QVERIFY(beReady());

@@ -10,9 +10,8 @@
 
 namespace tiller::test {
 
-/// Advances the cell until the condition is true, while real time passes as well: workers and other threads need
-/// real time.
-/// Returns false after a minute of real time, which no busy machine needs.
+/// Advances the cell until the condition is true, while real time passes as well, because workers and other
+/// threads need real time. Returns false after a minute of real time, which no busy machine needs.
 inline bool goOnUntil(VirtualCell& cell, const std::function<bool()>& condition, int stepMs = 4) {
     const QDeadlineTimer hangs(std::chrono::minutes(1));
     while (!condition()) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All inputs that can hold a motion, with an arm that only measures time: the jog column, the armed keyboard,
-// a stick and "Go to". They share the hold rules, and a key-state check that returns the actual key states.
-// In virtual time.
+// All inputs that can hold a motion: the jog column, the armed keyboard, a stick and "Go to". The arm is a
+// stub that only measures time. The inputs share the hold rules and a key-state check that returns the actual
+// key states. Uses virtual time.
 
 #include <QLineEdit>
 #include <QPointingDevice>

@@ -2,7 +2,7 @@
 #pragma once
 
 // Clients at byte level, written only from the protocol documents. They share no code with the backend, so
-// that the same misunderstanding cannot be in both.
+// that one misunderstanding of the protocol cannot affect both.
 
 #include <QByteArray>
 #include <QElapsedTimer>

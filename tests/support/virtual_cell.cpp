@@ -16,8 +16,8 @@ namespace {
 constexpr int kTickMs = 2;
 constexpr int kRefreshMs = 16;
 constexpr int kPumpMs = 20;
-/// Windows repaint in every fifth refresh, as on a slow computer, because painting takes most of a test's
-/// processor time.
+/// Windows repaint only at every fifth refresh, as on a slow computer, because painting takes most of a
+/// test's processor time.
 constexpr int kRefreshesPerPaint = 5;
 /// Real time that a peer thread may take before the test fails. A working computer never reaches this limit.
 constexpr std::chrono::seconds kPatience{20};

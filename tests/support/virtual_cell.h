@@ -22,8 +22,8 @@ public:
     /// robot           simulator options, based on options()
     VirtualCell(VirtualClock& clock, RobotSession& session,
                 const simulator::SimulatorOptions& robot = options());
-    /// Options for a UR5e in virtual time that is powered with released brakes, at a loopback address of this
-    /// process.
+    /// Options for a UR5e in virtual time that is powered on with released brakes, at a loopback address of
+    /// this process.
     static simulator::SimulatorOptions options();
     ~VirtualCell();
 

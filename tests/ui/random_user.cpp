@@ -26,8 +26,8 @@ namespace tiller::test {
 namespace {
 
 constexpr int kQuietEvery = 40;  // number of steps
-/// Percentage of clicks after which the pointer stays for the whole time in which nothing may move. The next
-/// value is for a shorter time.
+/// Percentage of clicks after which the pointer stays in place for the whole period in which nothing may
+/// move. The next value applies to a shorter period.
 constexpr int kLongWatch = 1;
 constexpr int kShortWatch = 15;
 /// Percentage of steps after which the window is painted. Painting causes most of the cost of a step.
@@ -917,7 +917,7 @@ bool RandomUser::comesToRest() {
     const JogSelection selection = window_.jogColumn().selection();
     if ((stepRuns || window_.jogColumn().isHolding()) &&
         (stepRunsToEnd(selection, false) || stepRunsToEnd(selection, true))) {
-        // A short step is not held. It runs to its end or until it is stopped.
+        // A short step needs no held button. It runs to its end or until it is stopped.
         note(QStringLiteral("ends a short step by Esc"));
         hand_.keyClick(Qt::Key_Escape, {}, QStringLiteral("\x1b"));
     }

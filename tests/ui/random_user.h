@@ -34,7 +34,7 @@ public:
     /// Processes events for a moment.
     void wait();
     double ms() const;  ///< time so far
-    /// True after a time so long that something must be hanging.
+    /// True if so much time has passed that something must be hanging.
     bool isHopeless() const;
 
 private:

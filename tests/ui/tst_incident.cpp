@@ -301,7 +301,8 @@ void TestIncident::theScrubberMovesEverythingTogether() {
     QVERIFY(bench.within([&] { return !bench.state().recording.active; }));
 }
 
-/// The band of the log also stays while the pointer is on it, and the log then shows live data again.
+/// The replay band of the log also stays visible while the pointer is on it. The log then shows live data
+/// again.
 void TestIncident::theLogFollowsAgainAfterBackToLive() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

@@ -280,7 +280,8 @@ private Q_SLOTS:
         QVERIFY(!card->isVisible());
     }
 
-    // The command obeys the same rules as the button: not before the popup could be read, and once only.
+    // The command follows the same rules as the button. It works only after the operator could read the
+    // popup, and only once.
     void theCommandClosesAPopupAsItsButtonDoes() {
         auto* card = window_->findChild<RobotPopup*>("robotPopup");
         QAction* close = action("power.closePopups");
@@ -303,7 +304,7 @@ private Q_SLOTS:
         QVERIFY2(!close->isEnabled(), "the popup below would be closed too");
         QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 20'000);
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
-        // Without a popup known here: one from before the connection.
+        // A popup that was opened before the connection is not known to the window.
         QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
         close->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(done.count(), 2, 20'000);

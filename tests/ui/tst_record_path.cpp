@@ -169,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(saved->waypoints.size() >= 2);
     }
 
-    // There "Record path" is a command of the menu only.
+    // In a narrow panel, "Record path" is available only in the menu.
     void aNarrowPanelShowsThatAPathIsRecorded() {
         WaypointsTab narrow(window().session(), document());
         narrow.resize(narrow.minimumSizeHint().width(), 600);

@@ -146,7 +146,8 @@ private Q_SLOTS:
             QTest::mouseClick(&key, Qt::LeftButton);
             QVERIFY(QTest::qWaitFor([&] { return bench.state().recording.rows > 0; }, kWaitTimeoutMs));
             const double begin = bench.state().robotTime;
-            // A busy machine may refuse the first jogs because of late data: then it is recorded for longer.
+            // A busy machine may refuse the first jogs because of late data. In this case, the recording
+            // takes longer.
             const QDeadlineTimer hangs(kWaitTimeoutMs);
             while (recorded < seconds || (bench.jogs == 0 && !hangs.hasExpired())) {
                 QVERIFY2(bench.state().recording.active, qPrintable(bench.state().recording.error));

@@ -142,7 +142,7 @@ private:
         pass(40);
         return active;
     }
-    /// Teaches two waypoints with some distance.
+    /// Teaches two waypoints some distance apart.
     /// actions  executed at the first waypoint
     void teach(const project::WaypointActions& actions, double blend = 0) {
         const SessionState& state = window().session().state();

@@ -197,7 +197,7 @@ QVariant FrameModel::headerData(int section, Qt::Orientation orientation, int ro
         case Origin:
             return (shortly ? tr("Origin %1") : tr("Origin in Base, X Y Z, %1")).arg(format::lengthUnit());
         case Rotation:
-            return shortly  ? (vector ? tr("Rotation rad") : tr("Rotation"))
+            return shortly  ? (vector ? tr("Rotation, rad") : tr("Rotation"))
                    : vector ? tr("Rotation vector in Base, radians")
                             : tr("Roll, pitch and yaw in Base");
         case Waypoints:

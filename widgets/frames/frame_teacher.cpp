@@ -151,7 +151,7 @@ QString FrameTeacher::feedback() const {
                       "at least %2 towards +Y.")
                 .arg(format::length(found.offLine, 1), offset);
         case Problem::None:
-            return tr("Ready: the point on +X is %1 from the origin, the third is %2 from the X axis.")
+            return tr("Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.")
                 .arg(format::length(found.alongX, 1), format::length(found.offLine, 1));
         case Problem::Incomplete:
             break;
@@ -165,7 +165,7 @@ QString FrameTeacher::feedback() const {
             return tr("Jog the tip to the origin of the frame and record the point (P).");
         case 1:
             with.onX = tip_;
-            return tr("Now jog to a point on +X: %1 from the origin, minimum %2.")
+            return tr("Now jog to a point on +X: %1 from the origin (minimum %2).")
                 .arg(format::length(project::check(with).alongX, 1), arm);
         default:
             with.towardsY = tip_;

@@ -138,7 +138,7 @@ QString TravelWatch::heldText() const {
                     .arg(key->text(), key->travel(), linkText(end.link), format::length(end.distance, 0),
                          limiterText(end, state_.check->surroundings()));
             default:
-                return tr("%1: %2 left to the reach limit or a singularity").arg(key->text(), key->travel());
+                return tr("%1: %2 to the reach limit or a singularity").arg(key->text(), key->travel());
         }
     }
     return {};

@@ -27,7 +27,7 @@ public:
 
         bool isEmpty() const { return std::isnan(left); }
         void setLeft(double value);   ///< extends the minimum and maximum if necessary
-        void setRight(double value);  ///< as setLeft()
+        void setRight(double value);  ///< like setLeft()
         friend bool operator==(const Column& a, const Column& b) {
             return (a.isEmpty() && b.isEmpty()) ||
                    (a.left == b.left && a.right == b.right && a.low == b.low && a.high == b.high);
@@ -58,8 +58,8 @@ public:
     double columnWidth() const { return width_; }
     /// True if this column is new or has changed since the last sample().
     bool hasChanged(std::size_t column) const;
-    /// Determines for each column whether it is drawn. This is the case in the dashes of the pen and where
-    /// the curve exceeds the adjacent dashes, so that no spike is hidden between dashes.
+    /// Determines which columns are drawn: those in the dashes of the pen, and those in which the curve
+    /// exceeds the adjacent dashes, so that no spike is hidden between dashes.
     /// drawn   one entry per column; 0: not drawn
     /// beyond  minimum excess, in the unit of the curve
     void findDrawn(std::span<std::uint8_t> drawn, double beyond) const;

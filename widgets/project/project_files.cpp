@@ -37,7 +37,7 @@ ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject
         warn(tr("The project could not be saved"), error, QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::saveRecovered, this, [this] {
-        Q_EMIT message(Severity::Info, tr("Resumed saving %1").arg(store_.name()));
+        Q_EMIT message(Severity::Info, tr("Saving %1 again").arg(store_.name()));
         Q_EMIT noticeResolved(QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::openElsewhere, this, &ProjectFiles::onOpenElsewhere);

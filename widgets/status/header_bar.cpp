@@ -313,8 +313,9 @@ void HeaderBar::showStep() {
     stepButton_->setToolTip(obstacle.isEmpty() ? nextStepAdvice(step_) : obstacle);
 }
 
-// Shows or hides the button for the next step. A hidden or disabled button would pass the focus to the next
-// control, which is the speed slider. This function prevents that and restores the focus with the next step.
+// Shows or hides the button for the next step. Hiding or disabling the focused button would pass the focus to
+// the next control, the speed slider. This function prevents that and restores the focus when the next step
+// becomes available.
 void HeaderBar::offerStep(bool visible, bool enabled) {
     if (!visible || !enabled) {
         stepLostFocus_ = stepLostFocus_ || stepButton_->hasFocus();
@@ -483,7 +484,7 @@ void HeaderBar::arrange() {
     stepButton_->setText(stepWords(*stepButton_, nextStepText(step_), stepButton_->width()));
 }
 
-/// Width required for all texts, including the simulation sign.
+/// Width required for all texts, including the simulation label.
 int HeaderBar::requiredWidth() const {
     const int required = layout_->minimumSize().width() +
                          std::max(0, linkRoom(*link_) - link_->minimumSizeHint().width()) +

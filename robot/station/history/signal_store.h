@@ -57,8 +57,8 @@ public:
     Result<int> derive(const QString& text);
     /// Reports why derive() failed for a menu command.
     void refuse(const Error& error) { Q_EMIT computationFailed(error.controllerMessage); }
-    /// Returns the signal with this key, or -1. Creates a derived signal, whose key is its text, if
-    /// necessary.
+    /// Returns the signal with this key, or -1. If necessary, creates a derived signal, whose key is its
+    /// expression.
     int findOrDerive(const QString& key);
 
     /// Returns null if the field was never requested from the robot.

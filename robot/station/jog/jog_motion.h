@@ -119,8 +119,8 @@ MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, 
 StepSize chosenStep(const JogSelection& selection);
 /// The selected or custom speeds.
 SpeedClass chosenSpeed(const JogSelection& selection);
-/// All speeds for a custom TCP speed. Rotation and joint speeds have the same ratio to it as in the speed
-/// classes.
+/// All speeds for a custom TCP speed. The ratios of the rotation and joint speeds to the TCP speed are those
+/// of the speed classes.
 SpeedClass speedFor(double tcpSpeed);
 /// True if the arm jogs while the button is pressed, false if a press makes one step.
 bool isHeld(MotionChoice motion);

@@ -21,9 +21,8 @@ struct SessionBackend;
 /// Settings of a new recording.
 struct RecordingOrder {
     QString path;
-    QStringList
-        fields{};   ///< RTDE names; empty: all that ur_rtde records, in a complete format all available ones
-    int every = 1;  ///< every n-th packet becomes a row
+    QStringList fields{};  ///< RTDE names; empty: those that ur_rtde records, or all in a complete format
+    int every = 1;         ///< every n-th packet becomes a row
     QString format = QStringLiteral("csv");  ///< as RecordingChoice::format
     std::int64_t keepFree = 200'000'000;     ///< stops recording when less is free on the disk [bytes]
 };

@@ -53,7 +53,7 @@ project::Program withShifted(const project::Program& program, const QSet<QUuid>&
 project::Program withNested(const project::Program& program, const QSet<QUuid>& ids);
 /// Moves the steps to the position after the section that contains them.
 project::Program withUnnested(const project::Program& program, const QSet<QUuid>& ids);
-/// Inserts copies of the steps after the last of them, at the same level.
+/// Inserts copies of the steps after the last of these steps, at the same level.
 project::Program withDuplicates(const project::Program& program, const QSet<QUuid>& ids);
 /// Disables or enables the steps.
 project::Program withDisabled(project::Program program, const QSet<QUuid>& ids, bool disabled);

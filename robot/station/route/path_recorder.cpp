@@ -202,7 +202,7 @@ void PathRecorder::insert(const std::vector<project::KeptPlace>& places, double 
         return largestTurn(place.q, places.front().q) < kNoPath;
     });
     if (places.size() < 2 || stood) {
-        Q_EMIT refused(tr("The arm did not move: no path was stored."), {});
+        Q_EMIT refused(tr("The arm did not move. No path was stored."), {});
         return;
     }
     const QString name = nextPathName();

@@ -28,7 +28,7 @@ QString advice(ErrorCode code) {
                 "started may need another minute.");
         case ErrorCode::ConnectionClosed:
             return TextsText::tr(
-                "The robot closed the connection: it may be restarting, or it was switched between Local and "
+                "The robot closed the connection. It may be restarting or switching between Local and "
                 "Remote.");
         case ErrorCode::Timeout:
             return TextsText::tr("The robot does not respond. Check the cable and the address.");

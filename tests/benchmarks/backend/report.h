@@ -45,8 +45,9 @@ public:
     void add(std::int64_t fromNs, std::int64_t toNs);
 
     Durations all() const;
-    /// Returns only the durations in the quieter half of all half seconds. Disturbances of the computer that
-    /// occur a few times per second are in the other half, and effects of the program are in both.
+    /// Returns only the durations in the quieter half of all half-second intervals. This excludes
+    /// disturbances of the computer that occur a few times per second, but includes effects of the program,
+    /// which occur in every interval.
     Durations quieterHalf() const;
     /// Returns only the durations during which all CPUs were available.
     Durations whileThere(const MachineWatch& watch) const;

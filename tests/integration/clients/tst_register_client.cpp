@@ -195,8 +195,9 @@ private Q_SLOTS:
         QVERIFY(robot_.controller.truth().qd.values.norm() < 2e-3);
     }
 
-    // The command is answered like an ordinary command, but the client does not wait. The next command does
-    // not find "ready" within its three seconds, gives up and clears. The command after it works.
+    // The client sends the command without waiting for its reply. The next command times out after three
+    // seconds because the script does not report "ready", and the client clears its registers. The command
+    // after that succeeds.
     void servoCircularBehavesAsWithTheRealClient() {
         Six pose = poseNow();
         pose[2] += 0.05;

@@ -89,7 +89,7 @@ private Q_SLOTS:
             late.error().controllerMessage.startsWith("the pulse of digital output 1 lasts for another "),
             why(late));
         QVERIFY((cell.robot.truth().digitalOutputs & 2U) != 0);
-        // A pulse that has ended must not block anything.
+        // After a pulse has ended, it does not block other commands.
         const auto ended = cell.during([&] { return pulses.end(2, limit); });
         QVERIFY2(ended.ok(), why(ended));
         const auto again = cell.during([&] { return cell.motions().movePath({entry}, limit); });

@@ -399,7 +399,7 @@ private Q_SLOTS:
         const auto move = cell.motions().moveJ(start, {0.5, 1.4, Holding::Held});
         QVERIFY(cell.holdMove(*move, 500));
         QCOMPARE(cell.motions().startPath(*superseded, Holding::Held).error().code, ErrorCode::Stopped);
-        // A stop that comes before the path has arrived also counts.
+        // A stop before the path has been sent also takes effect.
         Motions armed(*cell.controller, cell.controller->stops());
         cell.controller->stop(StopCause::Released);
         const auto late = cell.during([&] { return armed.preparePath(slowPath(cell), soon()); });

@@ -206,8 +206,8 @@ private Q_SLOTS:
             QTest::newRow("one cell") << onlyCell[0] << onlyCell[1] << onlyCell[2].toDouble() << onlyCell[3];
             return;
         }
-        // During a pause, real time and program time advance differently. The end of the program read its
-        // speed in one of them and decelerated in the other.
+        // During a pause, real time and program time advance differently. Regression test: when the program
+        // ended, it measured its speed in one of them and decelerated in the other.
         QTest::newRow("braked in another time")
             << "jog a joint"
             << "safeguard" << 0.5 << "program-stops=scaled speed-commands=real outputs=next-period data=late";
@@ -265,7 +265,7 @@ private Q_SLOTS:
         QStringList problems;
         if (runsAll) {
             for (const ContractMotion& motion : contractMotions()) {
-                // The control program does not have the motions of a section.
+                // The control program does not contain functions that run in a section.
                 if (software.isCb3() && qstrcmp(motion.name, "function in force mode") == 0) {
                     continue;
                 }

@@ -174,7 +174,8 @@ private Q_SLOTS:
         QVERIFY(is(ToolSetup(controller).useExternalSensorLegacy({}, soon()), "enable_external_ft_sensor"));
         QVERIFY(ArmQueries(controller).stepTime(soon()).ok());
         QVERIFY(Compliance(controller).startFreedrive().ok());
-        // A section sends the program again. It must not contain these functions from the start.
+        // A section uploads the program again. The uploaded program must not contain these functions from the
+        // start.
         QVERIFY(Programs(controller)
                     .startFunction(QStringLiteral("wait"), QStringLiteral("sleep(0.01)"), soon())
                     .ok());
@@ -253,7 +254,8 @@ private Q_SLOTS:
         options.deliver = [&](const QString& program, const Deadline& deadline) -> Result<void> {
             if (quiet) {
                 robot.silence(true);
-                // Until the data sent before have been read: the control thread asks for the time in every poll.
+                // Wait until the earlier data have been read. The control thread reads the clock in every
+                // poll.
                 const std::uint64_t asked = clock.asked();
                 waitFor([&] { return clock.asked() > asked + 20; });
                 time.advanceNs(quietMs * kNsPerMs);

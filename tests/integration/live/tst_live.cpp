@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Forwards robot data through real sockets to a viewer of these tests, to a Node.js viewer that only uses the
-// published protocol, and as datagrams.
+// Forwards robot data through real sockets to a test viewer, to a Node.js viewer that only uses the published
+// protocol, and as datagrams.
 
 #include <QFileInfo>
 #include <QJsonArray>

@@ -201,7 +201,8 @@ void TestLiveLimits::aViewerThatDoesNotReadLosesTheOldestMessages() {
     }
     QVERIFY(bench.output.progress().dropped >= 500);
     QVERIFY(got >= bench.sent - begin);  // the other viewer lost no data
-    // The pause ends with the newest message instead of the oldest messages that still fit.
+    // After the pause, the viewer receives the newest message, not only the oldest messages that still fit in
+    // the buffers.
     constexpr double kLast = 123.5;
     bench.peer.set("actual_q", {kLast, 0, 0, 0, 0, 0});
     bench.send(1);

@@ -2,7 +2,7 @@
 #pragma once
 
 // A simulated robot for programs that use the ur_rtde interface. Its virtual time advances only as fast as
-// the client replies. A slow computer therefore makes the robot slow instead of the client late.
+// the client replies, so that a slow computer slows the robot down and the client is never late.
 
 #include <QCoreApplication>
 #include <QString>

@@ -413,7 +413,7 @@ $6.0   P = 6
         const List offset{0, 0, 0.1, 0, 0, 0};
         QVERIFY(control_->setTcp(offset));
         QVERIFY(near(control_->getTCPOffset(), offset, 1e-9));
-        // The pose in the data follows one package after the setting.
+        // The pose in the data changes one package after it is set.
         QVERIFY(cell_->until([&](const simulator::SimulatedState&) {
             return !near(control_->getActualToolFlangePose(), pose(), 1e-2);
         }));

@@ -172,7 +172,8 @@ const QList<Folder>& folders() {
     return table;
 }
 
-/// Folders without a row of their own: they and the folder of their row include each other.
+/// Folders without a separate row in the table. They and the folder whose row applies to them may include
+/// each other.
 const QStringList kParts = {
     "robot/simulator/box",          "robot/simulator/equipment",
     "robot/simulator/host",         "robot/simulator/programs",

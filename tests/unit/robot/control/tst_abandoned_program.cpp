@@ -101,7 +101,8 @@ private Q_SLOTS:
         }
     }
 
-    // Slow enough for the delay that is permitted between two packages, too slow since the first one.
+    // At this pace, the delay between two packages is permitted, but the accumulated delay since the first
+    // package is not.
     void aNumberThatFallsBehindIsNoProofForLong() {
         Robot robot;
         robot.alone = 1;

@@ -155,7 +155,8 @@ private Q_SLOTS:
         }
     }
 
-    // For other clients. Only after half a second, when the program's own client has also lost control.
+    // The output for other clients starts only after half a second, when the program's own client has also
+    // lost control.
     void theTimeWithoutAClientIsCounted() {
         for (const auto range : {RegisterRange::Lower, RegisterRange::Upper}) {
             Bench bench(range);

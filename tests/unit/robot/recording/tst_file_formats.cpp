@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every row of the table of formats: what it writes is opened by the same row, whatever the name of the file.
+// For every row of the table of formats: a file written with a row is opened with the same row, regardless of
+// its name.
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTest>

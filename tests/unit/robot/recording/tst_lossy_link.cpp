@@ -302,7 +302,7 @@ void TestLossyLink::theReceiverNeverWaitsForADisk() {
     QVERIFY(bench.send(1, 500, nullptr));
     QTRY_VERIFY_WITH_TIMEOUT(recorder.progress().rows > 0, kWaitTimeoutMs);
     story.standsStill = true;
-    // Far more than the ring holds. send() returns when the receiver has all of them.
+    // Sends far more packets than the ring holds. send() returns when the receiver has all packets.
     constexpr int kAll = 20'000;
     QVERIFY(bench.send(501, kAll, nullptr));
     QVERIFY(recorder.progress().rows < static_cast<std::uint64_t>(kAll) / 2);

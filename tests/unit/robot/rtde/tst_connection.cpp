@@ -376,7 +376,7 @@ void TestConnection::slowReaderOfInputsNeverBlocks() {
         int whole = 0;
         while (!link.isOver()) {
             if (const auto package = link.nextPackage()) {
-                // No package is torn, even if many packages were dropped.
+                // No package is incomplete, even if many packages were dropped.
                 whole = package->payload.size() == 1 + 40 * 8 ? whole + 1 : -1000000;
                 if (whole < 0) {
                     return;

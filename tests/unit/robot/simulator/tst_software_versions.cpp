@@ -111,14 +111,14 @@ private Q_SLOTS:
         verify(field->since.cb3, 3, {3, 15, 8, 0});
         verify(field->since.eSeries, 5, {5, 25, 0, 0});
         QVERIFY(has({10, 15, 0, 0}));
-        // If no source states the first version, it is assumed to be the one of the tables that list the
-        // feature (the latest possible version).
+        // If no source states the first version, the version of the tables that list the feature is used (the
+        // latest possible version).
         QVERIFY(has({5, 25, 0, 0}, true) == has({5, 25, 0, 0}));
         QCOMPARE(has({5, 22, 0, 0}, true), has({5, 22, 0, 0}) && field->since.confirmed);
         QCOMPARE(has({3, 15, 0, 0}, true), has({3, 15, 0, 0}) && field->since.confirmed);
     }
 
-    // Source: dashboard guide and client tables. latest: used where they disagree.
+    // Source: dashboard guide and client tables. The "latest" columns apply where they disagree.
     void everyDashboardCommandComesWithItsVersion_data() {
         QTest::addColumn<QString>("cb3");  // "-": never
         QTest::addColumn<QString>("eSeries");

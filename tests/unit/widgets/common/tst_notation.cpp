@@ -34,7 +34,7 @@ private Q_SLOTS:
     void init() { applyNotation(*qApp, {}); }
     void cleanupTestCase() { applyNotation(*qApp, {}); }
 
-    // The typed text stays, so it has to be visible that it is not the value.
+    // The typed text remains, so the box must show that the text is not the value.
     void aRefusedNumberIsMarkedUntilItIsCorrected() {
         applyTheme(*qApp, Theme::light());
         QWidget window;

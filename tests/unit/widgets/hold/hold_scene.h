@@ -94,7 +94,7 @@ struct Scene {
         QCOMPARE(target.ends, QList<StopCause>{cause});
         QVERIFY(!key->isHolding());
         QVERIFY(!key->isDown());
-        // The motion stays stopped, whatever the operator does.
+        // The motion stays stopped, regardless of the operator's actions.
         const int holds = target.holds;
         clock.advanceNs(20 * kNsPerMs);
         key->guard().pump();

@@ -97,7 +97,7 @@ private Q_SLOTS:
             // The button that may move the arm according to the model: the last one pressed, until an event
             // interrupts it.
             int held = -1;
-            int pressed = -1;  // the button pressed with the left mouse button
+            int pressed = -1;  // the button that the left mouse button holds down
             const int length = 2 + static_cast<int>(random.bounded(12U));
             for (int step = 0; step < length; ++step) {
                 const auto action = random.bounded(12U);

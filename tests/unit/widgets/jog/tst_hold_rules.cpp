@@ -375,7 +375,8 @@ private Q_SLOTS:
         QCOMPARE(names.size(), tried.size());
     }
 
-    // A window manager grabs the keyboard for its own shortcuts, and Qt for its menus: the focus returns.
+    // A window manager grabs the keyboard for its own shortcuts, and Qt grabs it for its menus. The focus
+    // returns in both cases.
     void theDisplayServerReportsAreNotAllFocusLosses() {
         Hands h;
         Holder holder(h, wayOf("pad"));
@@ -626,7 +627,7 @@ private Q_SLOTS:
         late->show();
         hands.mouse(*late, QEvent::MouseButtonPress);
         QVERIFY(hands.arm.moves());
-        // The window receives no release; only the display server knows.
+        // The window receives no release event. Only the display server registers the release.
         hands.mouse(*late, QEvent::MouseButtonRelease, Qt::LeftButton, false);
         hands.advance(20);
         late->guard().pump();

@@ -263,7 +263,7 @@ void TestArmMoves::lineTowardsAFarPointIsFollowedToTheEndOfTheReach() {
 }
 
 void TestArmMoves::lineThroughASingularityStopsBeforeIt() {
-    // Straight across the base: the wrist centre meets the cylinder around axis 1.
+    // On a straight path across the base, the wrist centre reaches the cylinder around axis 1.
     WatchedArm arm;
     arm.finish(arm->motion().moveJ(Pose(-0.14, -0.436, 0.35, 0, 3.1416, 0), {.a = 1.4, .v = 1.05}));
     const MotionStart move =

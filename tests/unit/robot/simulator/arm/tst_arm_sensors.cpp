@@ -99,7 +99,7 @@ void TestArmSensors::forceOnTheFlangeLoadsTheJoints() {
     QVERIFY((found - expected).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-// The payload and the zeroing are set in one step, as in set_payload().
+// The payload is set and the sensor is zeroed in the same step, as in set_payload().
 void TestArmSensors::zeroingBehindAPayloadTakesTheNewPayload() {
     for (const bool hangs : {true, false}) {
         WatchedArm arm;

@@ -103,7 +103,8 @@ private Q_SLOTS:
         QVERIFY(bench.state().controlInDoubt);
         bench.cell.advanceMs(200);
         QVERIFY(!bench.state().controlInDoubt);
-        // Permanent: data that become late afterwards give no new information about the previous connection.
+        // This doubt is permanent. Data that become late afterwards give no new information about the
+        // previous connection.
         bench.silence();
         QVERIFY(!bench.state().isFresh());
         QVERIFY(!bench.state().controlInDoubt);
