@@ -14,6 +14,7 @@
 #include "robot/recording/csv_reader.h"
 #include "tests/support/jog_window_test.h"
 #include "widgets/common/notice_bar.h"
+#include "widgets/hold/hold_rules.h"
 #include "widgets/jog/jog_selectors.h"
 #include "widgets/project/undoable_document.h"
 #include "widgets/waypoints/path_controls.h"
@@ -171,10 +172,11 @@ private Q_SLOTS:
 
     // In a narrow panel, "Record path" is available only in the menu.
     void aNarrowPanelShowsThatAPathIsRecorded() {
-        WaypointsTab narrow(window().session(), document());
+        HoldPolicy policy;
+        WaypointsTab narrow(window().session(), document(), policy);
         narrow.resize(narrow.minimumSizeHint().width(), 600);
         narrow.show();
-        QVERIFY2(!narrow.findChild<QAbstractButton*>("waypoint.recordPath")->isVisible(), "it has room");
+        QVERIFY2(!narrow.findChild<QAbstractButton*>("waypoint.recordPath")->isVisible(), "the button fits");
         auto* more = narrow.findChild<QAbstractButton*>("waypoint.more");
         const QString usual = more->text();
         const int width = more->width();
