@@ -63,8 +63,8 @@ public:
     Result<void> closeSafetyPopup(const Deadline& deadline);  ///< Closes one safety popup.
     Result<void> restartSafety(const Deadline& deadline);     ///< After a safety violation or fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline);
-    Result<SafetyMode> safetyMode(const Deadline& deadline);
+    Result<RobotMode> robotMode(const Deadline& deadline);    ///< Current robot mode.
+    Result<SafetyMode> safetyMode(const Deadline& deadline);  ///< Current safety mode.
     /// Also false if remote control is disabled in the settings. Since 5.6
     Result<bool> isInRemoteControl(const Deadline& deadline);
 
@@ -77,9 +77,9 @@ public:
     Result<ProgramState> programState(const Deadline& deadline);
     /// path  relative to the programs folder
     Result<void> loadProgram(const Text& path, const Deadline& deadline);
-    Result<void> play(const Deadline& deadline);  ///< Starts or resumes the loaded program.
-    Result<void> pause(const Deadline& deadline);
-    Result<void> stop(const Deadline& deadline);
+    Result<void> play(const Deadline& deadline);   ///< Starts or resumes the loaded program.
+    Result<void> pause(const Deadline& deadline);  ///< Pauses the running program.
+    Result<void> stop(const Deadline& deadline);   ///< Stops the running program.
 
     // Pendant
     Result<void> popup(const Text& text, const Deadline& deadline);

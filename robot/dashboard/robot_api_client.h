@@ -38,15 +38,15 @@ public:
     Result<void> unlockProtectiveStop(const Deadline& deadline);  ///< Call only after inspecting the arm.
     Result<void> restartSafety(const Deadline& deadline);         ///< After a safety violation or fault.
 
-    Result<RobotMode> robotMode(const Deadline& deadline) const;
-    Result<SafetyMode> safetyMode(const Deadline& deadline) const;
+    Result<RobotMode> robotMode(const Deadline& deadline) const;     ///< Current robot mode.
+    Result<SafetyMode> safetyMode(const Deadline& deadline) const;   ///< Current safety mode.
     Result<bool> isInRemoteControl(const Deadline& deadline) const;  ///< False in automatic and manual mode.
 
     /// name  without the file extension
     Result<void> loadProgram(const Text& name, const Deadline& deadline);
     /// action  "play", "pause", "resume" or "stop"
     Result<void> runProgram(const Text& action, const Deadline& deadline);
-    Result<ProgramState::Run> programState(const Deadline& deadline) const;
+    Result<ProgramState::Run> programState(const Deadline& deadline) const;  ///< State of the loaded program.
 
     /// Sends any request below /universal-robots/robot-api and returns the JSON object of the reply, or an
     /// empty object if the reply contains none.

@@ -19,6 +19,8 @@ constexpr std::chrono::seconds kGiveUp{20};
 /// Real time within which the control thread detects that its data are too old: several of its check
 /// intervals.
 constexpr std::chrono::milliseconds kNoticeTime{50};
+/// Maximum time for the control thread to answer a package while control is being taken.
+constexpr std::chrono::milliseconds kTakingTime{50};
 /// Maximum wait for an answer before checking the state again, because a controller that is losing control
 /// sends none.
 constexpr std::chrono::milliseconds kAnswerSlice{20};
@@ -144,6 +146,18 @@ void LockStep::tick() {
         while (stamp && newestStamp(*receiver) < *stamp &&
                receiver->state() == receive::ReceiverState::Receiving && goesOn()) {
             std::this_thread::yield();
+        }
+    }
+    // While control is being taken, the client must not miss the time within which the control program expects it.
+    // Packages that arrive before the control thread runs are not answered.
+    for (const auto& controller : all) {
+        const auto stamp = reached(controller->localPort());
+        control::ControllerStatus status = controller->status();
+        const auto enough = std::chrono::steady_clock::now() + kTakingTime;
+        while (stamp && !status.inControl && status.loss == control::ControlLoss::Taking &&
+               status.answeredTime < *stamp && !ending_ && std::chrono::steady_clock::now() < enough) {
+            std::this_thread::yield();
+            status = controller->status();
         }
     }
     std::uint64_t answers = 0;

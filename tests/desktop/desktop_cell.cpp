@@ -330,16 +330,18 @@ bool DesktopCell::toTheFront() {
 }
 
 bool DesktopCell::armKeyboard() {
-    if (place("armedFrame").visible) {
-        return true;
-    }
-    if (!toTheFront()) {
-        return false;
-    }
-    hand_->press(kControl);
-    hand_->tap(kLetterJ);
-    hand_->release(kControl);
-    return untilShown("armedFrame");
+    // The shortcut may be lost while the window manager changes the focus.
+    return until([&] {
+        if (place("armedFrame").visible) {
+            return true;
+        }
+        if (toTheFront()) {
+            hand_->press(kControl);
+            hand_->tap(kLetterJ);
+            hand_->release(kControl);
+        }
+        return until([&] { return place("armedFrame").visible; }, 2000);
+    });
 }
 
 Standstill DesktopCell::standstill(double contract) {

@@ -65,7 +65,10 @@ protected:
         QFAIL("nothing moved while it was held: this proves nothing");
     }
     /// In control, with the keyboard armed. On a busy machine the window may have lost the control.
-    bool beReady() { return cell().toTheFront() && cell().takeControl() && cell().armKeyboard(); }
+    bool beReady() {
+        return cell().until(
+            [&] { return cell().toTheFront() && cell().takeControl() && cell().armKeyboard(); });
+    }
     /// Verifies that the arm stops within the time of the contract and does not move again.
     void verifyStands(double contract = kContract) {
         const Standstill stop = cell().standstill(contract);

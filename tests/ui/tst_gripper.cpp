@@ -179,7 +179,7 @@ private Q_SLOTS:
         QCOMPARE(text("gripper.opening"), QString("0.0 mm"));  // Return does not move the fingers
         click("gripper.move");
         QVERIFY(until([this] { return text("gripper.opening").startsWith("40."); }));
-        QVERIFY(until([this] { return wasSaid("Gripper: to 40.0 mm (speed 100 %"); }));
+        QVERIFY(until([this] { return wasSaid("Gripper: move to 40.0 mm (speed 100 %"); }));
     }
 
     void valueOutOfRangeIsRefusedWithoutMotion() {

@@ -168,13 +168,14 @@ private Q_SLOTS:
         QVERIFY(!bench.window.close());
         QCOMPARE(bench.window.findChildren<QMessageBox*>("recordingQuestion").size(), 1);
         QTest::keyClick(question, Qt::Key_Escape);
-        QTRY_VERIFY(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr,
+                                 60'000);
         QVERIFY(bench.window.isVisible() && active());
 
         QVERIFY(!bench.window.close());
         question = bench.window.findChild<QMessageBox*>("recordingQuestion");
         QTest::mouseClick(question->findChild<QPushButton*>("recordingQuestion.end"), Qt::LeftButton);
-        QTRY_VERIFY(!bench.window.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.window.isVisible(), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!active(), 20'000);
         const auto table = recording::readCsv(path);
         QVERIFY2(table.ok(), qPrintable(table.error().toString()));

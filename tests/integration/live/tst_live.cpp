@@ -154,7 +154,7 @@ void TestLive::aViewerGetsEveryPackage() {
         ++expected;
     }
     QCOMPARE(expected, 1002);
-    QCOMPARE(bench.output.progress().viewers, 1);
+    TRY_COMPARE(bench.output.progress().viewers, 1);
     QCOMPARE(bench.output.progress().dropped, std::uint64_t(0));
     bench.output.stop();
     TRY_COMPARE(viewer.socket.state(), QAbstractSocket::UnconnectedState);
@@ -176,7 +176,7 @@ void TestLive::onlyWhatIsSubscribedIsSent() {
     bench.send(10);
     TRY_COMPARE(bench.output.progress().packets, std::uint64_t(21));
     QCOMPARE(viewer.messages.size(), 10);
-    QCOMPARE(bench.output.progress().messages, std::uint64_t(10));
+    TRY_COMPARE(bench.output.progress().messages, std::uint64_t(10));
 }
 
 void TestLive::invalidRequestsAreAnsweredAndHarmless() {

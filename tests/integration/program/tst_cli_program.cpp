@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(project::saveProject(file, other).ok());
         const Answer answer = run({"run", file, "--robot", address_, "--program", "short"});
         QCOMPARE(answer.code, 1);
-        QVERIFY2(answer.err.contains("not a UR10e"), qPrintable(answer.err));
+        QVERIFY2(answer.err.contains("the robot is a different model"), qPrintable(answer.err));
     }
 
     void writesTheScript() {

@@ -88,7 +88,7 @@ private Q_SLOTS:
             QVERIFY(isMarked());
             box->setValue(value);
             QCOMPARE(box->text(), QString("30.00"));
-            QTRY_VERIFY(!isMarked());
+            QTRY_VERIFY_WITH_TIMEOUT(!isMarked(), 60'000);
         }
     }
 
