@@ -16,7 +16,7 @@ struct StopEvidence {
     std::int64_t nowNs = 0;
     bool fresh = false;               ///< the receiver's data are not older than 100 ms
     std::int64_t dataNs = 0;          ///< arrival time of the newest sample
-    bool moving = true;               ///< the newest sample reports standstill
+    bool moving = true;               ///< the newest sample reports motion
     double tcpSpeed = 0;              ///< [m/s]
     double jointSpeed = 0;            ///< of the fastest joint [rad/s]
     bool stopped = false;             ///< no program is running

@@ -32,7 +32,7 @@ public:
     bool add(const Sample& sample);
 
     bool isMeasuring() const { return measuring_; }        ///< True from the stop request to standstill.
-    bool isMoving() const { return moving_; }              ///< True if the newest data report standstill.
+    bool isMoving() const { return moving_; }              ///< True if the newest data report motion.
     const StopMeasurement& last() const { return last_; }  ///< The last complete measurement.
 
 private:

@@ -9,7 +9,7 @@
 
 namespace tiller {
 
-/// The text without surrounding spaces, with a hyphen as minus sign and a decimal point.
+/// The text with a hyphen as minus sign and a decimal point. Spaces are kept, because a suffix may begin with one.
 /// Threads  any
 QString plainNumber(QString typed);
 /// Empty if the text is not a number.

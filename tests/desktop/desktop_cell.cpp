@@ -340,7 +340,7 @@ bool DesktopCell::armKeyboard() {
             hand_->tap(kLetterJ);
             hand_->release(kControl);
         }
-        return until([&] { return place("armedFrame").visible; }, 2000);
+        return until([&] { return place("armedFrame").visible; }, 10'000);
     });
 }
 
