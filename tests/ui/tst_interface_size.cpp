@@ -145,7 +145,7 @@ private Q_SLOTS:
         size->setFocus(Qt::TabFocusReason);
         QTest::keyClick(size, Qt::Key_Down);
         QTest::keyClick(size, Qt::Key_Down);
-        QVERIFY2(note->text().contains("next start"), qPrintable(note->text()));
+        QVERIFY2(note->text().contains("restarted"), qPrintable(note->text()));
         QVERIFY2(!note->text().contains("room"), qPrintable(note->text()));
         QCOMPARE(readInterfaceSize(start.setting()), 150);
         QTest::keyClick(size, Qt::Key_Down);
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QCOMPARE(readInterfaceSize(start.setting()), 200);
         QCOMPARE(Settings(start.setting()).preferences().interfaceSize, 200);
         QTest::keyClick(size, Qt::Key_Home);
-        QVERIFY2(!note->text().contains("next start"), qPrintable(note->text()));
+        QVERIFY2(!note->text().contains("restarted"), qPrintable(note->text()));
         QCOMPARE(readInterfaceSize(start.setting()), 100);
     }
 };

@@ -245,7 +245,7 @@ private Q_SLOTS:
         QTest::keyClick(language, Qt::Key_Down);  // English
         QTest::keyClick(language, Qt::Key_Down);  // Deutsch
         QCOMPARE(language->currentText(), QString("Deutsch"));
-        QVERIFY2(note->text().contains("next start"), qPrintable(note->text()));
+        QVERIFY2(note->text().contains("restarted"), qPrintable(note->text()));
         QCOMPARE(Settings(bench.file).preferences().language, QString("de"));
         QVERIFY(anew->isEnabled());
 

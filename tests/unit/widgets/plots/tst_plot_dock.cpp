@@ -1228,7 +1228,7 @@ private Q_SLOTS:
         b.runTo(66);
         b.runTo(67);
         QCOMPARE(messages.count(), 1);
-        QVERIFY(messages.last().at(1).toString().contains("Fz above 65.0 N"));
+        QVERIFY(messages.last().at(1).toString().contains("Fz is above 65.0 N"));
         QCOMPARE(b.dock.marks().marks().size(), std::size_t{1});
         QVERIFY(near(b.dock.marks().marks()[0].time, 65.002, 0.0021));
         // Alarm limits are saved with the plots and removed through the plot menu.
