@@ -469,8 +469,9 @@ void HeaderBar::arrange() {
         }
     }
     // In the smallest windows, the states of some languages need the space of the last stop. The jog column shows it
-    // as well.
-    if (requiredWidth() > width()) {
+    // as well, but only this chip shows that there is no key-state check.
+    const bool hasNote = holdNote_ && !holdNote_().isEmpty();
+    if (!hasNote && requiredWidth() > width()) {
         lastStop_->hide();
         layout_->setSpacing(2);
         layout_->invalidate();
