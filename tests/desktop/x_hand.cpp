@@ -136,13 +136,6 @@ bool XHand::isDown(int code) const {
     return ((keys[code / 8] >> (code % 8)) & 1) != 0;
 }
 
-void XHand::setAutoRepeat(unsigned delayMs, unsigned intervalMs) {
-    if (d_->usable()) {
-        XkbSetAutoRepeatRate(d_->display, XkbUseCoreKbd, delayMs, intervalMs);
-        XSync(d_->display, False);
-    }
-}
-
 void XHand::letGoOfAll() {
     const QSet<int> keys = d_->keysDown;
     for (const int code : keys) {

@@ -79,8 +79,6 @@ public:
     /// The name of the symbol that the key produces with the current layout, modifiers and lock keys, e.g.
     /// "1", "exclam", "KP_Left".
     QString writes(int code) const;
-    /// Sets how the server repeats a held key. Its default is 660 ms and 40 ms.
-    void setAutoRepeat(unsigned delayMs, unsigned intervalMs);
     /// Releases all keys and buttons, and resets the lock keys and the group.
     void letGoOfAll();
 

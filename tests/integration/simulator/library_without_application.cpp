@@ -65,8 +65,9 @@ bool simulate(const QString& host) {
 
 int main(int argc, char** argv) {
     const bool inThreads = argc > 1 && std::string_view(argv[1]) == "threads";
-    const QString own = QStringLiteral("127.77.0.1");
-    const QString other = QStringLiteral("127.77.0.2");
+    // Both ctest entries of this program may run at the same time.
+    const QString own = QStringLiteral("127.77.%1.1").arg(inThreads ? 1 : 0);
+    const QString other = QStringLiteral("127.77.%1.2").arg(inThreads ? 1 : 0);
     int ready[2];
     if (::pipe(ready) != 0) {
         return 1;
