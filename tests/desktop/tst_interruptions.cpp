@@ -5,7 +5,9 @@
 
 #include <signal.h>
 
+#include <QDeadlineTimer>
 #include <QStandardPaths>
+#include <chrono>
 
 #include "tests/desktop/interrupted_hold.h"
 
