@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/interface_size.h"
 
-#include <QApplication>
 #include <QScreen>
 #include <algorithm>
+
+#include "app/application.h"
 
 namespace tiller::app {
 namespace {
@@ -80,7 +81,7 @@ void SizedApplication::begin(int percent) {
     arguments_ = given_;
     count_ = static_cast<int>(arguments_.size());
     arguments_.push_back(nullptr);
-    application_ = std::make_unique<QApplication>(count_, arguments_.data());
+    application_ = std::make_unique<Application>(count_, arguments_.data());
     application_->setProperty(kProperty, percent);
     if (told) {
         // The scale applies to this process only. Child processes use their own scale.

@@ -10,10 +10,11 @@
 #include <memory>
 #include <vector>
 
-class QApplication;
 class QScreen;
 
 namespace tiller::app {
+
+class Application;
 
 /// Selectable sizes [%].
 inline constexpr std::array<int, 4> kInterfaceSizes = {100, 125, 150, 200};
@@ -42,7 +43,7 @@ public:
     SizedApplication(const SizedApplication&) = delete;
     SizedApplication& operator=(const SizedApplication&) = delete;
 
-    QApplication& application() { return *application_; }
+    Application& application() { return *application_; }
 
 private:
     void begin(int percent);
@@ -51,7 +52,7 @@ private:
     const double desktopFactor_;    ///< scale factor requested by the environment
     std::vector<char*> arguments_;  ///< arguments except those removed by Qt
     int count_ = 0;
-    std::unique_ptr<QApplication> application_;
+    std::unique_ptr<Application> application_;
 };
 
 }  // namespace tiller::app

@@ -2,7 +2,6 @@
 //
 // tiller: the desktop application.
 
-#include <QApplication>
 #include <QFile>
 #include <QTextStream>
 #include <QTimer>
@@ -11,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/application.h"
 #include "app/command_line.h"
 #include "app/crash_report.h"
 #include "app/demonstration.h"
@@ -93,7 +93,7 @@ void connectAsAsked(app::MainWindow& window, const app::CommandLine& line) {
     }
 }
 
-int runDemonstration(QApplication& application, app::MainWindow& window, const QString& folder) {
+int runDemonstration(app::Application& application, app::MainWindow& window, const QString& folder) {
     app::Demonstration demonstration(window, folder);
     QObject::connect(&demonstration, &app::Demonstration::finished, &application, [&](bool succeeded) {
         print(stdout, demonstration.summary());
@@ -116,9 +116,11 @@ void connectAgain(app::MainWindow& window, const SessionState& before) {
 }
 
 /// connect  called before the window is shown, so that the robot can respond while the first frame is painted
-std::unique_ptr<app::MainWindow> openWindow(const app::CommandLine& line, const app::Settings& settings,
+std::unique_ptr<app::MainWindow> openWindow(app::Application& application, const app::CommandLine& line,
+                                            const app::Settings& settings,
                                             const std::function<void(app::MainWindow&)>& connect) {
     auto window = std::make_unique<app::MainWindow>(settings);
+    application.setKeyRepeat(&window->keyRepeat());
     const QString theme = line.theme.isEmpty() ? settings.theme() : line.theme;
     window->setTheme(theme.isEmpty() ? QStringLiteral("light") : theme);
     window->keepIncidentsIn((line.demoDirectory.isEmpty() ? recordingFolder() : line.demoDirectory) +
@@ -154,7 +156,7 @@ int main(int argc, char* argv[]) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
     app::SizedApplication sized(argc, argv, sizeFor(words));
-    QApplication& application = sized.application();
+    app::Application& application = sized.application();
     QApplication::setApplicationName(QStringLiteral("Tiller"));
     QApplication::setOrganizationName(QStringLiteral("Tiller"));
     QApplication::setApplicationVersion(QStringLiteral(TILLER_VERSION));
@@ -193,7 +195,7 @@ int main(int argc, char* argv[]) {
         settings.setTutorialProgress({.dismissed = true, .firstSteps = {}, .practice = {}});
     }
     // The demonstration opens its own connection later, so that it receives all errors.
-    auto window = openWindow(*line, settings, [&](app::MainWindow& opened) {
+    auto window = openWindow(application, *line, settings, [&](app::MainWindow& opened) {
         if (!demonstration) {
             connectAsAsked(opened, *line);
         }
@@ -222,7 +224,8 @@ int main(int argc, char* argv[]) {
         // Use the current project instead of the project on the command line.
         line->projectFile.clear();
         line->recordings.clear();
-        window = openWindow(*line, settings, [&](app::MainWindow& opened) { connectAgain(opened, *before); });
+        window = openWindow(application, *line, settings,
+                            [&](app::MainWindow& opened) { connectAgain(opened, *before); });
         window->keepUnsavedWorkIn(app::unsavedWorkFolder());
         window->lookForDevices();
     }

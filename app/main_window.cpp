@@ -539,6 +539,7 @@ void MainWindow::connectDevices(const Clock& clock) {
 void MainWindow::setKeyStateProbe(std::unique_ptr<KeyStateProbe> witness) {
     holdPolicy_.stop(control::StopCause::SelectionChanged);
     holdPolicy_.witness = witness.get();
+    keyRepeat_.setProbe(witness.get());
     witness_ = std::move(witness);
 }
 

@@ -15,6 +15,7 @@
 #include "app/settings.h"
 #include "robot/station/link/robot_session.h"
 #include "widgets/hold/hold_rules.h"
+#include "widgets/hold/key_repeat.h"
 #include "widgets/hold/key_state_probe.h"
 
 class QTabBar;
@@ -78,6 +79,8 @@ public:
     DeviceJog& devices() { return *devices_; }
     /// Replaces the key-state check of the platform.
     void setKeyStateProbe(std::unique_ptr<KeyStateProbe> witness);
+    /// Recognizes auto-repeat with the key-state check.
+    KeyRepeat& keyRepeat() { return keyRepeat_; }
     /// Starts to detect gamepads and a SpaceMouse.
     void lookForDevices();
 
@@ -197,6 +200,7 @@ private:
     std::optional<RobotAddress> toRemember_;  ///< robot that is stored as soon as it has responded
     std::unique_ptr<RobotSession> session_;
     std::unique_ptr<KeyStateProbe> witness_;
+    KeyRepeat keyRepeat_;
     HoldPolicy holdPolicy_;
     std::unique_ptr<UndoableDocument> document_;
     std::unique_ptr<ProjectFiles> files_;  ///< saves the document on destruction

@@ -37,7 +37,7 @@ private Q_SLOTS:
         bool went = false;
         while (!went && !timeLimit.hasExpired()) {
             hold();
-            QTest::qWait(1500);
+            QTest::qWait(4000);  // about 80 repetitions
             went = arm().moves();
             hand().release(kRight);
             verifyStands();

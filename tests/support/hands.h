@@ -43,6 +43,7 @@ public:
 
     bool isThere() const override { return there; }
     void want(bool wanted) override { wanted_ = wanted; }
+    void query() override {}
     Word leftButton() const override {
         look();
         return left_;

@@ -17,6 +17,7 @@ class NoKeyStateProbe : public KeyStateProbe {
 public:
     bool isThere() const override { return false; }
     void want(bool) override {}
+    void query() override {}
     Word leftButton() const override { return {}; }
     Word key(KeyCode) const override { return {}; }
     std::int64_t waitingNs() const override { return 0; }

@@ -34,6 +34,8 @@ public:
     /// Starts or stops the queries. While `wanted` is true, the state is queried about every 10 ms; otherwise
     /// the thread sleeps.
     virtual void want(bool wanted) = 0;
+    /// Makes one query as soon as possible, in addition to those of want().
+    virtual void query() = 0;
     virtual Word leftButton() const = 0;
     virtual Word key(KeyCode code) const = 0;
     /// Time since the newest query without a reply [ns]; 0: all queries have a reply.

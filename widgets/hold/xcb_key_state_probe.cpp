@@ -129,6 +129,11 @@ void XcbKeyStateProbe::want(bool wanted) {
     }
 }
 
+void XcbKeyStateProbe::query() {
+    once_ = true;
+    wake();
+}
+
 KeyStateProbe::Word XcbKeyStateProbe::leftButton() const {
     const std::lock_guard lock(heard_);
     return {askedNs_, buttonNs_};
@@ -174,9 +179,9 @@ void XcbKeyStateProbe::run() {
     std::int64_t nextNs = 0;
     while (!quit_) {
         int timeoutMs = -1;
-        if (wanted_ && !link.isAsking()) {
+        if (!link.isAsking() && (wanted_ || once_)) {
             const std::int64_t now = clock.nowNs();
-            if (now >= nextNs) {
+            if (once_.exchange(false) || now >= nextNs) {
                 nextNs = now + kAskMs * kNsPerMs;
                 waitingSinceNs_ = now;
                 link.ask(now);

@@ -27,6 +27,7 @@ public:
 
     bool isThere() const override { return there_.load(); }
     void want(bool wanted) override;
+    void query() override;
     Word leftButton() const override;
     Word key(KeyCode code) const override;
     std::int64_t waitingNs() const override;
@@ -45,6 +46,7 @@ private:
 
     std::atomic<bool> there_{false};
     std::atomic<bool> wanted_{false};
+    std::atomic<bool> once_{false};  ///< a query was requested by query()
     std::atomic<bool> quit_{false};
     std::atomic<std::int64_t> waitingSinceNs_{0};  ///< 0: no query is pending
     int wakeRead_ = -1;

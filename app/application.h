@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The application object. It passes key events to KeyRepeat before shortcuts and event filters receive them.
+
+#include <QApplication>
+#include <QPointer>
+
+#include "widgets/hold/key_repeat.h"
+
+namespace tiller::app {
+
+/// Threads  GUI
+class Application final : public QApplication {
+public:
+    using QApplication::QApplication;
+
+    /// The object must be deleted before the application; it is removed automatically.
+    void setKeyRepeat(KeyRepeat* keyRepeat) { keyRepeat_ = keyRepeat; }
+    bool notify(QObject* receiver, QEvent* event) override {
+        return (keyRepeat_ != nullptr && keyRepeat_->intercepts(*receiver, *event)) ||
+               QApplication::notify(receiver, event);
+    }
+
+private:
+    QPointer<KeyRepeat> keyRepeat_;
+};
+
+}  // namespace tiller::app
