@@ -33,6 +33,7 @@ enum class MotionKind : std::uint8_t {
     Torque,
     Freedrive,
     Function,
+    Script,  ///< a complete program of a user
     Stop,  ///< deceleration to standstill
 };
 
