@@ -34,7 +34,7 @@ enum class MotionKind : std::uint8_t {
     Freedrive,
     Function,
     Script,  ///< a complete program of a user
-    Stop,  ///< deceleration to standstill
+    Stop,    ///< deceleration to standstill
 };
 
 struct MotionProgress {
