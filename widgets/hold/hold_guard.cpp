@@ -75,7 +75,11 @@ bool HoldGuard::press(const HoldSource& grip) {
     rules_.begin(&key_, runsToEnd_ ? HoldSource{HoldSource::By::Nobody} : grip, bounds);
     timer_.start();
     Q_EMIT began();
-    return true;
+    // The start may have disabled the button before the rules applied. Such a button receives no release.
+    if (!key_.isEnabled()) {
+        stop(StopCause::ControlLost);
+    }
+    return active();
 }
 
 void HoldGuard::release() {

@@ -174,6 +174,22 @@ private Q_SLOTS:
         s.expectNewPressMoves();
     }
 
+    // The start of the motion changes the state of the robot, and a slot disables the button. Qt does not send
+    // the release to a disabled widget.
+    void aButtonDisabledByItsOwnStartStops() {
+        Scene s;
+        HoldMotion motion = s.target.motion();
+        motion.begin = [&s, begin = motion.begin] {
+            s.key->setEnabled(false);
+            return begin();
+        };
+        s.key->setMotion(motion);
+        s.press();
+        QCOMPARE(s.target.begun, 1);
+        QVERIFY(!s.key->isHolding());
+        QCOMPARE(s.target.ends, QList<StopCause>{StopCause::ControlLost});
+    }
+
     void disabledParentStops() {
         Scene s;
         s.press();
