@@ -95,16 +95,18 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
                      plan.obstacle.isEmpty() ? ProgramText::tr("A program is running.") : plan.obstacle,
                      {}};
     }
-    // Before the session emits the new state.
+    // Set before the session emits the new state.
+    state_ = State::Sending;
+    id_ = control::kNoMotion;
     script_ = plan.script;
     log_ = StepLog(static_cast<int>(script_.steps.size()));
     expected_ = plan.expected;
     const auto begun = session_.beginProgram(script_.text, holding, session_.stops());
     if (!begun) {
+        state_ = State::Idle;
         return begun.error();
     }
     id_ = *begun;
-    state_ = State::Sending;
     cause_ = control::StopCause::None;
     error_ = {};
     Q_EMIT changed();
@@ -156,7 +158,7 @@ void ProgramRunner::take(const SampleBatch& batch) {
 }
 
 void ProgramRunner::follow() {
-    if (!isActive()) {
+    if (!isActive() || id_ == control::kNoMotion) {
         return;
     }
     const Result<control::MotionProgress> progress = session_.motionProgress(id_);

@@ -47,7 +47,7 @@ class ProgramRunner : public QObject {
 
 public:
     enum class State {
-        Idle,     ///< no program has been run
+        Idle,     ///< no program has been started
         Sending,  ///< the control program ends and the program is sent
         Running,
         Stopping,  ///< the program is ending, and control is taken again
