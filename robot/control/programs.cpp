@@ -224,14 +224,17 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     if (d.mailbox.epoch().stops() != stops) {
         return stopped(context);
     }
-    if (auto ended = d.program.end(ControlLoss::OwnScript, deadline); !ended) {
+    // A robot that does not respond must not keep a caller waiting who has set no limit for the program itself.
+    const Deadline start =
+        Deadline::after(std::min(milliseconds(5000), deadline.remaining()), deadline.token());
+    if (auto ended = d.program.end(ControlLoss::OwnScript, start); !ended) {
         return ended;
     }
     Result<void> outcome;
     {
         const ScriptPermission permission(d);
         script::ScriptClient client(d.options.host, d.program.primaryPort());
-        outcome = client.connect(deadline);
+        outcome = client.connect(start);
         if (outcome && d.mailbox.epoch().current() != epoch) {
             outcome = stopped(context);
         }
@@ -249,7 +252,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
                          : script::unsupervised(program);
             d.program.yieldTo(sent);
             run.played = d.loop.playing();
-            outcome = client.send(sent.text, deadline);
+            outcome = client.send(sent.text, start);
         }
         if (outcome) {
             outcome = watchScript(d, run, context, deadline);

@@ -196,6 +196,7 @@ void ProgramTab::showRun() {
             break;
         case program::ProgramRunner::State::Ended:
             showStatus(runner.endText(document_.project()));
+            Q_EMIT session_->message(Severity::Info, runner.endText(document_.project()));
             break;
     }
 }

@@ -103,7 +103,9 @@ program::SpeedLimits RunBar::limits() const {
 
 program::RunPlan RunBar::plan(const program::SpeedLimits& limits) const {
     program::RunPlan plan = program::planRun(document_.project(), program_, session_.state(), limits);
-    plan.expected = preview_ && preview_->completed ? preview_->duration : 0;
+    if (preview_ && preview_->completed && previewed_.text == script_.text) {
+        plan.expected = program::slowedDuration(*preview_, limits, session_.state().speedFraction);
+    }
     return plan;
 }
 

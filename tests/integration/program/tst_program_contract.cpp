@@ -144,6 +144,36 @@ const std::vector<ProgramCase>& programCases() {
          [](project::Project& p) {
              return std::vector{step("if", {{"condition", "not DI2"}}, moves(p))};
          }},
+        {"while", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("while", {{"condition", "not DI2"}}, moves(p))};
+         }},
+        {"switch", kLinear,
+         [](project::Project& p) {
+             return std::vector{
+                 step("switch", {{"value", "2 - 1"}},
+                      {step("case", {{"value", "1"}}, moves(p)), step("default", {}, {step("wait")})})};
+         }},
+        {"variables and notes", 0,
+         [](project::Project& p) {
+             return thenMoves(p, {step("assign", {{"variable", "count"}, {"type", "whole"}, {"value", "4"}}),
+                                  step("setRegister", {{"value", "count"}}),
+                                  step("log", {{"text", "count "}, {"value", "count"}}),
+                                  step("folder", {}, {step("comment", {{"text", "no move"}})}),
+                                  step("wait", {{"time", 0.1}})});
+         }},
+        {"message", 0,
+         [](project::Project& p) {
+             return thenMoves(p, {step("message", {{"text", "Check the part"}})});
+         }},
+        {"message without waiting", kLinear,
+         [](project::Project& p) {
+             return thenMoves(p, {step("message", {{"text", "Moving"}, {"waits", false}})});
+         }},
+        {"question", 0,
+         [](project::Project& p) {
+             return thenMoves(p, {step("question", {{"text", "How many?"}})});
+         }},
         {"call", kLinear,
          [](project::Project& p) {
              return std::vector{step("call", {{"program", callOf(p)}})};
@@ -193,11 +223,13 @@ const std::vector<ProgramCase>& programCases() {
     return kCases;
 }
 
-/// The script of a program that switches kStartedOutput on and then repeats the steps.
+/// The script of a program that switches kStartedOutput on and then repeats the steps, with a thread that watches an
+/// input.
 QString scriptOf(const ProgramCase& tested) {
     project::Project project = sampleProject();
     std::vector<project::ProgramStep> steps{moveTo(project, "moveJ", "home"),
                                             step("setOutput", {{"output", kStartedOutput}})};
+    steps.push_back(step("watch", {{"condition", "DI5"}}, {step("setOutput", {{"output", 6}})}));
     steps.push_back(step("loop", {{"times", 0}}, tested.steps(project)));
     const project::Program program = makeProgram(tested.name, steps);
     project.programs.append(program);

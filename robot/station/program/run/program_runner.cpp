@@ -2,6 +2,7 @@
 #include "robot/station/program/run/program_runner.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <utility>
 
 #include "robot/receive/robot_state.h"
@@ -17,8 +18,8 @@ namespace {
 constexpr double kSameTcp = 1e-4;       // [m]
 constexpr double kSameRotation = 1e-3;  // [rad]
 constexpr double kAtStart = 0.01;       // [rad] for each joint
-/// A held run may be slower than expected by this factor before the button must be pressed again.
-constexpr double kSlower = 3;
+/// A held run may take this multiple of the expected duration before the button must be pressed again.
+constexpr double kSlower = 1.5;
 
 bool isSameTcp(const Pose& a, const Pose& b) {
     return (a.position - b.position).norm() < kSameTcp &&
@@ -82,6 +83,19 @@ QString obstacleWithoutHold(const RunPlan& plan, const SessionState& state, cons
     }
     return isAtStart(*preview, state) ? QString()
                                       : ProgramText::tr("Move the arm to the start position first.");
+}
+
+double slowedDuration(const Preview& preview, const SpeedLimits& limits, double speedFraction) {
+    double sum = 0;
+    for (std::size_t i = 1; i < preview.path.size(); ++i) {
+        const PathSample& from = preview.path[i - 1];
+        const PathSample& to = preview.path[i];
+        const double line = (to.tcp.position - from.tcp.position).norm() / limits.tool;
+        const double joints = (to.q.values - from.q.values).cwiseAbs().maxCoeff() / limits.joint;
+        // The script limits either of the two speeds, depending on the kind of the move.
+        sum += std::max({to.time - from.time, line, joints});
+    }
+    return sum / std::max(speedFraction, 0.01);
 }
 
 ProgramRunner::ProgramRunner(RobotSession& session, QObject* parent) : QObject(parent), session_(session) {

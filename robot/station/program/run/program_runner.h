@@ -24,6 +24,10 @@ struct RunPlan {
     double expected = 0;  ///< expected duration [s]; 0: unknown
 };
 
+/// Expected duration of a run with these speed limits [s], from the path of the preview.
+/// speedFraction  speed slider, 0 ... 1
+double slowedDuration(const Preview& preview, const SpeedLimits& limits, double speedFraction);
+
 /// Options for a script that fits the connected robot.
 ScriptOptions optionsFor(const project::Project& project, const SessionState& state,
                          const SpeedLimits& limits = {});

@@ -239,6 +239,9 @@ private Q_SLOTS:
         QVERIFY2(bench.runner.endText(bench.project).contains("MoveL"),
                  qPrintable(bench.runner.endText(bench.project)));
         QVERIFY((linked ? bench.standstill() : bench.standstillWithoutLink()) == 0);
+        static const QStringList kKeepControl{"stop key", "space",   "escape",        "device",
+                                              "runner",   "release", "hanging window"};
+        QCOMPARE(bench.session.state().canMove(), kKeepControl.contains(stop));
     }
 
     // A program that waits must not move the arm after a stop.
@@ -372,6 +375,19 @@ private Q_SLOTS:
         QVERIFY(why(&elsewhere, plan.script.text).contains("start position"));
         preview.findings.push_back({Finding::Kind::Collision, 1, 0, "near"});
         QVERIFY(!why(&preview, plan.script.text).isEmpty());
+    }
+
+    void slowedDurationFollowsTheLimits() {
+        Preview preview;
+        Pose there;
+        there.position.x() = 0.1;
+        preview.path = {{0, 1, {}, {}}, {0.5, 1, {}, there}, {2.5, 2, {}, there}};
+        QCOMPARE(slowedDuration(preview, {}, 1), 2.5);
+        QCOMPARE(slowedDuration(preview, {.tool = 0.05}, 1), 4.0);
+        QCOMPARE(slowedDuration(preview, {.tool = 0.05}, 0.5), 8.0);
+        preview.path[2].q = JointPositions(0.4, 0, 0, 0, 0, 0);
+        QCOMPARE(slowedDuration(preview, {.tool = 0.05, .joint = 0.1}, 1), 6.0);
+        QCOMPARE(slowedDuration({}, {}, 1), 0.0);
     }
 
     void speedLimitsSlowTheMoves() {
