@@ -7,6 +7,7 @@
 
 #include "robot/station/document/project_document.h"
 #include "robot/station/link/obstacles.h"
+#include "robot/station/program/step_field.h"
 #include "robot/station/text/texts.h"
 #include "widgets/common/enter_key.h"
 #include "widgets/hold/hold_to_run_button.h"
