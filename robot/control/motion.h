@@ -33,7 +33,8 @@ enum class MotionKind : std::uint8_t {
     Torque,
     Freedrive,
     Function,
-    Stop,  ///< deceleration to standstill
+    Script,  ///< a complete program of a user
+    Stop,    ///< deceleration to standstill
 };
 
 struct MotionProgress {

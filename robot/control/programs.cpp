@@ -18,12 +18,12 @@ using std::chrono::milliseconds;
 namespace {
 
 /// Registers of the control thread's heartbeat, used by a program that replaces the control program.
-script::Heartbeat heartbeatOf(const Controller::Private& d, std::uint64_t epoch) {
+script::Heartbeat heartbeatOf(const Controller::Private& d, MotionId run) {
     const int first = firstRegister(d.options.registers);
     script::Heartbeat heartbeat;
     heartbeat.number = first;
     heartbeat.session = {first + kSessionRegister, d.program.session()};
-    heartbeat.lastEpoch = {first + kEpochRegister, static_cast<std::int32_t>(epoch)};
+    heartbeat.lastEpoch = {first + kEpochRegister, static_cast<std::int32_t>(run)};
     heartbeat.expired = {first + kStateRegister, static_cast<std::int32_t>(ScriptState::HeartbeatExpired)};
     heartbeat.timeout = kHoldTime;
     return heartbeat;
@@ -63,9 +63,46 @@ Result<void> bringBack(Controller::Private& d) {
     return d.program.resend(deadline);
 }
 
+/// A script to run instead of the control program, and the epoch that must not change while it runs.
+struct RunningScript {
+    Motion motion;  ///< ended, if the script is unattended
+    std::uint64_t epoch = 0;
+    std::uint64_t played = 0;  ///< ControlLoop::playing() before the start
+};
+
+/// Permits the motion of a script for the lifetime of the object.
+class ScriptPermission {
+public:
+    explicit ScriptPermission(Controller::Private& d) : d_(d) { d_.loop.permitScript(true); }
+    ~ScriptPermission() { d_.loop.permitScript(false); }
+    ScriptPermission(const ScriptPermission&) = delete;
+    ScriptPermission& operator=(const ScriptPermission&) = delete;
+
+private:
+    Controller::Private& d_;
+};
+
+/// Starts the motion that represents the script, unless a stop has occurred since `epoch`.
+Result<Motion> beginScript(Controller& controller, std::uint64_t epoch, const ScriptTerms& terms,
+                           const QString& context) {
+    auto& d = ControllerAccess::of(controller);
+    MotionCommand command;
+    command.kind = MotionCommand::Kind::Script;
+    command.held = terms.holding == Holding::Held;
+    const MotionId id = d.mailbox.startAfter(epoch, command, d.now());
+    if (id == kNoMotion) {
+        return stopped(context);
+    }
+    const Motion motion = MotionAccess::make(controller, id, MotionKind::Script);
+    if (terms.starting && !terms.starting(motion)) {
+        motion.cancel(StopCause::Released);
+    }
+    return motion.isActive() ? Result<Motion>(motion) : stopped(context);
+}
+
 /// Waits for the start and then for the end of the script.
-Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint64_t played,
-                         const QString& context, const Deadline& deadline) {
+Result<void> watchScript(Controller::Private& d, const RunningScript& run, const QString& context,
+                         const Deadline& deadline) {
     const Deadline begun = Deadline::after(milliseconds(5000), deadline.token());
     std::optional<Deadline> messageDeadline;
     std::uint64_t statesAtEnd = 0;
@@ -82,8 +119,6 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
         const ControllerStatus now = d.loop.status();
         if (!d.link.isRunning()) {
             bad = {ErrorCode::LinkLost, context, QStringLiteral("the script was ended")};
-        } else if (d.mailbox.epoch().current() != epoch) {
-            bad = stopped(context);
         } else if (deadline.hasExpired()) {
             bad = {deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
                    QStringLiteral("the script was ended")};
@@ -91,13 +126,17 @@ Result<void> watchScript(Controller::Private& d, std::uint64_t epoch, std::uint6
             bad = {
                 ErrorCode::UnsafeState, context,
                 QStringLiteral("%1, %2").arg(robotModeName(now.robotMode), safetyModeName(now.safetyMode))};
+        } else if (d.mailbox.epoch().current() != run.epoch) {
+            const Result<void> ended = run.motion.wait(Deadline::after(milliseconds(0)));
+            bad = ended ? stopped(context)
+                        : Error{ended.error().code, context, ended.error().controllerMessage};
         }
         if (bad.code != ErrorCode::None) {
             return true;
         }
         // A short program may not be reported as playing in any package. A paused program has not ended.
         const ControlProgram::ScriptFeedback heard = d.program.scriptFeedback();
-        if (d.loop.playing() != played || heard.stopped) {
+        if (d.loop.playing() != run.played || heard.stopped) {
             const bool over = now.runtimeState == RuntimeState::Stopped;
             if (!messageDeadline && (over || heard.stopped)) {
                 messageDeadline =
@@ -153,18 +192,26 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
 }
 
 Result<void> Programs::runScript(const Text& program, const Deadline& deadline, Supervision supervision) {
+    return runScript(program, deadline, ScriptTerms{.supervision = supervision});
+}
+
+Result<void> Programs::runScript(const Text& program, const Deadline& deadline, const ScriptTerms& terms) {
     const QString context = QStringLiteral("run a script");
     if (program.trimmed().isEmpty()) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("program: the program is empty")};
     }
-    const bool attended = supervision == Supervision::Heartbeat;
+    const bool attended = terms.supervision == Supervision::Heartbeat;
     if (attended && program.contains(QLatin1String(script::kHeartbeatPrefix))) {
         return Error{ErrorCode::InvalidArgument, context,
                      QStringLiteral("program: names beginning with %1 are reserved for the watchdog thread")
                          .arg(QLatin1String(script::kHeartbeatPrefix))};
     }
+    if (!attended && terms.holding == Holding::Held) {
+        return Error{ErrorCode::InvalidArgument, context,
+                     QStringLiteral("holding: an unattended program cannot be held")};
+    }
     auto& d = ControllerAccess::of(*controller_);
-    const std::uint64_t stops = d.mailbox.epoch().stops();
+    const std::uint64_t stops = terms.stops.value_or(d.mailbox.epoch().stops());
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
         return error;
     }
@@ -177,27 +224,40 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     if (d.mailbox.epoch().stops() != stops) {
         return stopped(context);
     }
-    if (auto ended = d.program.end(ControlLoss::OwnScript, deadline); !ended) {
+    // A robot that does not respond must not keep a caller waiting who has set no limit for the program itself.
+    const Deadline start =
+        Deadline::after(std::min(milliseconds(5000), deadline.remaining()), deadline.token());
+    if (auto ended = d.program.end(ControlLoss::OwnScript, start); !ended) {
         return ended;
     }
-    const script::SupervisedProgram sent =
-        attended ? script::supervised(program, heartbeatOf(d, epoch), d.program.version())
-                 : script::unsupervised(program);
-    d.program.yieldTo(sent);
-    const std::uint64_t played = d.loop.playing();
     Result<void> outcome;
     {
+        const ScriptPermission permission(d);
         script::ScriptClient client(d.options.host, d.program.primaryPort());
-        outcome = client.connect(deadline);
+        outcome = client.connect(start);
         if (outcome && d.mailbox.epoch().current() != epoch) {
             outcome = stopped(context);
         }
-        if (outcome) {
-            outcome = client.send(sent.text, deadline);
+        RunningScript run;
+        run.epoch = epoch;
+        if (outcome && attended) {
+            const Result<Motion> motion = beginScript(*controller_, epoch, terms, context);
+            run.motion = motion ? *motion : Motion();
+            run.epoch = run.motion.id();
+            outcome = motion ? Result<void>() : motion.error();
         }
         if (outcome) {
-            outcome = watchScript(d, epoch, played, context, deadline);
+            const script::SupervisedProgram sent =
+                attended ? script::supervised(program, heartbeatOf(d, run.motion.id()), d.program.version())
+                         : script::unsupervised(program);
+            d.program.yieldTo(sent);
+            run.played = d.loop.playing();
+            outcome = client.send(sent.text, start);
         }
+        if (outcome) {
+            outcome = watchScript(d, run, context, deadline);
+        }
+        run.motion.cancel(outcome ? StopCause::Completed : StopCause::ControlLost);
     }
     if (auto back = bringBack(d); !back) {
         if (outcome) {

@@ -4,12 +4,29 @@
 // Runs user scripts, and ends and restarts the control program.
 
 #include <QString>
+#include <cstdint>
+#include <functional>
+#include <optional>
 
 #include "robot/control/controller.h"
 #include "robot/control/motion.h"
 #include "robot/core/text.h"
 
 namespace tiller::control {
+
+/// How a complete program runs: see Programs::runScript().
+struct ScriptTerms {
+    Supervision supervision = Supervision::Heartbeat;
+    /// Held: the program also ends if the motion is not refreshed for 100 ms, or if the program is paused.
+    /// Requires Supervision::Heartbeat.
+    Holding holding = Holding::Free;
+    /// The program does not start if the number of stops (Controller::stops()) differs from this value.
+    std::optional<std::uint64_t> stops = {};
+    /// Called once in the calling thread, immediately before the program is sent, with the motion that
+    /// represents it: end this motion to end the program. Returns false to cancel the start. Not called for
+    /// an unattended program.
+    std::function<bool(const Motion& run)> starting = {};
+};
 
 /// Errors   of every call: NotInControl, UnsafeState, LinkLost, Timeout, Cancelled, ConnectionRefused,
 ///          HostUnreachable, RemoteControlRequired, ScriptError (with the line number in the user's text and
@@ -36,6 +53,9 @@ public:
     ///              until the program is complete
     Result<void> runScript(const Text& program, const Deadline& deadline,
                            Supervision supervision = Supervision::Heartbeat);
+    /// As above.
+    /// Errors       in addition: Stopped, with the cause, if the motion ended before the program
+    Result<void> runScript(const Text& program, const Deadline& deadline, const ScriptTerms& terms);
 
     /// Ends the control program. Robot data continue to arrive. Use reupload() to start the program again.
     Result<void> endControlProgram(const Deadline& deadline);

@@ -57,6 +57,10 @@ QString watchdogScript(const Heartbeat& heartbeat, const SoftwareVersion& versio
 /// Returns the program without a watchdog. It continues to run without its client.
 SupervisedProgram unsupervised(const QString& program);
 
+/// Output integer register in which a program of a project writes the number of its step. The control program
+/// does not use this register.
+inline constexpr int kStepRegister = 47;
+
 /// Prefix of all names in the inserted lines.
 inline constexpr auto kHeartbeatPrefix = "tiller_heartbeat";
 

@@ -3,6 +3,7 @@
 // The Program tab in the real window, with a simulated robot in virtual time: drag and drop, keyboard,
 // problems, preview, and stops from each of the controls.
 
+#include <QDialog>
 #include <QDragEnterEvent>
 #include <QDragMoveEvent>
 #include <QDropEvent>
@@ -19,6 +20,7 @@
 #include "tests/ui/jog_fixture.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/segmented_control.h"
+#include "widgets/hold/hold_to_run_button.h"
 #include "widgets/program/program_model.h"
 #include "widgets/program/program_tab.h"
 #include "widgets/program/step_palette.h"
@@ -305,6 +307,84 @@ private Q_SLOTS:
         programs.replace(0, changed);
         document().changePrograms(programs, "change");
         QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("The program can run"), qPrintable(status()), 60'000);
+    }
+
+    // A running program stops by every way to stop the arm, and the arm stays stopped.
+    void everyWayStopsAProgram_data() {
+        QTest::addColumn<bool>("held");
+        QTest::addColumn<QString>("way");
+        for (const char* way : {"Space", "Esc", "STOP", "release control", "close"}) {
+            QTest::addRow("%s, held", way) << true << QString(way);
+            QTest::addRow("%s, running", way) << false << QString(way);
+        }
+        for (const char* way : {"release", "other tab", "dialog"}) {
+            QTest::addRow("%s, held", way) << true << QString(way);
+        }
+    }
+    void everyWayStopsAProgram() {
+        QFETCH(bool, held);
+        QFETCH(QString, way);
+        const QString pick = [&] {
+            document().setProject(program::sampleProject());
+            return program::waypointId(document().project(), "pick");
+        }();
+        const QString place = program::waypointId(document().project(), "place");
+        project::ProgramList programs;
+        programs.append(
+            program::makeProgram("moves", {program::step("loop", {{"times", 5}},
+                                                         {program::step("moveL", {{"waypoint", pick}}),
+                                                          program::step("moveL", {{"waypoint", place}})})}));
+        document().changePrograms(programs, "open");
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        auto& hold = bench_->find<HoldToRunButton>("program.runHold");
+        auto& start = bench_->find<HoldToRunButton>("program.moveToStart");
+        for (HoldToRunButton* button : {&hold, &start}) {
+            button->guard().setClock(bench_->clock);
+        }
+        cell().everyRefresh = [&] {
+            hold.guard().pump();
+            start.guard().pump();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
+        QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
+        QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated: the program takes"), qPrintable(status()),
+                                  60'000);
+        cell().advanceMs(40);
+        QVERIFY2(start.isEnabled(), qPrintable(start.toolTip()));
+        QTest::mousePress(&start, Qt::LeftButton);
+        QVERIFY2(cell().advanceUntil([&] { return !start.isHolding(); }, 60'000), qPrintable(status()));
+        QTest::mouseRelease(&start, Qt::LeftButton);
+        cell().advanceMs(40);
+        if (held) {
+            QTest::mousePress(&hold, Qt::LeftButton);
+        } else {
+            QVERIFY2(key("program.run").isEnabled(), qPrintable(key("program.run").toolTip()));
+            QTest::mouseClick(&key("program.run"), Qt::LeftButton);
+        }
+        QVERIFY2(cell().advanceUntil([&] { return tcpSpeed(cell()) > 0.04; }, 60'000), qPrintable(status()));
+        QVERIFY2(status().contains("Running step"), qPrintable(status()));
+        QDialog dialog(&window());
+        if (way == "Space" || way == "Esc") {
+            QTest::keyPress(QApplication::focusWidget(), way == "Esc" ? Qt::Key_Escape : Qt::Key_Space);
+        } else if (way == "STOP") {
+            QTest::mousePress(&bench_->find<QAbstractButton>("stopButton"), Qt::LeftButton);
+        } else if (way == "release control") {
+            window().session().releaseControl();
+        } else if (way == "close") {
+            window().session().shutDown();
+        } else if (way == "release") {
+            QTest::mouseRelease(&hold, Qt::LeftButton);
+        } else if (way == "other tab") {
+            window().showTab("log");
+        } else {
+            dialog.show();
+            QCoreApplication::processEvents();
+        }
+        const int ms = timeToStandstill(cell());
+        QVERIFY2(ms >= 0 && ms <= 250, qPrintable(QString::number(ms)));
+        cell().advanceMs(1000);
+        QVERIFY(tcpSpeed(cell()) < 0.001);
+        QVERIFY2(way == "close" || status().startsWith("Stopped in step"), qPrintable(status()));
     }
 
     // Each control of the tab gets the focus once. Space and Esc must stop the arm, like STOP.

@@ -114,23 +114,26 @@ void ProgramModel::setProblems(const std::vector<program::ProgramProblem>& probl
     changed();
 }
 
+void ProgramModel::showTimings(const program::ProgramScript& script,
+                               const std::vector<program::StepTiming>& timings) {
+    for (std::size_t i = 0; i < std::min(script.steps.size(), timings.size()); ++i) {
+        const program::StepTiming& timing = timings[i];
+        Node* node = script.steps[i].program == program_.id ? nodes_.value(script.steps[i].step) : nullptr;
+        if (node != nullptr && timing.count > 0) {
+            node->result = tr("%1 × %2 s")
+                               .arg(timing.count)
+                               .arg(QLocale().toString(timing.total / timing.count, 'f', 2));
+        }
+    }
+}
+
 void ProgramModel::setPreview(const program::ProgramScript* script, const program::Preview* preview) {
     for (Node* node : nodes_) {
         node->result.clear();
         node->hasFinding = false;
     }
     if (preview != nullptr) {
-        for (std::size_t i = 0; i < script->steps.size(); ++i) {
-            Node* node =
-                script->steps[i].program == program_.id ? nodes_.value(script->steps[i].step) : nullptr;
-            const program::StepTiming timing =
-                i < preview->timings.size() ? preview->timings[i] : program::StepTiming();
-            if (node != nullptr && timing.count > 0) {
-                node->result = tr("%1 × %2 s")
-                                   .arg(timing.count)
-                                   .arg(QLocale().toString(timing.total / timing.count, 'f', 2));
-            }
-        }
+        showTimings(*script, preview->timings);
         for (const program::Finding& finding : preview->findings) {
             const auto at = static_cast<std::size_t>(finding.step);
             Node* node =
@@ -139,6 +142,22 @@ void ProgramModel::setPreview(const program::ProgramScript* script, const progra
                 node->hasFinding = true;
                 node->result = finding.text;
             }
+        }
+    }
+    changed();
+}
+
+void ProgramModel::setRun(const program::ProgramScript* script, const program::StepLog* log) {
+    running_ = {};
+    if (log != nullptr) {
+        for (Node* node : nodes_) {
+            if (!node->hasFinding) {
+                node->result.clear();
+            }
+        }
+        showTimings(*script, log->timings());
+        if (log->step() > 0) {
+            running_ = script->steps[static_cast<std::size_t>(log->step() - 1)].step;
         }
     }
     changed();
@@ -185,6 +204,10 @@ int ProgramModel::columnCount(const QModelIndex&) const {
     return kColumns;
 }
 
+bool ProgramModel::isRunning(const Node& node) const {
+    return !running_.isNull() && node.step->id == running_;
+}
+
 QVariant ProgramModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) {
         return {};
@@ -203,15 +226,20 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
     };
     switch (role) {
         case Qt::DisplayRole:
-            return node.isMarked() && index.column() != Values ? QStringLiteral("⚠ ") + text() : text();
+            return isRunning(node) && index.column() == Step     ? QStringLiteral("▶ ") + text()
+                   : node.isMarked() && index.column() != Values ? QStringLiteral("⚠ ") + text()
+                                                                 : text();
         case Qt::ToolTipRole:
             return text();
         case Qt::AccessibleTextRole:
-            return node.step->disabled && index.column() == Step ? tr("%1, disabled").arg(text()) : text();
+            return node.step->disabled && index.column() == Step ? tr("%1, disabled").arg(text())
+                   : isRunning(node) && index.column() == Step   ? tr("%1, running").arg(text())
+                                                                 : text();
         case Qt::FontRole: {
             QFont font;
             font.setStrikeOut(node.step->disabled);
             font.setItalic(node.isComment());
+            font.setBold(isRunning(node));
             return font;
         }
         case Qt::ForegroundRole:

@@ -10,6 +10,7 @@
 
 #include "robot/station/program/preview/preview.h"
 #include "robot/station/program/program_edit.h"
+#include "robot/station/program/run/step_log.h"
 
 namespace tiller {
 
@@ -30,6 +31,10 @@ public:
     void setProblems(const std::vector<program::ProgramProblem>& problems);
     /// script  script of the preview; null: no preview
     void setPreview(const program::ProgramScript* script, const program::Preview* preview);
+
+    /// Shows the steps of a run: the running step, and the number of runs and the mean time of each step.
+    /// script  script of the run; null: no run
+    void setRun(const program::ProgramScript* script, const program::StepLog* log);
 
     QUuid idAt(const QModelIndex& index) const;  ///< null for an invalid index
     QModelIndex indexOf(const QUuid& id) const;
@@ -62,11 +67,14 @@ private:
     struct Node;
     Node* nodeAt(const QModelIndex& index) const;
     void changed();
+    bool isRunning(const Node& node) const;
+    void showTimings(const program::ProgramScript& script, const std::vector<program::StepTiming>& timings);
 
     const project::Project* project_ = nullptr;
     project::Program program_;
     std::unique_ptr<Node> root_;
     QHash<QUuid, Node*> nodes_;
+    QUuid running_;  ///< the running step; null: none
 };
 
 }  // namespace tiller

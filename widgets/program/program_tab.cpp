@@ -20,6 +20,7 @@
 #include "widgets/common/no_focus_scroll_area.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/program/program_model.h"
+#include "widgets/program/run_bar.h"
 #include "widgets/program/step_form.h"
 #include "widgets/program/step_palette.h"
 #include "widgets/program/step_tree.h"
@@ -157,6 +158,49 @@ void ProgramTab::buildLayout() {
     showSides();
 }
 
+void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::function<HeldSpeed()> heldSpeed) {
+    session_ = &session;
+    runBar_ = new RunBar(session, policy, document_, std::move(heldSpeed));
+    auto* rows = static_cast<QVBoxLayout*>(layout());
+    rows->insertWidget(rows->count() - 1, runBar_);
+    connect(runBar_, &RunBar::refused, this,
+            [this](const QString& reason) { showStatus(tr("⚠ %1").arg(reason)); });
+    connect(runBar_, &RunBar::runChanged, this, &ProgramTab::showRun);
+    // The script depends on the software version of the robot.
+    connect(&session, &RobotSession::connected, this, &ProgramTab::check);
+    check();
+}
+
+void ProgramTab::followSpeed() {
+    runBar_->showSpeed();
+}
+
+void ProgramTab::showRun() {
+    const program::ProgramRunner& runner = runBar_->runner();
+    const int step = runner.log().step();
+    model_->setRun(&runner.script(), &runner.log());
+    switch (runner.state()) {
+        case program::ProgramRunner::State::Idle:
+            break;
+        case program::ProgramRunner::State::Sending:
+            showStatus(tr("Starting…"));
+            break;
+        case program::ProgramRunner::State::Running:
+            showStatus(step > 0 ? tr("Running step %1 (%2)")
+                                      .arg(step)
+                                      .arg(program::stepName(document_.project(), runner.script(), step))
+                                : tr("Running"));
+            break;
+        case program::ProgramRunner::State::Stopping:
+            showStatus(tr("Stopping…"));
+            break;
+        case program::ProgramRunner::State::Ended:
+            showStatus(runner.endText(document_.project()));
+            Q_EMIT session_->message(Severity::Info, runner.endText(document_.project()));
+            break;
+    }
+}
+
 void ProgramTab::addCommands() {
     auto* menu = findChild<QMenu*>("program.menu");
     menu->addActions({addCommand("new", tr("New program"), {}, &ProgramTab::addProgram),
@@ -236,6 +280,11 @@ void ProgramTab::follow() {
     checkTimer_.start(0);
 }
 
+program::ScriptOptions ProgramTab::scriptOptions() const {
+    return session_ != nullptr ? program::optionsFor(document_.project(), session_->state())
+                               : program::ScriptOptions();
+}
+
 // Compares everything that affects the simulation in addition to the script.
 bool ProgramTab::isPreviewedCell() const {
     const project::Project now = document_.project();
@@ -245,8 +294,11 @@ bool ProgramTab::isPreviewedCell() const {
 
 void ProgramTab::check() {
     const project::Program* program = current();
-    script_ =
-        program != nullptr ? program::writeScript(document_.project(), program_) : program::ProgramScript();
+    script_ = program != nullptr ? program::writeScript(document_.project(), program_, scriptOptions())
+                                 : program::ProgramScript();
+    if (runBar_ != nullptr) {
+        runBar_->setProgram(program_, script_);
+    }
     model_->setProblems(script_.problems);
     const bool isStale = !script_.ok() || previewed_.text != script_.text || !isPreviewedCell();
     if (isStale) {
@@ -440,7 +492,7 @@ void ProgramTab::preview() {
     previewed_ = script_;
     previewedProject_ = document_.project();
     showStatus(tr("Simulating…"));
-    runner_.start(document_.project(), script_, {}, {},
+    runner_.start(document_.project(), script_, scriptOptions(), {},
                   [this, text = script_.text](const program::Preview& done) {
                       QMetaObject::invokeMethod(this, [this, done, text] {
                           if (previewed_.text == text) {
@@ -453,6 +505,9 @@ void ProgramTab::preview() {
 void ProgramTab::showPreview(const program::Preview& preview) {
     model_->setPreview(&previewed_, &preview);
     path_ = program::tcpPath(preview, kPathSpacing);
+    if (runBar_ != nullptr) {
+        runBar_->setPreview(previewed_, preview);
+    }
     marks_.clear();
     nextMark_ = 0;
     for (const program::Finding& finding : preview.findings) {
@@ -476,6 +531,9 @@ void ProgramTab::clearPreview() {
     runner_.cancel();
     previewed_ = {};
     model_->setPreview(nullptr, nullptr);
+    if (runBar_ != nullptr) {
+        runBar_->setPreview({}, std::nullopt);
+    }
     if (!path_.empty()) {
         path_.clear();
         Q_EMIT previewPathChanged();

@@ -2,11 +2,13 @@
 #pragma once
 
 // The tab "Program". It shows the programs of the project, the steps of one program, the fields of the
-// selected step, and a preview in the simulated controller. No function of this tab moves a robot.
+// selected step, and a preview in the simulated controller. With a robot, the tab also runs the program: see
+// RunBar.
 
 #include <Eigen/Core>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -22,10 +24,14 @@ namespace tiller {
 class ElidedLabel;
 class ProgramModel;
 class ProjectDocument;
+class RobotSession;
+class RunBar;
 class SegmentedControl;
 class StepForm;
 class StepPalette;
 class StepTree;
+struct HeldSpeed;
+struct HoldPolicy;
 
 class ProgramTab : public QWidget {
     Q_OBJECT
@@ -33,6 +39,11 @@ class ProgramTab : public QWidget {
 public:
     /// document  must outlive the tab
     explicit ProgramTab(ProjectDocument& document, QWidget* parent = nullptr);
+
+    /// Adds the buttons that run the program. Call once. The arguments are those of RunBar.
+    void setRobot(RobotSession& session, HoldPolicy& policy, std::function<HeldSpeed()> heldSpeed);
+    /// Updates the displayed speed.
+    void followSpeed();
 
     /// All actions, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
@@ -60,6 +71,7 @@ private:
     void follow();
     void check();
     bool isPreviewedCell() const;
+    program::ScriptOptions scriptOptions() const;
     void showSelection();
     void showSides();
     void showStatus(const QString& text);
@@ -87,6 +99,7 @@ private:
     void showPreview(const program::Preview& preview);
     void clearPreview();
     void exportScript();
+    void showRun();
 
     /// A step that showNextProblem() can select.
     struct Mark {
@@ -102,6 +115,8 @@ private:
     StepTree* tree_;
     StepForm* form_;
     QWidget* formArea_ = nullptr;
+    RobotSession* session_ = nullptr;
+    RunBar* runBar_ = nullptr;  ///< null without a robot
     SegmentedControl* sides_;
     ElidedLabel* status_;
     QPushButton* showKey_;

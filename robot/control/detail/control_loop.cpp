@@ -52,6 +52,7 @@ void ControlLoop::begin(std::int32_t session, double period, const ArmLimits& ar
     yieldedWhenPaused_ = false;
     yieldedNs_.reset();
     followed_ = kNoMotion;
+    followsScript_ = false;
     sentMotion_ = kNoMotion;
     sentForce_ = false;
     status_.inControl = false;
@@ -72,6 +73,13 @@ void ControlLoop::follow(const Echo& echo) {
 
 void ControlLoop::permitFinish() {
     mayFinish_.store(true, std::memory_order_release);
+}
+
+void ControlLoop::permitScript(bool permitted) {
+    if (permitted) {
+        endRequested_.store(false, std::memory_order_release);
+    }
+    scriptPermitted_.store(permitted, std::memory_order_release);
 }
 
 void ControlLoop::permitForce(bool permitted) {
@@ -223,7 +231,8 @@ bool ControlLoop::isStopPending() const {
 }
 
 bool ControlLoop::early(std::int64_t nowNs, Command& out) {
-    if (!hasData_ || !isInControl() || endRequested_.load(std::memory_order_acquire)) {
+    const bool commands = isInControl() || followsScript_;
+    if (!hasData_ || !commands || endRequested_.load(std::memory_order_acquire)) {
         return false;
     }
     hookInUse_.store(true);
@@ -326,7 +335,7 @@ void ControlLoop::watch(const Feedback& data) {
         forcePermitted_.exchange(false, std::memory_order_acq_rel);
     }
     if (!isInControl()) {
-        endActive(StopCause::ControlLost, data.hostNs);
+        watchScript(data);
         return;
     }
     if (data.runtimeState != RuntimeState::Playing) {
@@ -399,6 +408,19 @@ void ControlLoop::watch(const Feedback& data) {
     }
 }
 
+// Without control, no motion is possible except the program of a user.
+void ControlLoop::watchScript(const Feedback& data) {
+    const bool permitted = scriptPermitted_.load(std::memory_order_acquire);
+    const MotionCommand* script = mailbox_.active(data.hostNs);
+    const bool paused =
+        data.runtimeState == RuntimeState::Pausing || data.runtimeState == RuntimeState::Paused;
+    // A paused program that an operator runs with a button must not continue by itself.
+    if (!permitted || (paused && script != nullptr && script->held)) {
+        endActive(StopCause::ControlLost, data.hostNs);
+    }
+    status_.executing = permitted && script != nullptr && data.runtimeState == RuntimeState::Playing;
+}
+
 void ControlLoop::leave(ControlLoss loss, StopCause cause, std::int64_t nowNs) {
     // This order, and the opposite order at the start of motions (confirmControl), ensure that no motion is
     // missed.
@@ -430,7 +452,8 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     if (motion->id != followed_) {
         noteEnded(data.hostNs);
         followed_ = motion->id;
-        followedHoldToRun_ = motion->kind != MotionCommand::Kind::Program;
+        followsScript_ = motion->kind == MotionCommand::Kind::Script;
+        followedHoldToRun_ = motion->kind != MotionCommand::Kind::Program && !followsScript_;
         followedTcp_ = data.tcpOffset;
         followedForce_ = data.tcpForce.value_or(Eigen::Vector3d::Zero());
         pressed_ = 0;
@@ -441,7 +464,7 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     }
     if (motion->kind == MotionCommand::Kind::Jog) {
         composeJog(*motion, data, command);
-    } else {
+    } else if (!followsScript_) {
         composeProgram(*motion, data, {period_, true, evenNs_, ageNs_}, command);
     }
 }
@@ -559,6 +582,7 @@ void ControlLoop::noteEnded(std::int64_t nowNs) {
         meter_.begin(cause, std::min(epoch.endedNs(followed_), nowNs));
     }
     followed_ = kNoMotion;
+    followsScript_ = false;
 }
 
 void ControlLoop::publish() {
@@ -588,7 +612,7 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
         command.acceleration = brake.deceleration;
         command.rotationAcceleration = brake.rotationDeceleration;
         command.epoch = static_cast<std::int32_t>(dead);
-        sentMotion_ = kNoMotion;
+        sentMotion_ = followsScript_ && mailbox_.epoch().isActive(followed_) ? followed_ : kNoMotion;
     }
     command.request = request_.newest();
     command.forcePermitted = sentForce_ = forcePermitted_.load(std::memory_order_acquire);

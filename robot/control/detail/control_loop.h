@@ -124,6 +124,9 @@ public:
     void withdraw();
     /// Newest answer of the program.
     Answer answer() const { return answer_.load(); }
+    /// Permits a motion of Kind::Script after the control program has ended. Call this before starting the
+    /// motion, and with false after its end.
+    void permitScript(bool permitted);
     /// Permits force mode. The caller, an unsafe mode, the loss of control, or the end of a motion that was
     /// not refreshed in time revokes the permission.
     void permitForce(bool permitted);
@@ -168,6 +171,7 @@ private:
     void compose(const Feedback& data, Command& command);
     void composeProgram(const MotionCommand& motion, const Feedback& data, const Occasion& occasion,
                         Command& command);
+    void watchScript(const Feedback& data);
     bool cycleWithoutPackage(std::int64_t nowNs, Command& out);
     /// True if a motion or force mode has ended on this side but may still be active on the robot.
     bool isStopPending() const;
@@ -192,6 +196,7 @@ private:
     std::atomic<ControlLoss> endLoss_{ControlLoss::Released};
     std::atomic<std::int32_t> nextSession_{0};  ///< 0: none
     std::atomic<bool> forcePermitted_{false};
+    std::atomic<bool> scriptPermitted_{false};
     std::atomic<bool> mayFinish_{false};
     std::atomic<bool> finishReceived_{false};
     std::int32_t finishSequence_ = 0;  ///< sequence number of the first package with the permission; 0: none
@@ -227,6 +232,7 @@ private:
     bool sentForce_ = false;              ///< force mode permission sent with the last motion
     MotionId followed_ = kNoMotion;       ///< motion of the last command
     bool followedHoldToRun_ = false;      ///< true for a jog or a move started by the operator
+    bool followsScript_ = false;          ///< `followed_` is a motion of Kind::Script
     std::int64_t followedTimeoutNs_ = 0;  ///< heartbeat timeout of the last motion
     Pose followedTcp_;                    ///< TCP offset at the start of the jog
     Eigen::Vector3d followedForce_ = Eigen::Vector3d::Zero();  ///< force at the TCP at the start of the jog

@@ -20,7 +20,9 @@ namespace tiller::control {
 inline constexpr std::int64_t kHoldTimeNs = std::chrono::nanoseconds(kHoldTime).count();
 
 struct MotionCommand {
-    enum class Kind : std::uint8_t { None, Jog, MoveJ, MoveL, Program };
+    /// Script: the program of a user runs instead of the control program, so the packets contain only the
+    /// heartbeat and the epoch.
+    enum class Kind : std::uint8_t { None, Jog, MoveJ, MoveL, Program, Script };
     MotionId id = kNoMotion;
     Kind kind = Kind::None;
     bool held = true;

@@ -6,7 +6,10 @@
 
 #include "robot/control/compliance.h"
 #include "robot/control/motions.h"
+#include "robot/control/programs.h"
 #include "robot/receive/field_info.h"
+#include "robot/rtde/fields.h"
+#include "robot/script/supervised_program.h"
 #include "robot/station/link/detail/session_backend.h"
 #include "robot/station/text/controller_codes.h"
 #include "robot/station/text/move_words.h"
@@ -111,6 +114,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     receiverOptions.host = address.host;
     receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + address.portOffset);
     receiverOptions.clock = d_->clock;
+    receiverOptions.fields.push_back(rtde::intRegisterName(rtde::Direction::Output, script::kStepRegister));
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
     link->stream = link->receiver->subscribe();
     static_cast<void>(link->receiver->start());  // failures are stored in lastError(), which readLink() shows
@@ -251,7 +255,7 @@ bool RobotSession::refusesCommand(const QString& command) {
 // -------------------------------------------------------------------------------------------------------
 
 void RobotSession::takeControl(ForeignProgram program) {
-    if (refusesCommand(tr("Take control")) || !d_->link || d_->takingControl) {
+    if (refusesCommand(tr("Take control")) || !d_->link || d_->takingControl || d_->state.programRuns) {
         return;
     }
     if (program == ForeignProgram::Ask && !d_->state.hasData()) {
@@ -305,6 +309,9 @@ void RobotSession::releaseControl() {
     }
     services_.forgetStop();
     d_->taking.cancel();
+    if (d_->link->program.isRunning()) {
+        d_->link->controller->stop(control::StopCause::ControlLost);  // `controlling` waits for the program
+    }
     d_->controlling.post(this, [controller = d_->link->controller](const CancelToken&) {
         controller->release();
         return std::function<void()>();
@@ -408,6 +415,95 @@ Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path,
     return start.ticket;
 }
 
+Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& script, control::Holding holding,
+                                                          std::uint64_t stops) {
+    if (!d_->link || !d_->state.canMove()) {
+        return notMovable(d_->state);
+    }
+    if (const QString objection = projectGuard_(); !objection.isEmpty()) {
+        return Error{ErrorCode::Cancelled, objection, {}};
+    }
+    if (const Result<void> permitted = permits({}); !permitted) {
+        return permitted.error();
+    }
+    ProgramRun& run = d_->link->program;
+    run.ticket = std::max(run.ticket + 1, ProgramRun::kFirstTicket);
+    run.outcome.reset();
+    run.shared = std::make_shared<ProgramRun::Shared>();
+    run.shared->heldNs = d_->clock->nowNs();
+    d_->controlling.post(
+        this, [this, ticket = run.ticket, generation = d_->generation, shared = run.shared, script, holding,
+               stops, clock = d_->clock, controller = d_->link->controller](const CancelToken& token) {
+            control::ScriptTerms terms;
+            terms.holding = holding;
+            terms.stops = stops;
+            terms.starting = [&](const control::Motion& motion) {
+                const std::lock_guard lock(shared->mutex);
+                const bool held =
+                    clock->nowNs() - shared->heldNs <= std::chrono::nanoseconds(control::kHoldTime).count();
+                if (shared->cancelled || (holding == control::Holding::Held && !held)) {
+                    return false;
+                }
+                shared->motion = motion;
+                shared->isStarted = true;
+                return true;
+            };
+            const Result<void> outcome =
+                control::Programs(*controller).runScript(script, Deadline::never(token), terms);
+            return std::function<void()>([this, ticket, generation, outcome] {
+                if (generation == d_->generation && ticket == d_->link->program.ticket) {
+                    d_->link->program.outcome = outcome;
+                    refresh();
+                }
+            });
+        });
+    refresh();
+    return run.ticket;
+}
+
+Result<control::MotionProgress> RobotSession::programProgress() const {
+    const ProgramRun& run = d_->link->program;
+    control::MotionProgress progress;
+    const std::lock_guard lock(run.shared->mutex);
+    if (!run.outcome) {
+        progress.phase = control::MotionPhase::Active;
+        progress.executing = run.shared->isStarted && run.shared->motion.progress().executing;
+        return progress;
+    }
+    if (!*run.outcome && run.outcome->error().code != ErrorCode::Stopped) {
+        return run.outcome->error();
+    }
+    progress.cause = *run.outcome ? control::StopCause::Completed
+                     : run.shared->isStarted
+                         ? run.shared->motion.state().cause
+                         : run.shared->cancelled.value_or(control::StopCause::EventLoopStalled);
+    return progress;
+}
+
+bool ProgramRun::hold(std::int64_t nowNs) {
+    if (!isRunning()) {
+        return false;
+    }
+    const std::lock_guard lock(shared->mutex);
+    if (shared->cancelled) {
+        return false;
+    }
+    shared->heldNs = nowNs;
+    return !shared->isStarted || shared->motion.refresh();
+}
+
+void ProgramRun::end(control::StopCause cause) {
+    if (!isRunning()) {
+        return;
+    }
+    const std::lock_guard lock(shared->mutex);
+    if (shared->isStarted) {
+        shared->motion.cancel(cause);
+    } else if (!shared->cancelled) {
+        shared->cancelled = cause;
+    }
+}
+
 void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath>& prepared) {
     PathStart& start = d_->link->path;
     --start.sending;
@@ -448,6 +544,9 @@ Result<control::MotionProgress> RobotSession::motionProgress(MotionId motion) co
         return progress;
     }
     const RobotLink& link = *d_->link;
+    if (motion != control::kNoMotion && motion == link.program.ticket) {
+        return programProgress();
+    }
     if (motion < PathStart::kFirstTicket) {
         if (motion == link.move.id()) {
             return link.move.progress();
@@ -493,6 +592,9 @@ bool RobotSession::hold(MotionId motion) {
         return false;
     }
     RobotLink& link = *d_->link;
+    if (motion >= ProgramRun::kFirstTicket) {
+        return motion == link.program.ticket && link.program.hold(d_->clock->nowNs());
+    }
     if (motion >= PathStart::kFirstTicket) {
         return motion == link.path.ticket && holdPath(link);
     }
@@ -509,7 +611,11 @@ void RobotSession::endMotion(MotionId motion, control::StopCause cause) {
         return;
     }
     RobotLink& link = *d_->link;
-    if (motion < PathStart::kFirstTicket) {
+    if (motion >= ProgramRun::kFirstTicket) {
+        if (motion == link.program.ticket) {
+            link.program.end(cause);
+        }
+    } else if (motion < PathStart::kFirstTicket) {
         link.controller->end(motion, cause);
     } else if (motion == link.path.ticket &&
                (link.path.phase == PathStart::Phase::Sending || link.path.phase == PathStart::Phase::Ready)) {

@@ -152,10 +152,20 @@ public:
     /// stops   as MoveRequest::stops
     /// Errors  include those of permits()
     Result<MotionId> beginPath(std::vector<control::PathEntry> path, std::uint64_t stops);
+    /// Sends a complete program and runs it instead of the control program, and takes control again afterwards.
+    /// The program counts as an active motion from the call until control is back, and no other motion can
+    /// start. Ending the motion ends the program. motionProgress() reports the result.
+    /// script   URScript, one `def`. It ends when this process ends or the connection is lost
+    /// holding  Held: needs hold() like every motion, and also ends when the program is paused
+    /// stops    as MoveRequest::stops
+    /// Errors   those of permits() that do not depend on the target, and of the project guard
+    Result<MotionId> beginProgram(const QString& script, control::Holding holding, std::uint64_t stops);
     /// Number of stops on this connection, from any cause. See MoveRequest::stops.
     std::uint64_t stops() const;
-    /// Progress or result of a move or a path.
-    /// Errors  if a path could not start: those of control::Motions::movePath()
+    /// Progress or result of a move, a path or a program.
+    /// Errors  if a path could not start: those of control::Motions::movePath(); if a program could not start
+    ///         or did not end normally: those of control::Programs::runScript()
+    ///         except Stopped
     Result<control::MotionProgress> motionProgress(MotionId motion) const;
     /// Starts freedrive, in which the arm can be guided by hand.
     Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
@@ -213,6 +223,7 @@ Q_SIGNALS:
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:
+    Result<control::MotionProgress> programProgress() const;
     void startPath(MotionId ticket, const Result<control::PreparedPath>& prepared);
     void reportChanges();
     void reportControllerMessages();

@@ -104,6 +104,7 @@ struct SessionState {
     bool controlInDoubt = false;
     control::ControlLoss controlLoss =
         control::ControlLoss::NotTaken;  ///< reason for the last loss of control
+    bool programRuns = false;            ///< a program is being sent or runs: RobotSession::beginProgram()
     bool monitorOnly = false;            ///< the session rejects every command except stop
 
     // motion

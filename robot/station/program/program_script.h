@@ -5,19 +5,20 @@
 // the program. The script is one self-contained `def`, which can be sent, saved as .script, or run in the
 // simulated controller.
 
+#include <limits>
 #include <vector>
 
 #include "robot/core/robot_model.h"
 #include "robot/core/version.h"
 #include "robot/project/project_file.h"
+#include "robot/script/supervised_program.h"
 #include "robot/station/program/program_problem.h"
 
 namespace tiller::program {
 
 /// Output integer register with the number of the running step. It is 0 at the end, or the negative number of
-/// the failed step if no On error section handled the failure. The control program does not use this
-/// register.
-inline constexpr int kStepRegister = 47;
+/// the failed step if no On error section handled the failure.
+inline constexpr int kStepRegister = script::kStepRegister;
 
 /// A step, identified by program and step id, as numbered in the step register.
 struct NumberedStep {
@@ -41,10 +42,17 @@ struct ProgramScript {
     int stepAt(int line) const;
 };
 
+/// Maximum speeds of the moves of a script. URScript text is not limited.
+struct SpeedLimits {
+    double tool = std::numeric_limits<double>::infinity();   ///< of linear and circular moves [m/s]
+    double joint = std::numeric_limits<double>::infinity();  ///< of joint moves [rad/s]
+};
+
 struct ScriptOptions {
     SoftwareVersion version{5, 22, 0, 0};
     std::optional<RobotModelId> model;  ///< empty: the model of the project or, if it has none, a UR5e
     QUuid from;  ///< first step to run, at the top level of the program; null: run from the beginning
+    SpeedLimits limits = {};
 };
 
 /// Generates the script of a program of the project. If the program cannot run or does not exist, returns an

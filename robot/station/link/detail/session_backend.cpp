@@ -179,17 +179,18 @@ void SessionBackend::readControl() {
     state.freedriveActive =
         status.inControl && status.motion != control::kNoMotion && status.motion == link->freedrive;
     state.moving = state.isFresh() && moves(state.qd, state.tcpSpeed);
+    state.programRuns = link->program.isRunning();
     if (takingControl) {
         state.control = ControlState::Taking;
-    } else if (status.inControl || isSendingPath(status)) {
+    } else if (status.inControl || isSendingPath(status) || (state.programRuns && status.fresh)) {
         state.control = ControlState::InControl;
         refusal.clear();
     } else {
         state.control = refusal.isEmpty() ? ControlState::None : ControlState::Refused;
     }
     using control::ControlLoss;
-    loss = status.loss;
-    state.controlLoss = status.loss;
+    loss = state.programRuns && !status.fresh ? ControlLoss::DataStale : status.loss;
+    state.controlLoss = loss;
     state.controlInDoubt = isControlInDoubt();
 }
 
@@ -250,8 +251,10 @@ control::StopEvidence SessionBackend::stopEvidence() const {
     }
     const control::ControllerStatus status = link->controller->status();
     const bool sending = isSendingPath(status);
-    evidence.inControl = status.inControl || sending;
-    // A path that is being sent does not start a motion after a stop.
+    const bool program = link->program.isRunning() && status.fresh;
+    evidence.inControl = status.inControl || sending || program;
+    // A path that is being sent does not start a motion after a stop. A program may start one, e.g. after a
+    // wait, until it has ended.
     evidence.restingEpoch = sending ? std::numeric_limits<std::uint64_t>::max() : status.restingEpoch;
     evidence.executedEpoch = status.executing ? status.motion : 0;
     return evidence;
@@ -315,7 +318,7 @@ QString SessionBackend::obstacle() const {
         return RobotSession::tr("Taking control…");
     }
     if (state.control == ControlState::InControl) {
-        return {};
+        return state.programRuns ? RobotSession::tr("A program is running.") : QString();
     }
     if (!refusal.isEmpty()) {
         return refusal;

@@ -6,7 +6,9 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <array>
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,6 +54,29 @@ struct PathStart {
     static constexpr control::MotionId kFirstTicket = control::MotionId(1) << 62;
 };
 
+/// A program of a project that is being sent or runs. It has a separate number, like a path.
+struct ProgramRun {
+    /// Shared with the thread that sends the program.
+    struct Shared {
+        std::atomic<std::int64_t> heldNs{0};  ///< time of the last hold
+        std::mutex mutex;                     ///< protects the following members
+        control::Motion motion;               ///< valid after the start
+        bool isStarted = false;
+        std::optional<control::StopCause> cancelled;  ///< why the program must not start
+    };
+    control::MotionId ticket = control::kNoMotion;
+    std::shared_ptr<Shared> shared;
+    std::optional<Result<void>> outcome;  ///< empty while the program is sent or runs
+
+    bool isRunning() const { return shared != nullptr && !outcome; }
+    /// Returns  false if the program has ended
+    bool hold(std::int64_t nowNs);
+    void end(control::StopCause cause);
+
+    /// Program numbers start above all path numbers.
+    static constexpr control::MotionId kFirstTicket = control::MotionId(1) << 63;
+};
+
 /// All connections to one robot. Destroyed on the worker, because joining threads takes time.
 struct RobotLink {
     std::shared_ptr<receive::Receiver> receiver;
@@ -62,6 +87,7 @@ struct RobotLink {
     control::Motion move;                              ///< the newest move or freedrive
     control::MotionId freedrive = control::kNoMotion;  ///< the newest freedrive
     PathStart path;                                    ///< the newest path
+    ProgramRun program;                                ///< the newest program
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
     std::unique_ptr<dashboard::ServiceWorker> watch;  ///< for queries, separate from commands

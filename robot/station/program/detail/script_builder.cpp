@@ -442,6 +442,15 @@ const RobotModel& StepWriter::model() const {
 const SoftwareVersion& StepWriter::version() const {
     return d_.options.version;
 }
+const SpeedLimits& StepWriter::speedLimits() const {
+    return d_.options.limits;
+}
+double StepWriter::toolSpeed(double speed) const {
+    return std::min(speed * d_.scope.speedFactor, d_.options.limits.tool);
+}
+double StepWriter::jointSpeed(double speed) const {
+    return std::min(speed * d_.scope.speedFactor, d_.options.limits.joint);
+}
 StepWriter::Scope& StepWriter::scope() {
     return d_.scope;
 }

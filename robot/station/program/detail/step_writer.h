@@ -13,6 +13,7 @@
 #include "robot/core/version.h"
 #include "robot/project/project_file.h"
 #include "robot/station/program/program_problem.h"
+#include "robot/station/program/program_script.h"
 #include "robot/station/program/step_kind.h"
 
 namespace tiller::program {
@@ -55,6 +56,10 @@ public:
     const project::Project& project() const;
     const RobotModel& model() const;
     const SoftwareVersion& version() const;
+    const SpeedLimits& speedLimits() const;
+    /// Speeds of a move, after the Speed sections and the limits of the script [m/s], [rad/s].
+    double toolSpeed(double speed) const;
+    double jointSpeed(double speed) const;
     Scope& scope();  ///< Changes apply to the rest of the section; see inScope().
 
     // ---- the script -------------------------------------------------------------------------------------

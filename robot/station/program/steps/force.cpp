@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "robot/station/program/detail/fields.h"
 #include "robot/station/program/detail/step_kinds.h"
 #include "robot/station/program/detail/step_writer.h"
@@ -34,9 +36,10 @@ const StepKind& forceStep() {
                 for (int i = 0; i < 6; ++i) {
                     selection.append(i == axis ? QStringLiteral("1") : QStringLiteral("0"));
                     wrench.append(scriptNumber(i == axis ? writer.number("force") : 0));
-                    limits.append(scriptNumber(i == axis ? writer.number("speed")
-                                               : i < 3   ? kPathDeviation
-                                                         : kRotationDeviation));
+                    limits.append(
+                        scriptNumber(i == axis ? std::min(writer.number("speed"), writer.speedLimits().tool)
+                                     : i < 3   ? kPathDeviation
+                                               : kRotationDeviation));
                 }
                 const QString axes = writer.text("axes");
                 const QString task = axes == QLatin1String("tool") ? QStringLiteral("get_actual_tcp_pose()")

@@ -37,8 +37,7 @@ const StepKind& moveCircleStep() {
                         .arg(via->pose, end->pose,
                              scriptNumber(
                                  writer.given("acceleration").value_or(project::kDefaultToolAcceleration)),
-                             scriptNumber(writer.given("speed").value_or(to.toolSpeed) *
-                                          writer.scope().speedFactor),
+                             scriptNumber(writer.toolSpeed(writer.given("speed").value_or(to.toolSpeed))),
                              scriptNumber(writer.number("blend")),
                              writer.text("orientation") == QLatin1String("fixed") ? QStringLiteral("1")
                                                                                   : QStringLiteral("0")));

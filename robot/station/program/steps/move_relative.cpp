@@ -43,7 +43,7 @@ const StepKind& moveRelativeStep() {
                 }
                 writer.line(QStringLiteral("movel(%1, a=%2, v=%3)")
                                 .arg(target, scriptNumber(writer.number("acceleration")),
-                                     scriptNumber(writer.number("speed") * writer.scope().speedFactor)));
+                                     scriptNumber(writer.toolSpeed(writer.number("speed")))));
                 writer.noteMove(std::nullopt, 0);
             },
         .moves = true,

@@ -59,7 +59,8 @@ void writeCommand(StepWriter& writer, MoveCommand command, const MoveTarget& tar
                             : command == MoveCommand::L ? QStringLiteral("movel")
                                                         : QStringLiteral("movep"),
                             joint ? target.asJoints() : target.either(), scriptNumber(acceleration),
-                            scriptNumber(speed * writer.scope().speedFactor), scriptNumber(blend));
+                            scriptNumber(joint ? writer.jointSpeed(speed) : writer.toolSpeed(speed)),
+                            scriptNumber(blend));
     if (!name.isEmpty()) {
         text += QStringLiteral("  # ") + name;
     }

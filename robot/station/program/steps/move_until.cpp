@@ -60,7 +60,7 @@ const StepKind& moveUntilStep() {
                     reached = QStringLiteral("tool_contact() > 0");
                 }
                 const QString n = QString::number(writer.number());
-                const QString speed = scriptNumber(writer.number("speed") * writer.scope().speedFactor);
+                const QString speed = scriptNumber(writer.toolSpeed(writer.number("speed")));
                 writer.line(QStringLiteral("tiller_start_%1 = get_target_tcp_pose()").arg(n));
                 writer.line(QStringLiteral("tiller_axis_%1 = %2").arg(n, axis));
                 writer.line(QStringLiteral("tiller_reached_%1 = %2").arg(n, reached));

@@ -2,6 +2,7 @@
 //
 // Programs as URScript: every kind of step compiles, and errors are reported at the step that caused them.
 
+#include <QRegularExpression>
 #include <QTest>
 
 #include "program_samples.h"
@@ -49,6 +50,31 @@ private Q_SLOTS:
         QVERIFY2(compileError(script.text).isEmpty(),
                  qPrintable(compileError(script.text) + '\n' + script.text));
         QCOMPARE(script.name, QString("program_fill_the_tray"));
+    }
+
+    void speedLimitsApplyToEveryMove() {
+        const project::Project project = sampleProject();
+        const QString pick = waypointId(project, "pick");
+        const QString place = waypointId(project, "place");
+        ScriptOptions options;
+        options.limits = {.tool = 0.02, .joint = 0.1};
+        const ProgramScript script = scriptOf(
+            project,
+            makeProgram("slow", {step("moveJ", {{"waypoint", pick}, {"speed", 1}}),
+                                 step("moveL", {{"waypoint", place}, {"speed", 0.01}}),
+                                 step("moveP", {{"waypoint", pick}, {"speed", 0.5}}),
+                                 step("moveCircle", {{"via", place}, {"waypoint", pick}, {"speed", 0.5}}),
+                                 step("moveRelative", {{"x", 0.1}, {"speed", 0.5}}),
+                                 step("speed", {{"factor", 0.5}},
+                                      {step("moveL", {{"waypoint", pick}, {"speed", 0.03}})})}),
+            options);
+        QVERIFY2(script.ok(), qPrintable(describe(script)));
+        QStringList speeds;
+        static const QRegularExpression kSpeed(QStringLiteral(", v=([0-9.]+)"));
+        for (auto match = kSpeed.globalMatch(script.text); match.hasNext();) {
+            speeds.append(match.next().captured(1));
+        }
+        QCOMPARE(speeds, (QStringList{"0.1", "0.01", "0.02", "0.02", "0.02", "0.015"}));
     }
 
     // A step of each kind at a permitted position, with all elements that it refers to.

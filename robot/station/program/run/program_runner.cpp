@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "robot/station/program/run/program_runner.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <utility>
+
+#include "robot/receive/robot_state.h"
+#include "robot/station/link/obstacles.h"
+#include "robot/station/program/program_edit.h"
+#include "robot/station/program/program_text.h"
+#include "robot/station/text/texts.h"
+
+namespace tiller::program {
+
+namespace {
+
+constexpr double kSameTcp = 1e-4;       // [m]
+constexpr double kSameRotation = 1e-3;  // [rad]
+constexpr double kAtStart = 0.01;       // [rad] for each joint
+/// A held run may take this multiple of the expected duration before the button must be pressed again.
+constexpr double kSlower = 1.5;
+
+bool isSameTcp(const Pose& a, const Pose& b) {
+    return (a.position - b.position).norm() < kSameTcp &&
+           (a.transform().linear() - b.transform().linear()).norm() < kSameRotation;
+}
+
+}  // namespace
+
+ScriptOptions optionsFor(const project::Project& project, const SessionState& state,
+                         const SpeedLimits& limits) {
+    ScriptOptions options;
+    options.limits = limits;
+    if (state.version.major > 0) {
+        options.version = state.version;
+    }
+    if (!project.robot && state.modelKnown) {
+        options.model = state.model;
+    }
+    return options;
+}
+
+RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
+                const SpeedLimits& limits) {
+    RunPlan plan;
+    plan.script = writeScript(project, program, optionsFor(project, state, limits));
+    if (!plan.script.ok()) {
+        const std::vector<ProgramProblem>& problems = plan.script.problems;
+        plan.obstacle =
+            problems.empty() ? ProgramText::tr("The program has no steps.")
+            : problems.front().number > 0
+                ? ProgramText::tr("Step %1: %2").arg(problems.front().number).arg(problems.front().text)
+                : problems.front().text;
+    } else if (!state.canMove()) {
+        plan.obstacle = cannotMoveReason(state);
+    } else if (project.robot && state.modelKnown && *project.robot != state.model) {
+        plan.obstacle = ProgramText::tr("The project was taught with a %1, but the robot is a %2.")
+                            .arg(QLatin1String(robotModel(*project.robot).name),
+                                 QLatin1String(robotModel(state.model).name));
+    } else if (plan.script.tcp && !isSameTcp(*plan.script.tcp, state.tcpOffset)) {
+        plan.obstacle =
+            ProgramText::tr("The TCP of the robot differs from the TCP of the program's waypoints.");
+    }
+    return plan;
+}
+
+bool isAtStart(const Preview& preview, const SessionState& state) {
+    return !preview.path.empty() &&
+           (preview.path.front().q.values - state.q.values).cwiseAbs().maxCoeff() < kAtStart;
+}
+
+QString obstacleWithoutHold(const RunPlan& plan, const SessionState& state, const Preview* preview,
+                            const QString& previewed) {
+    if (!plan.obstacle.isEmpty()) {
+        return plan.obstacle;
+    }
+    if (preview == nullptr || previewed != plan.script.text) {
+        return ProgramText::tr("Preview the program first.");
+    }
+    if (!preview->isGood()) {
+        return ProgramText::tr("The preview found problems.");
+    }
+    return isAtStart(*preview, state) ? QString()
+                                      : ProgramText::tr("Move the arm to the start position first.");
+}
+
+double slowedDuration(const Preview& preview, const SpeedLimits& limits, double speedFraction) {
+    double sum = 0;
+    for (std::size_t i = 1; i < preview.path.size(); ++i) {
+        const PathSample& from = preview.path[i - 1];
+        const PathSample& to = preview.path[i];
+        const double line = (to.tcp.position - from.tcp.position).norm() / limits.tool;
+        const double joints = (to.q.values - from.q.values).cwiseAbs().maxCoeff() / limits.joint;
+        // The script limits either of the two speeds, depending on the kind of the move.
+        sum += std::max({to.time - from.time, line, joints});
+    }
+    return sum / std::max(speedFraction, 0.01);
+}
+
+ProgramRunner::ProgramRunner(RobotSession& session, QObject* parent) : QObject(parent), session_(session) {
+    connect(&session_, &RobotSession::samplesReceived, this, &ProgramRunner::take);
+    connect(&session_, &RobotSession::stateChanged, this, &ProgramRunner::follow);
+}
+
+Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control::Holding holding) {
+    if (!plan.obstacle.isEmpty() || isActive()) {
+        return Error{ErrorCode::Cancelled,
+                     plan.obstacle.isEmpty() ? ProgramText::tr("A program is running.") : plan.obstacle,
+                     {}};
+    }
+    // Set before the session emits the new state.
+    state_ = State::Sending;
+    id_ = control::kNoMotion;
+    script_ = plan.script;
+    log_ = StepLog(static_cast<int>(script_.steps.size()));
+    expected_ = plan.expected;
+    const auto begun = session_.beginProgram(script_.text, holding, session_.stops());
+    if (!begun) {
+        state_ = State::Idle;
+        return begun.error();
+    }
+    id_ = *begun;
+    cause_ = control::StopCause::None;
+    error_ = {};
+    Q_EMIT changed();
+    return id_;
+}
+
+HoldMotion ProgramRunner::motion(std::function<RunPlan()> plan) {
+    return {
+        .begin = [this, plan = std::move(plan)] { return start(plan(), control::Holding::Held); },
+        .hold = [this](HoldMotion::Id id) { return session_.hold(id); },
+        .end = [this](HoldMotion::Id, control::StopCause cause) { stop(cause); },
+        .runsToEnd = {},
+        .bounds =
+            [this] {
+                HoldBounds bounds;
+                // A program of unknown duration has the limit of motions without an end.
+                bounds.longestNs = expected_ > 0 ? HoldBounds::longestOf(kSlower * expected_) : 0;
+                return bounds;
+            },
+    };
+}
+
+void ProgramRunner::stop(control::StopCause cause) {
+    if (!isActive()) {
+        return;
+    }
+    session_.endMotion(id_, cause);
+    if (state_ != State::Stopping) {
+        state_ = State::Stopping;
+        Q_EMIT changed();
+    }
+}
+
+void ProgramRunner::take(const SampleBatch& batch) {
+    if (!isActive()) {
+        return;
+    }
+    const int before = log_.step();
+    for (const receive::Sample& sample : batch.samples) {
+        const receive::RobotState robot(sample);
+        log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0));
+    }
+    if (state_ == State::Sending && log_.hasBegun()) {
+        state_ = State::Running;
+        Q_EMIT changed();
+    } else if (log_.step() != before) {
+        Q_EMIT changed();
+    }
+}
+
+void ProgramRunner::follow() {
+    if (!isActive() || id_ == control::kNoMotion) {
+        return;
+    }
+    const Result<control::MotionProgress> progress = session_.motionProgress(id_);
+    if (progress && progress->phase == control::MotionPhase::Active) {
+        if (state_ == State::Running && log_.hasEnded()) {
+            state_ = State::Stopping;
+            Q_EMIT changed();
+        }
+        return;
+    }
+    finish(progress);
+}
+
+void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
+    if (!progress) {
+        end_ = End::Failed;
+        error_ = progress.error();
+    } else if (progress->cause != control::StopCause::Completed) {
+        end_ = End::Stopped;
+        cause_ = progress->cause;
+    } else {
+        end_ = log_.failedStep() > 0 ? End::StepFailed : End::Completed;
+    }
+    state_ = State::Ended;
+    Q_EMIT changed();
+}
+
+QString ProgramRunner::endText(const project::Project& project) const {
+    const int step = end_ == End::StepFailed ? log_.failedStep() : log_.lastStep();
+    const QString name = stepName(project, script_, step);
+    const QString reason = end_ == End::Failed ? texts::errorText(error_) : texts::stopCauseText(cause_);
+    switch (end_) {
+        case End::Completed:
+            return ProgramText::tr("The program ended after %1 s.")
+                .arg(QLocale().toString(log_.seconds(), 'f', 1));
+        case End::StepFailed:
+            return ProgramText::tr("Step %1 (%2) failed and ended the program.").arg(step).arg(name);
+        case End::Stopped:
+        case End::Failed:
+            break;
+    }
+    return step > 0 ? ProgramText::tr("Stopped in step %1 (%2): %3").arg(step).arg(name, reason)
+                    : ProgramText::tr("Stopped before the first step: %1").arg(reason);
+}
+
+}  // namespace tiller::program
+
+#include "moc_program_runner.cpp"

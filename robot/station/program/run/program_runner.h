@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Runs a program of the project on the robot. The program runs instead of the control program and is
+// supervised by this computer: it ends within 250 ms of a stop, of the end of this process or of the loss of
+// the connection. Follows the running step, the time and the number of runs of each step.
+
+#include <QObject>
+#include <functional>
+#include <optional>
+
+#include "robot/control/motion.h"
+#include "robot/station/link/hold_motion.h"
+#include "robot/station/link/robot_session.h"
+#include "robot/station/program/program_script.h"
+#include "robot/station/program/run/step_log.h"
+
+namespace tiller::program {
+
+/// A script for the connected robot, and the reason why it cannot run.
+struct RunPlan {
+    ProgramScript script;
+    QString obstacle;     ///< a translated sentence; empty if the program can run
+    double expected = 0;  ///< expected duration [s]; 0: unknown
+};
+
+/// Expected duration of a run with these speed limits [s], from the path of the preview.
+/// speedFraction  speed slider, 0 ... 1
+double slowedDuration(const Preview& preview, const SpeedLimits& limits, double speedFraction);
+
+/// Options for a script that fits the connected robot.
+ScriptOptions optionsFor(const project::Project& project, const SessionState& state,
+                         const SpeedLimits& limits = {});
+
+/// Writes the script of the program for the connected robot. Reports as obstacle: a problem of the program, a
+/// different model or TCP, a robot that cannot be moved now.
+RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
+                const SpeedLimits& limits = {});
+
+/// Reason why the program must not run without a held button, as a sentence; empty if it may.
+/// preview    of the same script, started at the current position of the arm; null: none
+/// previewed  text of the script of the preview
+QString obstacleWithoutHold(const RunPlan& plan, const SessionState& state, const Preview* preview,
+                            const QString& previewed);
+
+/// True if the arm is at the start position of the preview.
+bool isAtStart(const Preview& preview, const SessionState& state);
+
+class ProgramRunner : public QObject {
+    Q_OBJECT
+
+public:
+    enum class State {
+        Idle,     ///< no program has been started
+        Sending,  ///< the control program ends and the program is sent
+        Running,
+        Stopping,  ///< the program is ending, and control is taken again
+        Ended,
+    };
+    enum class End { Completed, StepFailed, Stopped, Failed };
+
+    /// session  must outlive the runner
+    explicit ProgramRunner(RobotSession& session, QObject* parent = nullptr);
+
+    /// Starts the program of the plan.
+    /// Errors  Cancelled with the obstacle of the plan; those of RobotSession::beginProgram()
+    Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding);
+    /// The motion of a button that runs the program while it is held.
+    /// plan  called when the button is pressed
+    HoldMotion motion(std::function<RunPlan()> plan);
+    /// Ends the program, if it runs.
+    void stop(control::StopCause cause);
+
+    State state() const { return state_; }
+    bool isActive() const { return state_ != State::Idle && state_ != State::Ended; }
+    End end() const { return end_; }  ///< Valid in State::Ended.
+    /// Describes the end in one sentence, with the step if the program did not complete.
+    QString endText(const project::Project& project) const;
+    const ProgramScript& script() const { return script_; }  ///< Script of the current or last run.
+    const StepLog& log() const { return log_; }              ///< Steps of the current or last run.
+
+Q_SIGNALS:
+    /// State, running step or times have changed.
+    void changed();
+
+private:
+    void take(const SampleBatch& batch);
+    void follow();
+    void finish(const Result<control::MotionProgress>& progress);
+
+    RobotSession& session_;
+    RobotSession::MotionId id_ = 0;
+    State state_ = State::Idle;
+    End end_ = End::Completed;
+    control::StopCause cause_ = control::StopCause::None;
+    Error error_;
+    ProgramScript script_;
+    StepLog log_;
+    double expected_ = 0;
+};
+
+}  // namespace tiller::program

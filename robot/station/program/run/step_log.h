@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The steps of a running program, from the step register in consecutive samples of the robot. Steps that are
+// shorter than the interval between two samples can be missing.
+
+#include <vector>
+
+#include "robot/core/modes.h"
+#include "robot/station/program/preview/preview.h"
+
+namespace tiller::program {
+
+class StepLog {
+public:
+    /// steps  number of steps of the script
+    explicit StepLog(int steps = 0) : timings_(static_cast<std::size_t>(steps)) {}
+
+    /// Adds a sample. Samples before the start of the program (another program ends first) and after its end
+    /// have no effect.
+    /// time   time stamp of the robot [s]
+    /// value  of the step register
+    void add(double time, RuntimeState runtime, int value);
+
+    int step() const { return step_; }          ///< Number of the running step; 0: none.
+    int lastStep() const { return last_; }      ///< Number of the last step that was running; 0: none.
+    int failedStep() const { return failed_; }  ///< Number of the step that ended the program; 0: none.
+    double seconds() const { return time_; }    ///< Duration of the run so far [s].
+    bool hasBegun() const { return phase_ != Phase::Before && phase_ != Phase::Stopped; }
+    bool hasEnded() const { return phase_ == Phase::Ended; }
+    /// One per step; step number 1 is at index 0. Times are relative to the start of the program.
+    const std::vector<StepTiming>& timings() const { return timings_; }
+
+private:
+    enum class Phase { Before, Stopped, Running, Ended };
+    void follow(int value);
+
+    Phase phase_ = Phase::Before;
+    int settling_ = 0;  ///< samples to ignore, because the register may still have an earlier value
+    double began_ = 0;  ///< time stamp of the start [s]
+    double time_ = 0;
+    int step_ = 0;
+    int last_ = 0;
+    int failed_ = 0;
+    std::vector<StepTiming> timings_;
+};
+
+}  // namespace tiller::program

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: MIT
+//
+// The stop contract for programs of a project. In every kind of step, and for all events concerning the
+// client, the connection or the robot, the arm stops in time and the program does not continue. In virtual
+// time.
+//
+// Runs a part of the table, which is selected pseudo-randomly but reproducibly. With --all, runs everything.
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "program_samples.h"
+#include "robot/station/program/program_script.h"
+#include "tests/integration/control/contract_cell.h"
+
+using namespace tiller;
+using namespace tiller::control;
+using namespace tiller::program;
+using namespace tiller::test;
+using std::chrono::milliseconds;
+
+namespace {
+
+bool runsAll = false;
+constexpr quint32 kSeed = 20261127;
+constexpr int kStartedOutput = 7;  ///< switched on directly before the tested steps
+
+/// Steps during which an event occurs.
+struct ProgramCase {
+    const char* name;
+    double fast;  ///< TCP speed at the event [m/s]; 0: directly after the beginning of the steps
+    std::function<std::vector<project::ProgramStep>(project::Project&)> steps;
+};
+
+project::ProgramStep moveTo(const project::Project& project, const char* kind, const char* waypoint,
+                            QJsonObject fields = {}) {
+    fields.insert("waypoint", waypointId(project, waypoint));
+    return step(kind, fields);
+}
+
+/// A move to and fro that follows steps without a move, so that the arm would move if they ended.
+std::vector<project::ProgramStep> thenMoves(const project::Project& project,
+                                            std::vector<project::ProgramStep> steps) {
+    steps.push_back(moveTo(project, "moveL", "pick"));
+    steps.push_back(moveTo(project, "moveL", "place"));
+    return steps;
+}
+
+std::vector<project::ProgramStep> moves(const project::Project& project) {
+    return thenMoves(project, {});
+}
+
+QString callOf(project::Project& project) {
+    const project::Program called = makeProgram("called", moves(project));
+    project.programs.append(called);
+    return idText(called.id);
+}
+
+const std::vector<ProgramCase>& programCases() {
+    constexpr double kLinear = 0.05;  // [m/s]
+    static const std::vector<ProgramCase> kCases{
+        {"moveJ", kLinear,
+         [](project::Project& p) {
+             return std::vector{moveTo(p, "moveJ", "pick"), moveTo(p, "moveJ", "place")};
+         }},
+        {"moveL", kLinear, [](project::Project& p) { return moves(p); }},
+        {"moveL with blends", kLinear,
+         [](project::Project& p) {
+             return std::vector{moveTo(p, "moveL", "pick", {{"blend", 0.02}}),
+                                moveTo(p, "moveL", "home", {{"blend", 0.02}}),
+                                moveTo(p, "moveL", "place", {{"blend", 0.02}})};
+         }},
+        {"moveP", kLinear,
+         [](project::Project& p) {
+             return std::vector{moveTo(p, "moveP", "pick", {{"blend", 0.01}}),
+                                moveTo(p, "moveP", "place", {{"blend", 0.01}})};
+         }},
+        {"moveCircle", kLinear,
+         [](project::Project& p) {
+             return std::vector{
+                 moveTo(p, "moveL", "place"),
+                 step("moveCircle", {{"via", waypointId(p, "home")}, {"waypoint", waypointId(p, "pick")}})};
+         }},
+        {"moveGroup", 0.02,
+         [](project::Project& p) {
+             return std::vector{step("moveGroup", {{"group", "row"}}), moveTo(p, "moveL", "place")};
+         }},
+        {"moveRelative", kLinear,
+         [](project::Project&) {
+             return std::vector{step("moveRelative", {{"x", 0.1}}), step("moveRelative", {{"x", -0.1}})};
+         }},
+        {"moveUntil", 0.015,
+         [](project::Project& p) {
+             return std::vector{step("moveUntil", {{"until", "input"},
+                                                   {"input", 3},
+                                                   {"axes", "base"},
+                                                   {"distance", 0.1},
+                                                   {"otherwise", "continue"}}),
+                                moveTo(p, "moveL", "home")};
+         }},
+        {"wait", 0,
+         [](project::Project& p) {
+             return thenMoves(p, {step("wait", {{"time", 0.3}})});
+         }},
+        {"waitInput", 0,
+         [](project::Project& p) {
+             return thenMoves(
+                 p, {step("waitInput", {{"input", 2}, {"timeLimit", 0.3}, {"otherwise", "continue"}})});
+         }},
+        {"waitCondition", 0,
+         [](project::Project& p) {
+             return thenMoves(p,
+                              {step("waitCondition",
+                                    {{"condition", "DI2"}, {"timeLimit", 0.3}, {"otherwise", "continue"}})});
+         }},
+        {"outputs", 0,
+         [](project::Project& p) {
+             return thenMoves(
+                 p, {step("setOutput", {{"output", 1}}), step("pulseOutput", {{"output", 2}, {"time", 0.2}}),
+                     step("setAnalogOutput"), step("wait", {{"time", 0.1}})});
+         }},
+        {"gripper", 0,
+         [](project::Project& p) {
+             return thenMoves(p, {step("gripper", {{"action", "close"}, {"time", 0.3}})});
+         }},
+        {"loop", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("loop", {{"times", 3}}, moves(p))};
+         }},
+        {"forEachWaypoint", 0.02,
+         [](project::Project&) {
+             return std::vector{
+                 step("forEachWaypoint", {{"group", "row"}, {"variable", "at"}},
+                      {step("moveL", {{"pose", "at"}, {"before", 0.05}}), step("moveL", {{"pose", "at"}})})};
+         }},
+        {"forEachPlace", 0.02,
+         [](project::Project& p) {
+             return std::vector{step(
+                 "forEachPlace", {{"pattern", idText(p.patterns.at(0).id)}, {"variable", "slot"}},
+                 {step("moveL", {{"pose", "slot"}, {"before", 0.05}}), step("moveL", {{"pose", "slot"}})})};
+         }},
+        {"if", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("if", {{"condition", "not DI2"}}, moves(p))};
+         }},
+        {"while", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("while", {{"condition", "not DI2"}}, moves(p))};
+         }},
+        {"switch", kLinear,
+         [](project::Project& p) {
+             return std::vector{
+                 step("switch", {{"value", "2 - 1"}},
+                      {step("case", {{"value", "1"}}, moves(p)), step("default", {}, {step("wait")})})};
+         }},
+        {"variables and notes", 0,
+         [](project::Project& p) {
+             return thenMoves(p, {step("assign", {{"variable", "count"}, {"type", "whole"}, {"value", "4"}}),
+                                  step("setRegister", {{"value", "count"}}),
+                                  step("log", {{"text", "count "}, {"value", "count"}}),
+                                  step("folder", {}, {step("comment", {{"text", "no move"}})}),
+                                  step("wait", {{"time", 0.1}})});
+         }},
+        {"message", 0,
+         [](project::Project& p) {
+             return thenMoves(p, {step("message", {{"text", "Check the part"}})});
+         }},
+        {"message without waiting", kLinear,
+         [](project::Project& p) {
+             return thenMoves(p, {step("message", {{"text", "Moving"}, {"waits", false}})});
+         }},
+        {"question", 0,
+         [](project::Project& p) {
+             return thenMoves(p, {step("question", {{"text", "How many?"}})});
+         }},
+        {"call", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("call", {{"program", callOf(p)}})};
+         }},
+        {"try", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("try", {}, moves(p)), step("onError", {}, {step("wait")})};
+         }},
+        {"on error", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("try", {}, {step("fail")}), step("onError", {}, moves(p))};
+         }},
+        {"script", kLinear,
+         [](project::Project& p) {
+             return thenMoves(
+                 p, {step("script",
+                          {{"text",
+                            "speedl([0.1, 0, 0, 0, 0, 0], 0.5, 0.8)\nspeedl([-0.1, 0, 0, 0, 0, 0], 0.5, "
+                            "0.8)"}})});
+         }},
+        {"script with a thread", kLinear,
+         [](project::Project& p) {
+             return thenMoves(
+                 p, {step("script", {{"text",
+                                      "thread mover():\n  while True:\n    speedl([0.1, 0, 0, 0, 0, 0], 0.5, "
+                                      "0.4)\n    speedl([-0.1, 0, 0, 0, 0, 0], 0.5, 0.4)\n  end\nend\n"
+                                      "mine = run mover()\njoin mine"}})});
+         }},
+        {"force", 0.02,
+         [](project::Project&) {
+             return std::vector{
+                 step("force", {{"axes", "base"}, {"force", 30}}, {step("wait", {{"time", 20}})})};
+         }},
+        {"moves in a force section", kLinear,
+         [](project::Project& p) {
+             return std::vector{step("force", {{"axes", "base"}, {"force", 5}}, moves(p))};
+         }},
+        {"tool, payload, frame and speed", kLinear,
+         [](project::Project& p) {
+             const QString payload = idText(p.tooling.payloads.at(0).id);
+             const QString frame = idText(p.frames.at(0).id);
+             return std::vector{
+                 step("payload", {{"payload", payload}}),
+                 step("frame", {{"frame", frame}}, {step("speed", {{"percent", 80}}, moves(p))})};
+         }},
+    };
+    return kCases;
+}
+
+/// The script of a program that switches kStartedOutput on and then repeats the steps, with a thread that watches an
+/// input.
+QString scriptOf(const ProgramCase& tested) {
+    project::Project project = sampleProject();
+    std::vector<project::ProgramStep> steps{moveTo(project, "moveJ", "home"),
+                                            step("setOutput", {{"output", kStartedOutput}})};
+    steps.push_back(step("watch", {{"condition", "DI5"}}, {step("setOutput", {{"output", 6}})}));
+    steps.push_back(step("loop", {{"times", 0}}, tested.steps(project)));
+    const project::Program program = makeProgram(tested.name, steps);
+    project.programs.append(program);
+    const ProgramScript script = writeScript(project, program.id);
+    for (const ProgramProblem& problem : script.problems) {
+        qWarning("%s: step %d: %s", tested.name, problem.number, qPrintable(problem.text));
+    }
+    return script.text;
+}
+
+/// A supervised script that runs in its own thread, as in an application.
+class Run {
+public:
+    ~Run() {
+        if (thread_.joinable()) {
+            thread_.join();
+        }
+    }
+    Error begin(ContractCell& cell, const QString& script) {
+        thread_ = std::thread([this, &cell, script] {
+            ScriptTerms terms;
+            terms.holding = Holding::Held;
+            terms.starting = [this](const Motion& motion) {
+                motion_ = motion;
+                isStarted_ = true;
+                return true;
+            };
+            outcome_ = Programs(*cell.controller).runScript(script, Deadline::never(), terms);
+            isEnded_ = true;
+        });
+        while (!isStarted_ && !isEnded_) {
+            cell.step();
+        }
+        cell.motion = motion_;
+        const std::uint64_t started = 1U << kStartedOutput;
+        for (double t = 0; (cell.robot.truth().digitalOutputs & started) == 0 && !isEnded_ && t < 20'000;
+             t += 1) {
+            (void)motion_.refresh();
+            cell.stepMs(1);
+        }
+        if ((cell.robot.truth().digitalOutputs & started) == 0) {
+            return isEnded_ && !outcome_ ? outcome_.error()
+                                         : Error{ErrorCode::Timeout, QStringLiteral("start the program"), {}};
+        }
+        return {};
+    }
+    bool isEnded() const { return isEnded_; }
+    const Result<void>& outcome() const { return outcome_; }
+
+private:
+    std::thread thread_;
+    std::atomic<bool> isStarted_ = false;
+    std::atomic<bool> isEnded_ = false;
+    Motion motion_;
+    Result<void> outcome_;
+};
+
+const std::vector<ContractEvent>& events() {
+    static const std::vector<ContractEvent> kAll = [] {
+        std::vector<ContractEvent> all{
+            {"button released", 250, [](ContractCell& c) { c.holding = false; }, {}}};
+        // A program that was paused when its process was killed moves for up to 100 ms when it is resumed on
+        // the pendant.
+        std::copy_if(contractEvents().begin(), contractEvents().end(), std::back_inserter(all),
+                     [](const ContractEvent& event) { return !event.losesBoth; });
+        for (ContractEvent& event : all) {
+            event.limitMs = 250;
+        }
+        return all;
+    }();
+    return kAll;
+}
+
+QString check(const ProgramCase& tested, const ContractEvent& event) {
+    const QString script = scriptOf(tested);
+    if (script.isEmpty()) {
+        return QStringLiteral("%1: the program has problems").arg(QLatin1String(tested.name));
+    }
+    Run run;
+    ContractCell cell({}, 1);
+    const ContractMotion motion{
+        .name = tested.name,
+        .needs = nullptr,
+        .byOperator = false,
+        .isLong = true,
+        .fast = tested.fast,
+        .begin = [&](ContractCell& c) { return run.begin(c, script); },
+        .hold = [](ContractCell& c) { (void)c.motion.refresh(); },
+    };
+    const ContractOutcome outcome = cell.run(motion, event);
+    cell.clock.freeze(false);
+    cell.robot.stop();
+    cell.controller->release();
+    return outcome.problem.isEmpty()
+               ? QString()
+               : QStringLiteral("%1 x %2: %3")
+                     .arg(QLatin1String(tested.name), QLatin1String(event.name), outcome.problem);
+}
+
+}  // namespace
+
+class TestProgramContract : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    // Every kind of step, each with another event in a partial run.
+    void everyStepEndsInTime_data() {
+        QTest::addColumn<int>("tested");
+        for (std::size_t i = 0; i < programCases().size(); ++i) {
+            QTest::newRow(programCases()[i].name) << static_cast<int>(i);
+        }
+    }
+    void everyStepEndsInTime() {
+        QFETCH(int, tested);
+        QStringList problems;
+        const std::size_t count = events().size();
+        const std::size_t first =
+            QRandomGenerator(kSeed).bounded(static_cast<quint32>(count)) + static_cast<std::size_t>(tested);
+        for (std::size_t i = 0; i < (runsAll ? count : 1); ++i) {
+            const QString problem =
+                check(programCases()[static_cast<std::size_t>(tested)], events()[(first + i) % count]);
+            if (!problem.isEmpty()) {
+                problems << problem;
+            }
+        }
+        QVERIFY2(problems.isEmpty(), qPrintable(problems.join(QLatin1Char('\n'))));
+    }
+
+    // Every event during a linear move.
+    void everyEventStopsALinearMove_data() {
+        QTest::addColumn<int>("event");
+        for (std::size_t i = 0; i < events().size(); ++i) {
+            QTest::newRow(events()[i].name) << static_cast<int>(i);
+        }
+    }
+    void everyEventStopsALinearMove() {
+        QFETCH(int, event);
+        const QString problem = check(programCases()[1], events()[static_cast<std::size_t>(event)]);
+        QVERIFY2(problem.isEmpty(), qPrintable(problem));
+    }
+};
+
+int main(int argc, char** argv) {
+    QCoreApplication app(argc, argv);
+    QStringList arguments = QCoreApplication::arguments();
+    runsAll = arguments.removeAll(QStringLiteral("--all")) > 0;
+    TestProgramContract test;
+    return QTest::qExec(&test, arguments);
+}
+
+#include "tst_program_contract.moc"

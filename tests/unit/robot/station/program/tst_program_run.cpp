@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: MIT
+//
+// Running a program of the project through a session, on the simulated controller in virtual time.
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include "program_samples.h"
+#include "robot/station/program/run/program_runner.h"
+#include "tests/support/virtual_cell.h"
+
+using namespace tiller;
+using namespace tiller::program;
+using namespace tiller::test;
+using control::Holding;
+using control::StopCause;
+
+namespace {
+
+constexpr int kLongMs = 60'000;
+constexpr double kStandstillTime = 0.25;  ///< the stop contract [s]
+
+bool isStill(const simulator::SimulatedState& state) {
+    return state.tcpSpeed.linear.norm() < 0.001 && state.qd.values.cwiseAbs().maxCoeff() < 0.001;
+}
+
+struct RunBench {
+    VirtualClock clock;
+    RobotSession session{clock};
+    VirtualCell cell{clock, session, [] {
+                         simulator::SimulatorOptions options = VirtualCell::options();
+                         options.startJoints = sampleProject().waypoints.at(0).joints;
+                         return options;
+                     }()};
+    ProgramRunner runner{session};
+    project::Project project = sampleProject();
+    QUuid program;
+    QList<int> steps;  ///< running steps in their order
+
+    RunBench() {
+        QObject::connect(&runner, &ProgramRunner::changed, &runner, [this] {
+            if (const int now = runner.log().step(); now > 0 && (steps.isEmpty() || steps.last() != now)) {
+                steps.append(now);
+            }
+        });
+    }
+    void setSteps(std::vector<project::ProgramStep> list) {
+        const project::Program made = makeProgram("Test", std::move(list));
+        project.programs.append(made);
+        program = made.id;
+    }
+    project::ProgramStep move(const char* waypoint) const {
+        return step("moveL", {{"waypoint", waypointId(project, waypoint)}});
+    }
+    project::ProgramStep endless() const {
+        return step("loop", {{"times", 0}}, {move("pick"), move("place")});
+    }
+    RunPlan plan() const { return planRun(project, program, session.state()); }
+    /// Keeps the run active in every refresh, like a held button.
+    void hold(RobotSession::MotionId id) {
+        cell.everyRefresh = [this, id] { (void)session.hold(id); };
+    }
+    bool begin(Holding holding) {
+        const auto begun = runner.start(plan(), holding);
+        if (!begun) {
+            qWarning("%s", qPrintable(begun.error().toString()));
+            return false;
+        }
+        if (holding == Holding::Held) {
+            hold(*begun);
+        }
+        return true;
+    }
+    bool reachStep(int step) {
+        return cell.advanceUntil([this, step] { return runner.log().step() == step; }, kLongMs);
+    }
+    bool reachMotion() {
+        return cell.advanceUntil([this] { return cell.truth().tcpSpeed.linear.norm() > 0.05; }, kLongMs);
+    }
+    /// Time from now to standstill [s]. Fails if the arm moves in the following second.
+    double standstill() {
+        const double from = cell.truth().timestamp;
+        double last = from;
+        for (int i = 0; i < 700; ++i) {
+            cell.advanceMs(2);
+            if (!isStill(cell.truth())) {
+                last = cell.truth().timestamp;
+            }
+        }
+        return last - from;
+    }
+    /// As standstill(), without waiting for packets, because none arrive.
+    double standstillWithoutLink() {
+        const double from = cell.truth().timestamp;
+        double last = from;
+        for (int i = 0; i < 350; ++i) {
+            clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+            if (!isStill(cell.truth())) {
+                last = cell.truth().timestamp;
+            }
+        }
+        return last - from;
+    }
+    /// As awaitEnd(), but in real time, because the threads of the connection are involved.
+    bool awaitEndWithoutLink() {
+        QElapsedTimer waited;
+        waited.start();
+        while (runner.state() != ProgramRunner::State::Ended && waited.elapsed() < kLongMs) {
+            clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+            QTest::qWait(1);
+            session.refresh();
+        }
+        return runner.state() == ProgramRunner::State::Ended && isStill(cell.truth());
+    }
+    bool awaitEnd() {
+        return cell.advanceUntil([this] { return runner.state() == ProgramRunner::State::Ended; }, kLongMs);
+    }
+};
+
+}  // namespace
+
+class TestProgramRun : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aProgramRunsToItsEnd() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick"), step("wait", {{"time", 0.2}}),
+                        step("loop", {{"times", 2}}, {bench.move("place"), bench.move("pick")})});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.runner.isActive());
+        QVERIFY(bench.session.state().programRuns);
+        QVERIFY2(bench.awaitEnd(), qPrintable(QString::number(int(bench.runner.state()))));
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QCOMPARE(bench.steps, (QList<int>{1, 2, 4, 5, 4, 5}));
+        const std::vector<StepTiming>& timings = bench.runner.log().timings();
+        QCOMPARE(timings[0].count, 1);
+        QCOMPARE(timings[1].count, 1);
+        QVERIFY(std::abs(timings[1].total - 0.2) < 0.02);
+        QCOMPARE(timings[3].count, 2);
+        QVERIFY(bench.runner.endText(bench.project).contains("ended after"));
+        // Control is back, and the arm can be moved.
+        QVERIFY(bench.session.state().canMove());
+        QVERIFY(!bench.session.state().programRuns);
+        const auto jog = bench.session.beginJog({.twist = Twist{{0, 0, 0.05}, {0, 0, 0}}});
+        QVERIFY2(jog.ok(), qPrintable(jog ? QString() : jog.error().toString()));
+        bench.session.endMotion(*jog, StopCause::Released);
+        // The next run begins with new counts.
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.log().timings()[3].count, 2);
+    }
+
+    void theWindowKeepsControlAndMovesNothingElse() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachMotion());
+        const SessionState& state = bench.session.state();
+        QCOMPARE(state.control, ControlState::InControl);
+        QVERIFY(state.keysStop());
+        QVERIFY(!state.hasForeignProgram());
+        QVERIFY(!state.canMove());
+        QVERIFY(!state.controlReason.isEmpty());
+        QVERIFY(!bench.session.beginJog({.twist = Twist{{0, 0, 0.05}, {0, 0, 0}}}).ok());
+        QVERIFY(!bench.runner.start(bench.plan(), Holding::Free).ok());
+        bench.runner.stop(StopCause::ApiCall);
+        QVERIFY(bench.awaitEnd());
+    }
+
+    void everyStopEndsARun_data() {
+        QTest::addColumn<Holding>("holding");
+        QTest::addColumn<QString>("stop");
+        for (const Holding holding : {Holding::Held, Holding::Free}) {
+            const auto row = [&](const char* stop) {
+                QTest::addRow("%s, %s", stop, holding == Holding::Held ? "held" : "free")
+                    << holding << QString::fromLatin1(stop);
+            };
+            for (const char* stop :
+                 {"stop key", "space", "escape", "device", "runner", "release control", "monitor only",
+                  "link lost", "half-open", "silence on", "protective stop", "disconnect"}) {
+                row(stop);
+            }
+            if (holding == Holding::Held) {
+                row("release");
+                row("hanging window");
+            }
+        }
+    }
+    void everyStopEndsARun() {
+        QFETCH(Holding, holding);
+        QFETCH(QString, stop);
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        QVERIFY(bench.begin(holding));
+        QVERIFY(bench.reachMotion());
+        bench.cell.advanceMs(100);
+        bool linked = true;
+        if (stop == "stop key") {
+            bench.session.stop(StopCause::StopButton);
+        } else if (stop == "space") {
+            bench.session.stop(StopCause::Space);
+        } else if (stop == "escape") {
+            bench.session.stop(StopCause::Escape);
+        } else if (stop == "device") {
+            bench.session.stop(StopCause::DeviceLost);
+        } else if (stop == "runner") {
+            bench.runner.stop(StopCause::WindowClosed);
+        } else if (stop == "release") {
+            bench.cell.everyRefresh = {};
+            bench.runner.stop(StopCause::Released);
+        } else if (stop == "hanging window") {
+            bench.cell.everyRefresh = {};
+            bench.cell.advanceWithFrozenInterface(300);
+            QVERIFY(isStill(bench.cell.truth()));
+        } else if (stop == "release control") {
+            bench.session.releaseControl();
+        } else if (stop == "monitor only") {
+            bench.session.setMonitorOnly(true);
+        } else if (stop == "protective stop") {
+            bench.cell.robot.protectiveStop();
+        } else if (stop == "disconnect") {
+            bench.session.disconnectFromRobot();
+        } else {
+            QVERIFY(bench.cell.robot.inject(stop).ok());
+            linked = false;
+        }
+        const double time = linked ? bench.standstill() : bench.standstillWithoutLink();
+        QVERIFY2(time <= kStandstillTime, qPrintable(QString::number(time)));
+        QVERIFY(isStill(bench.cell.truth()));
+        QVERIFY(linked ? bench.awaitEnd() : bench.awaitEndWithoutLink());
+        QVERIFY(bench.runner.end() == ProgramRunner::End::Stopped ||
+                bench.runner.end() == ProgramRunner::End::Failed);
+        QVERIFY2(bench.runner.endText(bench.project).contains("MoveL"),
+                 qPrintable(bench.runner.endText(bench.project)));
+        QVERIFY((linked ? bench.standstill() : bench.standstillWithoutLink()) == 0);
+        static const QStringList kKeepControl{"stop key", "space",   "escape",        "device",
+                                              "runner",   "release", "hanging window"};
+        QCOMPARE(bench.session.state().canMove(), kKeepControl.contains(stop));
+    }
+
+    // A program that waits must not move the arm after a stop.
+    void aStopEndsAWaitingProgram() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({step("wait", {{"time", 0.5}}), bench.endless()});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachStep(1));
+        bench.session.stop(StopCause::StopButton);
+        QVERIFY(bench.standstill() == 0);
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Stopped);
+        QVERIFY(bench.session.state().canMove());
+    }
+
+    // The button is released while the program is being sent.
+    void aReleaseBeforeTheStartPreventsTheRun() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        QVERIFY(bench.begin(Holding::Held));
+        bench.cell.everyRefresh = {};
+        bench.runner.stop(StopCause::Released);
+        QVERIFY(bench.standstill() == 0);
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Stopped);
+        QVERIFY2(bench.runner.endText(bench.project).contains("before the first step"),
+                 qPrintable(bench.runner.endText(bench.project)));
+        QVERIFY(bench.session.state().canMove());
+        QVERIFY(bench.begin(Holding::Held));
+        QVERIFY(bench.reachMotion());
+    }
+
+    // No motion starts if nothing has confirmed the button since the press.
+    void aHeldRunDoesNotStartWithoutRefresh() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        QVERIFY(bench.begin(Holding::Held));
+        bench.cell.everyRefresh = {};
+        bench.cell.advanceWithFrozenInterface(500);
+        // If the program started within 100 ms of the press, it has ended by now.
+        QVERIFY(isStill(bench.cell.truth()));
+        QVERIFY(bench.standstill() == 0);
+        QVERIFY(bench.awaitEnd());
+    }
+
+    void failingStepsAreNamed() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick"), step("fail", {{"text", "no part"}})});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::StepFailed);
+        QVERIFY2(bench.runner.endText(bench.project).contains("Step 2 (Fail)"),
+                 qPrintable(bench.runner.endText(bench.project)));
+    }
+
+    void scriptErrorsAreReported() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick"), step("script", {{"text", "unknown_function(1)"}})});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Failed);
+        QVERIFY2(bench.runner.endText(bench.project).contains("unknown_function"),
+                 qPrintable(bench.runner.endText(bench.project)));
+    }
+
+    void runsAreRefusedWithTheReason() {
+        RunBench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        QVERIFY(!bench.plan().obstacle.isEmpty());
+        QVERIFY(!bench.runner.start(bench.plan(), Holding::Held).ok());
+        QVERIFY(!bench.session.beginProgram("def p():\nend\n", Holding::Free, bench.session.stops()).ok());
+        bench.session.takeControl();
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.session.state().canMove(); }, kLongMs));
+        QCOMPARE(bench.plan().obstacle, QString());
+
+        project::Project other = bench.project;
+        other.robot = RobotModelId::UR10e;
+        const QString model = planRun(other, bench.program, bench.session.state()).obstacle;
+        QVERIFY2(model.contains("UR10e"), qPrintable(model));
+        other = bench.project;
+        for (int i = 0; i < other.waypoints.size(); ++i) {
+            project::Waypoint point = other.waypoints.at(i);
+            point.tcpOffset.position.z() += 0.1;
+            other.waypoints.replace(i, point);
+        }
+        const QString tcp = planRun(other, bench.program, bench.session.state()).obstacle;
+        QVERIFY2(tcp.contains("TCP"), qPrintable(tcp));
+        const QString wrong = planRun(other, QUuid::createUuid(), bench.session.state()).obstacle;
+        QVERIFY(!wrong.isEmpty());
+
+        collision::CellSurroundings cell;
+        cell.unplaced.push_back({"box", "table"});
+        bench.session.setSurroundings(cell);
+        const auto unplaced = bench.runner.start(bench.plan(), Holding::Held);
+        QVERIFY(!unplaced.ok());
+        QVERIFY2(unplaced.error().toString().contains("box"), qPrintable(unplaced.error().toString()));
+        bench.session.setSurroundings({});
+
+        bench.session.setProjectGuard([] { return QStringLiteral("another project"); });
+        QVERIFY(!bench.runner.start(bench.plan(), Holding::Held).ok());
+        bench.session.setProjectGuard([] { return QString(); });
+        QVERIFY(!bench.runner.isActive());
+        QVERIFY(bench.standstill() == 0);
+        QVERIFY(bench.session.state().canMove());
+    }
+
+    void runsWithoutAHeldButtonNeedAPreviewFromTheStart() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick"), bench.move("place")});
+        const RunPlan plan = bench.plan();
+        const auto why = [&](const Preview* preview, const QString& text) {
+            return obstacleWithoutHold(plan, bench.session.state(), preview, text);
+        };
+        QVERIFY(!why(nullptr, {}).isEmpty());
+        const ScriptOptions options = optionsFor(bench.project, bench.session.state());
+        PreviewOptions fromHere;
+        fromHere.start = bench.session.state().q;
+        Preview preview = previewProgram(bench.project, plan.script, options, fromHere);
+        QVERIFY(preview.isGood());
+        QCOMPARE(why(&preview, plan.script.text), QString());
+        QVERIFY(!why(&preview, "def other():\nend\n").isEmpty());
+        // The first waypoint is somewhere else.
+        const Preview elsewhere = previewProgram(bench.project, plan.script, options);
+        QVERIFY(why(&elsewhere, plan.script.text).contains("start position"));
+        preview.findings.push_back({Finding::Kind::Collision, 1, 0, "near"});
+        QVERIFY(!why(&preview, plan.script.text).isEmpty());
+    }
+
+    void slowedDurationFollowsTheLimits() {
+        Preview preview;
+        Pose there;
+        there.position.x() = 0.1;
+        preview.path = {{0, 1, {}, {}}, {0.5, 1, {}, there}, {2.5, 2, {}, there}};
+        QCOMPARE(slowedDuration(preview, {}, 1), 2.5);
+        QCOMPARE(slowedDuration(preview, {.tool = 0.05}, 1), 4.0);
+        QCOMPARE(slowedDuration(preview, {.tool = 0.05}, 0.5), 8.0);
+        preview.path[2].q = JointPositions(0.4, 0, 0, 0, 0, 0);
+        QCOMPARE(slowedDuration(preview, {.tool = 0.05, .joint = 0.1}, 1), 6.0);
+        QCOMPARE(slowedDuration({}, {}, 1), 0.0);
+    }
+
+    void speedLimitsSlowTheMoves() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick"), bench.move("place")});
+        const RunPlan plan =
+            planRun(bench.project, bench.program, bench.session.state(), {.tool = 0.02, .joint = 0.1});
+        QVERIFY2(plan.obstacle.isEmpty(), qPrintable(plan.obstacle));
+        const auto begun = bench.runner.start(plan, Holding::Held);
+        QVERIFY(begun.ok());
+        bench.hold(*begun);
+        double fastest = 0;
+        bench.cell.advanceUntil(
+            [&] {
+                fastest = std::max(fastest, bench.cell.truth().tcpSpeed.linear.norm());
+                return bench.runner.log().step() == 2;
+            },
+            kLongMs);
+        QVERIFY2(fastest > 0.015 && fastest < 0.021, qPrintable(QString::number(fastest)));
+    }
+};
+
+QTEST_MAIN(TestProgramRun)
+#include "tst_program_run.moc"

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The buttons that run a program in the Program tab, with the simulated controller in virtual time.
+
+#include <QApplication>
+#include <QPushButton>
+#include <QTest>
+
+#include "program_samples.h"
+#include "tests/support/virtual_cell.h"
+#include "widgets/common/elided_label.h"
+#include "widgets/hold/hold_to_run_button.h"
+#include "widgets/program/program_tab.h"
+#include "widgets/program/run_bar.h"
+#include "widgets/program/step_tree.h"
+#include "widgets/project/undoable_document.h"
+
+using namespace tiller;
+using namespace tiller::program;
+using namespace tiller::test;
+using control::StopCause;
+
+namespace {
+
+constexpr int kLongMs = 60'000;
+constexpr double kStandstillTime = 0.25;  ///< the stop contract [s]
+
+struct TabBench {
+    VirtualClock clock;
+    RobotSession session{clock};
+    VirtualCell cell{clock, session, [] {
+                         simulator::SimulatorOptions options = VirtualCell::options();
+                         options.startJoints = sampleProject().waypoints.at(0).joints;
+                         return options;
+                     }()};
+    HoldPolicy policy;
+    UndoableDocument document;
+    HeldSpeed speed{0.05, 0.26, 0.17};
+    ProgramTab tab{document};
+
+    TabBench() {
+        document.setProject(sampleProject());
+        setSteps({"pick", "place"});
+        tab.setRobot(session, policy, [this] { return speed; });
+        for (HoldToRunButton* key : {&hold(), &start()}) {
+            key->guard().setClock(clock);
+        }
+        cell.everyRefresh = [this] {
+            hold().guard().pump();
+            start().guard().pump();
+        };
+        tab.resize(900, 700);
+        tab.show();
+        tab.activateWindow();
+        if (!QTest::qWaitForWindowActive(&tab)) {
+            qFatal("the window did not become active");
+        }
+        QCoreApplication::processEvents();
+    }
+    void setSteps(const QStringList& waypoints) {
+        std::vector<project::ProgramStep> moves;
+        for (const QString& waypoint : waypoints) {
+            moves.push_back(step("moveL", {{"waypoint", waypointId(document.project(), waypoint)}}));
+        }
+        project::ProgramList programs;
+        programs.append(makeProgram("Test", std::move(moves)));
+        document.changePrograms(programs, "steps");
+        QCoreApplication::processEvents();
+    }
+    template <class Widget>
+    Widget& find(const char* name) const {
+        return *tab.findChild<Widget*>(QLatin1String(name));
+    }
+    HoldToRunButton& hold() const { return find<HoldToRunButton>("program.runHold"); }
+    HoldToRunButton& start() const { return find<HoldToRunButton>("program.moveToStart"); }
+    QPushButton& run() const { return find<QPushButton>("program.run"); }
+    QString status() const { return find<ElidedLabel>("program.status").fullText(); }
+    const ProgramRunner& runner() const { return find<RunBar>("program.runBar").runner(); }
+    void press(HoldToRunButton& key) { QTest::mousePress(&key, Qt::LeftButton); }
+    void release(HoldToRunButton& key) { QTest::mouseRelease(&key, Qt::LeftButton); }
+    double speedNow() const { return cell.truth().tcpSpeed.linear.norm(); }
+    bool isStill() const {
+        return speedNow() < 0.001 && cell.truth().qd.values.cwiseAbs().maxCoeff() < 0.001;
+    }
+    bool reachMotion() {
+        return cell.advanceUntil([this] { return speedNow() > 0.03; }, kLongMs);
+    }
+    bool awaitEnd() {
+        return cell.advanceUntil([this] { return runner().state() == ProgramRunner::State::Ended; }, kLongMs);
+    }
+    /// Time from now to standstill [s]. Includes a second in which the arm must not move again.
+    double standstill() {
+        const double from = cell.truth().timestamp;
+        double last = from;
+        for (int i = 0; i < 600; ++i) {
+            cell.advanceMs(2);
+            last = isStill() ? last : cell.truth().timestamp;
+        }
+        return last - from;
+    }
+    bool preview() {
+        find<QPushButton>("program.preview").click();
+        return QTest::qWaitFor([this] { return status().contains("Simulated: "); }, kLongMs);
+    }
+    bool moveToStart() {
+        press(start());
+        const bool arrived = cell.advanceUntil([this] { return !start().isHolding(); }, kLongMs);
+        release(start());
+        return arrived;
+    }
+    /// Text of the first column of a row.
+    QString row(int index) const {
+        const QAbstractItemModel& model = *find<StepTree>("program.tree").model();
+        return model.index(index, 0).data().toString();
+    }
+};
+
+}  // namespace
+
+class TestRunBar : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void buttonsGiveTheReason() {
+        TabBench bench;
+        QVERIFY(!bench.hold().isEnabled());
+        QVERIFY(!bench.hold().toolTip().isEmpty());
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY2(bench.hold().isEnabled(), qPrintable(bench.hold().toolTip()));
+        QVERIFY(bench.start().isEnabled());
+        QVERIFY(!bench.run().isEnabled());
+        QVERIFY2(bench.run().toolTip().contains("Preview"), qPrintable(bench.run().toolTip()));
+        project::ProgramList programs = bench.document.project().programs;
+        project::Program wrong = programs.at(0);
+        wrong.steps.push_back(step("moveL"));
+        programs.replace(0, wrong);
+        bench.document.changePrograms(programs, "wrong");
+        QCoreApplication::processEvents();
+        QVERIFY(!bench.hold().isEnabled());
+        QVERIFY2(bench.hold().toolTip().contains("waypoint"), qPrintable(bench.hold().toolTip()));
+    }
+
+    void aHeldRunEndsWithTheButton_data() {
+        QTest::addColumn<QString>("end");
+        for (const char* end : {"release", "pointer left", "tab hidden", "policy", "stop", "edit"}) {
+            QTest::newRow(end) << QString::fromLatin1(end);
+        }
+    }
+    void aHeldRunEndsWithTheButton() {
+        QFETCH(QString, end);
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        QVERIFY(bench.reachMotion());
+        QVERIFY(bench.hold().isConfirmed());
+        QVERIFY2(bench.row(0).startsWith(QStringLiteral("▶")), qPrintable(bench.row(0)));
+        QVERIFY2(bench.status().contains("step 1"), qPrintable(bench.status()));
+        if (end == "release") {
+            bench.release(bench.hold());
+        } else if (end == "pointer left") {
+            QTest::mouseMove(&bench.hold(), QPoint(5, -80));
+        } else if (end == "tab hidden") {
+            bench.tab.hide();
+        } else if (end == "policy") {
+            bench.policy.stop(StopCause::SelectionChanged);
+        } else if (end == "stop") {
+            bench.session.stop(StopCause::StopButton);
+        } else {
+            project::ProgramList programs = bench.document.project().programs;
+            programs.remove(0);
+            bench.document.changePrograms(programs, "remove");
+            QCoreApplication::processEvents();
+        }
+        const double time = bench.standstill();
+        QVERIFY2(time <= kStandstillTime, qPrintable(QString::number(time)));
+        QVERIFY(bench.awaitEnd());
+        QVERIFY(!bench.hold().isHolding());
+        QVERIFY2(bench.runner().end() == ProgramRunner::End::Stopped, qPrintable(bench.status()));
+        QVERIFY2(bench.status().contains("Stopped in step 1"), qPrintable(bench.status()));
+        if (end != "edit") {
+            QVERIFY2(!bench.row(0).startsWith(QStringLiteral("▶")), qPrintable(bench.row(0)));
+        }
+    }
+
+    void aHeldRunIsNoFasterThanTheJogSpeed() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY2(bench.hold().detail().contains("50"), qPrintable(bench.hold().detail()));
+        bench.speed.tcp = 0.02;
+        bench.tab.followSpeed();
+        QVERIFY2(bench.hold().detail().contains("20"), qPrintable(bench.hold().detail()));
+        bench.press(bench.hold());
+        double fastest = 0;
+        bench.cell.advanceUntil([&] { return fastest = std::max(fastest, bench.speedNow()), false; }, 3000);
+        QVERIFY2(fastest > 0.015 && fastest < 0.021, qPrintable(QString::number(fastest)));
+        bench.release(bench.hold());
+        QVERIFY(bench.awaitEnd());
+    }
+
+    void aHeldRunReachesItsEnd() {
+        TabBench bench;
+        bench.speed.tcp = 0.25;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
+        QVERIFY(!bench.hold().isHolding());
+        QVERIFY(bench.standstill() == 0);  // the button is still pressed
+        bench.release(bench.hold());
+        QVERIFY(bench.session.state().canMove());
+    }
+
+    void runNeedsAPreviewAndTheStartPosition() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.preview());
+        bench.cell.advanceMs(20);
+        QVERIFY(!bench.run().isEnabled());
+        QVERIFY2(bench.run().toolTip().contains("start position"), qPrintable(bench.run().toolTip()));
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        QVERIFY2(bench.run().isEnabled(), qPrintable(bench.run().toolTip()));
+        bench.run().click();
+        QVERIFY(bench.reachMotion());
+        QCOMPARE(bench.run().text(), QStringLiteral("Stop"));
+        QVERIFY(!bench.hold().isEnabled());
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
+        QCOMPARE(bench.run().text(), QStringLiteral("Run"));
+        // The arm is not at the start position any more.
+        QVERIFY(!bench.run().isEnabled());
+        // An edit makes the preview stale.
+        QVERIFY(bench.moveToStart());
+        bench.setSteps({"pick", "home"});
+        bench.cell.advanceMs(20);
+        QVERIFY(!bench.run().isEnabled());
+        QVERIFY2(bench.run().toolTip().contains("Preview"), qPrintable(bench.run().toolTip()));
+    }
+
+    void theButtonStopsARun() {
+        TabBench bench;
+        bench.setSteps({"pick", "place", "home", "pick"});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.preview());
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.run().click();
+        QVERIFY(bench.reachMotion());
+        bench.run().click();
+        const double time = bench.standstill();
+        QVERIFY2(time <= kStandstillTime, qPrintable(QString::number(time)));
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Stopped);
+        QVERIFY(bench.session.state().canMove());
+    }
+
+    void moveToStartEndsWithTheButton() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.start());
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.speedNow() > 0.02; }, kLongMs));
+        bench.release(bench.start());
+        QVERIFY(bench.standstill() <= kStandstillTime);
+        QVERIFY(!bench.start().isHolding());
+    }
+};
+
+QTEST_MAIN(TestRunBar)
+#include "tst_run_bar.moc"

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The buttons that run the program of the Program tab: "Run (hold)", "Move to start", and "Run", which also
+// stops a program that runs without a held button. The rules for held buttons are those of HoldRules.
+
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "robot/station/link/move_time.h"
+#include "robot/station/program/run/program_runner.h"
+
+class QPushButton;
+
+namespace tiller {
+
+class HoldToRunButton;
+class ProjectDocument;
+struct HoldPolicy;
+
+class RunBar : public QWidget {
+    Q_OBJECT
+
+public:
+    /// policy     the policy of the window
+    /// heldSpeed  returns the maximum speed of held motions
+    /// All references must outlive the bar.
+    RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument& document,
+           std::function<HeldSpeed()> heldSpeed, QWidget* parent = nullptr);
+    ~RunBar() override;
+
+    /// Sets the program, with its newest script for the connected robot. A different program ends a held run.
+    void setProgram(const QUuid& program, const program::ProgramScript& script);
+    /// Sets the preview of this script; empty: none.
+    void setPreview(const program::ProgramScript& script, const std::optional<program::Preview>& preview);
+    /// Updates the displayed speed.
+    void showSpeed();
+    const program::ProgramRunner& runner() const { return runner_; }
+    /// Ends a held motion, if any.
+    void stop(control::StopCause cause);
+
+Q_SIGNALS:
+    /// A press had no effect. The argument is the reason.
+    void refused(const QString& reason);
+    /// State or running step of the program have changed.
+    void runChanged();
+
+private:
+    program::SpeedLimits limits() const;
+    program::RunPlan plan(const program::SpeedLimits& limits) const;
+    JointPositions start() const;
+    MoveRequest moveToStart() const;
+    HoldMotion startMotion();
+    void runOrStop();
+    void follow(const SessionState& state);
+    QString programObstacle() const;
+    QString runObstacle() const;
+    void updateAvailability();
+    void showRun();
+
+    RobotSession& session_;
+    const ProjectDocument& document_;
+    std::function<HeldSpeed()> heldSpeed_;
+    program::ProgramRunner runner_;
+    bool isHeld_ = false;  ///< the current run needs a held button
+    QUuid program_;
+    program::ProgramScript script_;
+    program::ProgramScript previewed_;
+    std::optional<program::Preview> preview_;
+    MoveRequest startMove_;  ///< of the current "Move to start"
+    HoldToRunButton* hold_;
+    HoldToRunButton* start_;
+    QPushButton* run_;
+};
+
+}  // namespace tiller
