@@ -860,6 +860,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    if (session_->state().recording.active) {
+        session_->recording().stop();
+    }
     keepLayout();
     session_->disconnectFromRobot();
     QMainWindow::closeEvent(event);
@@ -893,7 +896,6 @@ void MainWindow::askToEndRecording() {
     question->setEscapeButton(keep);
     question->setModal(false);
     connect(end, &QPushButton::clicked, this, [this] {
-        session_->recording().stop();
         endsRecording_ = true;
         close();
     });

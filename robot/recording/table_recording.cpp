@@ -15,6 +15,8 @@ namespace tiller::recording {
 namespace {
 
 constexpr double kUsualPeriod = 0.002;  // [s]
+// A table in no order of time has a step back in every second row.
+constexpr std::size_t kMaxRestarts = 100;
 // Number of rows used to determine the usual interval.
 constexpr std::size_t kRowsForPeriod = 1000;
 
@@ -54,6 +56,8 @@ void TableRecording::findTimes() {
     }
     const std::vector<double>& stamps = table_.values[*axis];
     period_ = medianStep(stamps);
+    // Only the time stamps of a robot begin at zero when its controller restarts.
+    const bool isRobotTime = table_.columns[*axis].name == "timestamp";
     double shift = 0;
     double previous = 0;
     double last = 0;  // time stamp of the robot
@@ -66,8 +70,10 @@ void TableRecording::findTimes() {
                 first = false;
             } else if (stamps[i] + shift < previous) {
                 shift = previous + period_ - stamps[i];
-                events_.push_back({previous + period_, kRestartLevel, QLatin1String(kRestartSource),
-                                   restartText(last, stamps[i])});
+                if (isRobotTime && events_.size() < kMaxRestarts) {
+                    events_.push_back({previous + period_, kRestartLevel, QLatin1String(kRestartSource),
+                                       restartText(last, stamps[i])});
+                }
             }
             time = stamps[i] + shift;
             last = stamps[i];

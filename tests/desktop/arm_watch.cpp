@@ -105,7 +105,7 @@ bool ArmWatch::untilStanding(double seconds, double quiet) {
     return stood;
 }
 
-Standstill ArmWatch::standstill(double contract, double quiet) {
+Standstill ArmWatch::standstill(double contract, double quiet, const std::function<void()>& whileMoving) {
     Standstill result;
     std::optional<double> from;
     double lastMoved = 0;
@@ -116,6 +116,7 @@ Standstill ArmWatch::standstill(double contract, double quiet) {
         }
         if (isMoving(sample)) {
             lastMoved = now;
+            whileMoving();
         }
         return now - lastMoved >= quiet || now - *from >= kGoesOnAfter;
     });

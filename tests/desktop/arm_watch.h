@@ -46,7 +46,9 @@ public:
     bool untilStanding(double seconds, double quiet = kQuiet);
     /// Call this immediately after the release. Observes the arm until it has been at standstill for `quiet`.
     /// contract  permitted time until standstill [s]
-    Standstill standstill(double contract, double quiet = kQuiet);
+    /// whileMoving  called for each package with motion
+    Standstill standstill(
+        double contract, double quiet = kQuiet, const std::function<void()>& whileMoving = [] {});
     /// True if the arm does not move during this robot time [s].
     bool stays(double seconds);
 

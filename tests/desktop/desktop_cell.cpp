@@ -346,10 +346,13 @@ bool DesktopCell::armKeyboard() {
 
 Standstill DesktopCell::standstill(double contract) {
     const auto waited = [this] { return display_.withoutProcessor() + program_.withoutProcessor(); };
+    // The waiting time after the last package with motion has not delayed the stop. A process that has ended in the
+    // meantime has no statistics.
     const double before = waited();
-    Standstill result = arm_->standstill(contract);
-    // A process that has ended in the meantime has no statistics.
-    result.withoutProcessor = std::max(waited() - before, 0.0);
+    double most = before;
+    Standstill result =
+        arm_->standstill(contract, ArmWatch::kQuiet, [&] { most = std::max(most, waited()); });
+    result.withoutProcessor = most - before;
     if (result.verdict == Standstill::Verdict::Late && result.seconds - result.withoutProcessor <= contract) {
         result.verdict = Standstill::Verdict::Stood;
     }

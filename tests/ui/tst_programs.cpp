@@ -302,6 +302,9 @@ private Q_SLOTS:
         QVERIFY2(!key->isEnabled(), "the card does not know that the popup is being closed");
         window_->session().refresh();
         QVERIFY2(!close->isEnabled(), "the popup below would be closed too");
+        QVERIFY2(app::ActionTable::obstacleOf(*close).contains("being closed"),
+                 qPrintable(app::ActionTable::obstacleOf(*close)));
+        card->closeNewest();
         QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, 20'000);
         QTRY_VERIFY_WITH_TIMEOUT(!card->isVisible(), 20'000);
         // A popup that was opened before the connection is not known to the window.

@@ -172,9 +172,28 @@ private Q_SLOTS:
                                  60'000);
         QVERIFY(bench.window.isVisible() && active());
 
-        QVERIFY(!bench.window.close());
-        question = bench.window.findChild<QMessageBox*>("recordingQuestion");
-        QTest::mouseClick(question->findChild<QPushButton*>("recordingQuestion.end"), Qt::LeftButton);
+        const auto end = [&] {
+            QVERIFY(!bench.window.close());
+            question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+            QTest::mouseClick(question->findChild<QPushButton*>("recordingQuestion.end"), Qt::LeftButton);
+        };
+        // The answer "Cancel" to the question about the project keeps the window and the recording.
+        bench.window.document().insertWaypoints(0, {project::Waypoint()}, "Teach");
+        QTimer stay;
+        connect(&stay, &QTimer::timeout, &stay, [&] {
+            if (QWidget* open = QApplication::activeModalWidget()) {
+                stay.stop();
+                open->findChild<QPushButton*>("unsavedCopy.stay")->click();
+            }
+        });
+        stay.start(10);
+        end();
+        QTRY_VERIFY_WITH_TIMEOUT(!stay.isActive(), 60'000);
+        QVERIFY(bench.window.isVisible());
+        QVERIFY2(active(), "the recording ended although the window stays open");
+        bench.window.document().undo();
+
+        end();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.window.isVisible(), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!active(), 20'000);
         const auto table = recording::readCsv(path);

@@ -126,6 +126,21 @@ void ProjectFiles::keepBoth() {
     }
 }
 
+bool ProjectFiles::confirmsDiscard(const QString& name) {
+    QMessageBox question(QMessageBox::Warning, tr("Discard changes"),
+                         tr("The unsaved work in “%1” will be deleted. This cannot be undone.").arg(name),
+                         QMessageBox::NoButton, QApplication::activeWindow());
+    question.setObjectName(QStringLiteral("discardKept"));
+    QPushButton* drop = question.addButton(tr("Discard changes"), QMessageBox::DestructiveRole);
+    drop->setObjectName(QStringLiteral("discardKept.drop"));
+    QPushButton* keep = question.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    keep->setObjectName(QStringLiteral("discardKept.keep"));
+    question.setDefaultButton(keep);
+    question.setEscapeButton(keep);
+    question.exec();
+    return question.clickedButton() == drop;
+}
+
 void ProjectFiles::offerKept() {
     const QList<project::KeptCopy> kept = project::keptCopies(store_.copyFolder());
     if (kept.isEmpty()) {
@@ -153,7 +168,11 @@ void ProjectFiles::offerKept() {
                              },
                          .other = tr("Discard changes"),
                          .otherAccepted =
-                             [this, newest] {
+                             [this, newest, name] {
+                                 if (!confirmsDiscard(name)) {
+                                     offerKept();
+                                     return;
+                                 }
                                  project::CopyKeeper keeper(store_.copyFolder());
                                  keeper.adopt(newest);
                                  keeper.remove(0);

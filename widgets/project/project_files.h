@@ -59,6 +59,7 @@ private:
     void takeOver();
     void reload();
     void keepBoth();
+    static bool confirmsDiscard(const QString& name);
     /// Initial folder of the file dialogs: the folder of the current file, or the folder for projects.
     QString startingPlace() const;
 

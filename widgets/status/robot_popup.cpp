@@ -184,6 +184,9 @@ void RobotPopup::closeOnRobot() {
 }
 
 void RobotPopup::closeNewest() {
+    if (asked_) {
+        return;
+    }
     if (popups_.isEmpty() || refused_) {
         // Popups from before the connection are not known; after a refusal, this is another attempt.
         session_.services().perform(RobotCommand::ClosePopups);
@@ -193,6 +196,9 @@ void RobotPopup::closeNewest() {
 }
 
 QString RobotPopup::closeObstacle() const {
+    if (asked_) {
+        return tr("The popup is being closed.");
+    }
     return popups_.isEmpty() || isCloseEnabled() ? QString() : tr("Read the popup first.");
 }
 

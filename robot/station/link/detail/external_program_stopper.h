@@ -55,6 +55,9 @@ public:
         return request_.has_value();
     }  ///< A stop was requested and is not confirmed yet.
 
+    /// A stop, also one by the safety system, is being measured until standstill.
+    bool isMeasuring() const { return meter_.isMeasuring(); }
+
     enum class Outcome { None, Stopped, Failed };
     /// Measures the stop, also one by the safety system, and repeats the request if useful. Call once per frame with
     /// the samples of the frame.

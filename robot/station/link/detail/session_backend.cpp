@@ -73,9 +73,10 @@ void SessionBackend::read() {
     }
     state.monitorOnly = monitorOnly;
     if (state.isFresh()) {
-        // Stops of external programs are only measured if Tiller stopped the program.
+        // Stops of external programs are only measured if Tiller or the safety system stopped the program.
         const bool ours =
-            state.control == ControlState::InControl || (link->foreignStop && link->foreignStop->isPending());
+            state.control == ControlState::InControl ||
+            (link->foreignStop && (link->foreignStop->isPending() || link->foreignStop->isMeasuring()));
         movedBefore = state.motionActive || (state.moving && ours);
     }
     readLink();

@@ -21,6 +21,7 @@ private Q_SLOTS:
     void aLineOfUnits();
     void unitsInTheHeading();
     void aClockThatStartsAnewGoesOn();
+    void unsortedTablesHaveFewRestarts();
     void nonNumericCellsAreReported();
     void linesOfAnotherLengthAreOmittedAndReported();
     void unterminatedLastLineIsReported();
@@ -121,6 +122,18 @@ void TestCsvRecording::unitsInTheHeading() {
 void TestCsvRecording::aClockThatStartsAnewGoesOn() {
     const auto recording = open("timestamp,a\n100,1\n100.5,2\n101,3\n0,4\n0.5,5\n").value();
     QCOMPARE(recording->times({0, 5}).value(), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+}
+
+void TestCsvRecording::unsortedTablesHaveFewRestarts() {
+    const auto rows = [](const std::string& time) {
+        std::string text = time + ",value\n";
+        for (int i = 0; i < 2000; ++i) {
+            text += std::to_string(i % 2 == 0 ? 1000 + i : i) + ",1\n";
+        }
+        return text;
+    };
+    QVERIFY(open(rows("time")).value()->events().empty());
+    QVERIFY(open(rows("timestamp")).value()->events().size() <= 100);
 }
 
 void TestCsvRecording::nonNumericCellsAreReported() {

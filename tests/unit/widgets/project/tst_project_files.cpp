@@ -320,11 +320,22 @@ private Q_SLOTS:
         QVERIFY(notice_ && notice_->otherAccepted);
         QVERIFY(!notice_->other.isEmpty());
         const QString offered = project::keptCopies(folder).first().name;
-        const auto discard = notice_->otherAccepted;
-        discard();
+        {
+            const Answer answer("discardKept.keep");
+            const auto discard = notice_->otherAccepted;
+            discard();
+            QVERIFY2(answer.wasAsked(), "the only copy was deleted without a question");
+            QCOMPARE(project::keptCopies(folder).size(), 2);
+        }
+        {
+            const Answer answer("discardKept.drop");
+            const auto discard = notice_->otherAccepted;
+            discard();
+        }
         QCOMPARE(project::keptCopies(folder).size(), 1);
         QVERIFY2(project::keptCopies(folder).first().name != offered, "the other one was removed");
         QVERIFY2(notice_->text.contains(project::keptCopies(folder).first().name), qPrintable(notice_->text));
+        const Answer answer("discardKept.drop");
         const auto discardOther = notice_->otherAccepted;
         discardOther();
         QVERIFY(project::keptCopies(folder).isEmpty());
