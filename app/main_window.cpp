@@ -350,6 +350,7 @@ void MainWindow::connectParts() {
     connect(session_.get(), &RobotSession::message, this,
             [](Severity, const QString& text) { rememberForCrash(text); });
     connect(session_.get(), &RobotSession::takeControlQuestion, this, &MainWindow::askToTakeControl);
+    connect(session_.get(), &RobotSession::changeQuestion, this, &MainWindow::askToChange);
     connect(session_.get(), &RobotSession::powerOffQuestion, this, &MainWindow::askToPowerOff);
     connectFrames();
     connectTools();
@@ -984,6 +985,13 @@ void MainWindow::buildActions() {
 }
 
 void MainWindow::addProjectActions() {
+    actions_->add(
+        {"project.new", tr("New project…"), tr("Starts an empty project in a new file."), {}, [this] {
+             stopMotion(control::StopCause::DialogOpened);
+             if (files_->mayLeave(this)) {
+                 files_->askForNew(this);
+             }
+         }});
     actions_->add({"project.open", tr("Open project…"), tr("Opens waypoints and frames from a file."),
                    QKeySequence(QKeySequence::Open), [this] {
                        stopMotion(control::StopCause::DialogOpened);
@@ -1185,7 +1193,8 @@ void MainWindow::askForProgram() {
 }
 
 void MainWindow::askToEndProgram(const QString& name, const QString& title, const QString& effect,
-                                 const QString& accept, const std::function<void()>& accepted) {
+                                 const QString& accept, const QString& reject,
+                                 const std::function<void()>& accepted) {
     if (findChild<QMessageBox*>(name) != nullptr) {
         return;
     }
@@ -1209,7 +1218,7 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
     QPushButton* end = question->addButton(accept, QMessageBox::DestructiveRole);
     end->setObjectName(name + QStringLiteral(".take"));
     end->setAutoDefault(false);
-    QPushButton* keep = question->addButton(tr("Keep program"), QMessageBox::RejectRole);
+    QPushButton* keep = question->addButton(reject, QMessageBox::RejectRole);
     keep->setObjectName(name + QStringLiteral(".keep"));
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
@@ -1220,14 +1229,23 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
 void MainWindow::askToTakeControl() {
     askToEndProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
                     tr("Taking control stops the program. It cannot be resumed, only restarted."),
-                    tr("Stop program and take control"),
+                    tr("Stop program and take control"), tr("Keep program"),
                     [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
+}
+
+void MainWindow::askToChange(const QString& what, const std::function<void()>& change) {
+    askToEndProgram(QStringLiteral("changeQuestion"), what,
+                    tr("The change takes effect immediately and may disturb the program."),
+                    tr("Change anyway"), tr("Cancel"), [this, change] {
+                        session_->confirmChanges();
+                        change();
+                    });
 }
 
 void MainWindow::askToPowerOff() {
     askToEndProgram(QStringLiteral("powerOffQuestion"), commandText(RobotCommand::PowerOff),
                     tr("Powering off stops the program. It cannot be resumed, only restarted."),
-                    tr("Stop program and power off"),
+                    tr("Stop program and power off"), tr("Keep program"),
                     [this] { session_->services().perform(RobotCommand::PowerOff, true); });
 }
 

@@ -8,6 +8,7 @@
 #include <QMainWindow>
 #include <QMap>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -157,8 +158,9 @@ private:
     /// end the program.
     /// name  object name of the dialog
     void askToEndProgram(const QString& name, const QString& title, const QString& effect,
-                         const QString& accept, const std::function<void()>& accepted);
+                         const QString& accept, const QString& reject, const std::function<void()>& accepted);
     void askToTakeControl();
+    void askToChange(const QString& what, const std::function<void()>& change);
     void askToPowerOff();
     void askToEndRecording();
     void showSettings(bool atRecording = false);

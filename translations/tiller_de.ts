@@ -1149,10 +1149,6 @@
         <translation>Ellbogen an der Geschwindigkeitsgrenze von %1</translation>
     </message>
     <message>
-        <source>reduce sideways motion</source>
-        <translation>weniger seitwärts fahren</translation>
-    </message>
-    <message>
         <source>Rotation at the speed cap of %1</source>
         <translation>Drehung an der Grenze von %1</translation>
     </message>
@@ -2855,6 +2851,46 @@
         <source>“%1” must be between %2 and %3.</source>
         <translation>„%1“ muss zwischen %2 und %3 liegen.</translation>
     </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
+        <translation>Der TCP des Roboters weicht vom TCP der Wegpunkte des Programms ab.</translation>
+    </message>
+    <message>
+        <source>Preview the program first.</source>
+        <translation>Zeigen Sie zuerst die Vorschau des Programms an.</translation>
+    </message>
+    <message>
+        <source>The preview found problems.</source>
+        <translation>Die Vorschau hat Probleme gefunden.</translation>
+    </message>
+    <message>
+        <source>Move the arm to the start position first.</source>
+        <translation>Fahren Sie den Arm zuerst zur Startposition.</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>Ein Programm läuft.</translation>
+    </message>
+    <message>
+        <source>The program ended after %1 s.</source>
+        <translation>Das Programm endete nach %1 s.</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) failed and ended the program.</source>
+        <translation>Schritt %1 (%2) ist fehlgeschlagen und hat das Programm beendet.</translation>
+    </message>
+    <message>
+        <source>Stopped in step %1 (%2): %3</source>
+        <translation>Angehalten in Schritt %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>Stopped before the first step: %1</source>
+        <translation>Vor dem ersten Schritt angehalten: %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -4179,10 +4215,6 @@
         <translation>Dialog oder Menü geöffnet</translation>
     </message>
     <message>
-        <source>selection changed</source>
-        <translation>Auswahl geändert</translation>
-    </message>
-    <message>
         <source>second button</source>
         <translation>zweite Maustaste</translation>
     </message>
@@ -4209,10 +4241,6 @@
     <message>
         <source>robot or safety mode changed</source>
         <translation>Roboter- oder Sicherheitsmodus geändert</translation>
-    </message>
-    <message>
-        <source>input not refreshed in time</source>
-        <translation>Eingabe nicht rechtzeitig erneuert</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -4305,6 +4333,14 @@
     <message>
         <source>The control connection does not respond.</source>
         <translation>Die Steuerverbindung antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>selection or modifier key changed</source>
+        <translation>Auswahl oder Zusatztaste geändert</translation>
+    </message>
+    <message>
+        <source>this PC was too busy</source>
+        <translation>dieser PC war überlastet</translation>
     </message>
 </context>
 <context>
@@ -6228,6 +6264,10 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <source>Last stop: not measured (data lost)</source>
         <translation>Letzter Stopp: nicht gemessen (Daten fehlen)</translation>
     </message>
+    <message>
+        <source>Press for one step</source>
+        <translation>Drücken: ein Schritt</translation>
+    </message>
 </context>
 <context>
     <name>tiller::JogKey</name>
@@ -6364,6 +6404,14 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
     <message>
         <source>Contact force that ends the motion, in N</source>
         <translation>Kontaktkraft in N, bei der die Bewegung endet</translation>
+    </message>
+    <message>
+        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <translation>Der Schritt läuft nach dem Loslassen weiter. Leertaste, Esc und STOP beenden ihn.</translation>
+    </message>
+    <message>
+        <source>Hold the button until the step is complete.</source>
+        <translation>Halten Sie die Taste gedrückt, bis der Schritt beendet ist.</translation>
     </message>
 </context>
 <context>
@@ -6761,6 +6809,10 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <source>○ Path</source>
         <translation>○ Bahn</translation>
     </message>
+    <message>
+        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <translation>Die Bahn des Arms wird aufgezeichnet. Wählen Sie „Bahnaufzeichnung beenden“, um sie zu beenden.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PathRecorder</name>
@@ -6944,6 +6996,10 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
             <numerusform>%n davon sind außer Reichweite und markiert.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <translation>Die drei Ecken liegen auf einer Geraden. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
@@ -7107,12 +7163,6 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
     <message>
         <source>Payloads</source>
         <translation>Nutzlasten</translation>
-    </message>
-    <message>
-        <source>No payloads yet.
-Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
-        <translation>Noch keine Nutzlasten.
-Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Messen…“, um sie mit dem Arm zu messen.</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -7297,6 +7347,12 @@ Drücken Sie „Vom Roboter“, um die aktive Nutzlast zu speichern, oder „Mes
     <message>
         <source>Set “%1” on the robot</source>
         <translation>„%1“ am Roboter setzen</translation>
+    </message>
+    <message>
+        <source>No payloads yet.
+Press Measure… to measure the payload with the arm.</source>
+        <translation>Noch keine Nutzlasten.
+Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translation>
     </message>
 </context>
 <context>
@@ -8385,6 +8441,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Check</source>
         <translation>Prüfung</translation>
     </message>
+    <message>
+        <source>%1, running</source>
+        <translation>%1, läuft</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8558,6 +8618,22 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Exported to %1</source>
         <translation>Exportiert nach %1</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Startet…</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2)</source>
+        <translation>Schritt %1 (%2) läuft</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Hält an…</translation>
     </message>
 </context>
 <context>
@@ -8734,6 +8810,18 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
         <translation>Nicht lesbare Quader und Ebenen der Zelle: %1. Kollisionen mit ihnen werden nicht verhindert.</translation>
+    </message>
+    <message>
+        <source>The unsaved work in “%1” will be deleted. This cannot be undone.</source>
+        <translation>Die nicht gespeicherte Arbeit in „%1“ wird gelöscht. Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Neues Projekt</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose another name for the new project.</source>
+        <translation>%1 existiert bereits. Wählen Sie einen anderen Namen für das neue Projekt.</translation>
     </message>
 </context>
 <context>
@@ -9051,6 +9139,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Read the popup first.</source>
         <translation>Lesen Sie zuerst die Meldung des Roboters.</translation>
     </message>
+    <message>
+        <source>The popup is being closed.</source>
+        <translation>Das Popup wird gerade geschlossen.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotSession</name>
@@ -9156,6 +9248,30 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Moves are refused. %1.</source>
         <translation>Bewegungen werden abgelehnt. %1.</translation>
+    </message>
+    <message>
+        <source>No data from the robot: the arm may be moving. Reconnecting automatically.</source>
+        <translation>Keine Daten vom Roboter: Der Arm bewegt sich möglicherweise. Die Verbindung wird automatisch wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>Ein Programm läuft.</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <translation>Ein Programm eines anderen Clients hat den Roboter übernommen. Übernehmen der Steuerung beendet es.</translation>
+    </message>
+    <message>
+        <source>The program of the other client is stopped to take control.</source>
+        <translation>Das Programm des anderen Clients wird beendet, um die Steuerung zu übernehmen.</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Control was lost.</source>
+        <translation>Ein Programm eines anderen Clients hat den Roboter übernommen. Die Steuerung ging verloren.</translation>
+    </message>
+    <message>
+        <source>A program of another client is running on the robot.</source>
+        <translation>Auf dem Roboter läuft ein Programm eines anderen Clients.</translation>
     </message>
 </context>
 <context>
@@ -9278,6 +9394,53 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Eine Schleife benötigt mindestens zwei Wegpunkte. Wählen Sie weitere Wegpunkte oder schalten Sie die Schleife aus.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RunBar</name>
+    <message>
+        <source>Run (hold)</source>
+        <translation>Starten (halten)</translation>
+    </message>
+    <message>
+        <source>Run the program, hold</source>
+        <translation>Programm ausführen, halten</translation>
+    </message>
+    <message>
+        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>Führt das Programm von Anfang an aus, solange die Taste gehalten wird, höchstens mit der Jog-Geschwindigkeit. Beim Loslassen endet das Programm.</translation>
+    </message>
+    <message>
+        <source>To start (hold)</source>
+        <translation>Zum Start (halten)</translation>
+    </message>
+    <message>
+        <source>Move to the start position, hold</source>
+        <translation>Zur Startposition fahren, halten</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position of the program while the button is held</source>
+        <translation>Fährt alle Gelenke zur Startposition des Programms, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>There is no program to run.</source>
+        <translation>Es gibt kein Programm zum Ausführen.</translation>
+    </message>
+    <message>
+        <source>Stops the program</source>
+        <translation>Hält das Programm an</translation>
+    </message>
+    <message>
+        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>Führt das Programm mit seiner eigenen Geschwindigkeit aus, bis es endet oder angehalten wird. Der Arm stoppt auch, wenn Tiller geschlossen wird oder die Verbindung abbricht.</translation>
     </message>
 </context>
 <context>
@@ -11655,6 +11818,26 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Keep recording</source>
         <translation>Weiter aufzeichnen</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>Neues Projekt…</translation>
+    </message>
+    <message>
+        <source>Starts an empty project in a new file.</source>
+        <translation>Beginnt ein leeres Projekt in einer neuen Datei.</translation>
+    </message>
+    <message>
+        <source>The change takes effect immediately and may disturb the program.</source>
+        <translation>Die Änderung wirkt sofort und kann das Programm stören.</translation>
+    </message>
+    <message>
+        <source>Change anyway</source>
+        <translation>Trotzdem ändern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>

@@ -1149,10 +1149,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>reduce sideways motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rotation at the speed cap of %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2855,6 +2851,46 @@
         <source>“%1” must be between %2 and %3.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preview the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preview found problems.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the arm to the start position first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program ended after %1 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) failed and ended the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped in step %1 (%2): %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped before the first step: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -4179,10 +4215,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>selection changed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>second button</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4208,10 +4240,6 @@
     </message>
     <message>
         <source>robot or safety mode changed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>input not refreshed in time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4304,6 +4332,14 @@
     </message>
     <message>
         <source>The control connection does not respond.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>selection or modifier key changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this PC was too busy</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6222,6 +6258,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>Last stop: not measured (data lost)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Press for one step</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::JogKey</name>
@@ -6357,6 +6397,14 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>Angle in degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the button until the step is complete.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6755,6 +6803,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>○ Path</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PathRecorder</name>
@@ -6938,6 +6990,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
             <numerusform>%n of them are out of reach and marked.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
@@ -7100,11 +7156,6 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     </message>
     <message>
         <source>Payloads</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No payloads yet.
-Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7289,6 +7340,11 @@ Press From robot to store the active payload, or Measure… to measure it with t
     </message>
     <message>
         <source>Set “%1” on the robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No payloads yet.
+Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8373,6 +8429,10 @@ Release the button to stop the arm.</source>
         <source>Check</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, running</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8545,6 +8605,22 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Exported to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8721,6 +8797,18 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unsaved work in “%1” will be deleted. This cannot be undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose another name for the new project.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9039,6 +9127,10 @@ Release the button to stop the arm.</source>
         <source>Read the popup first.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The popup is being closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotSession</name>
@@ -9143,6 +9235,30 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Moves are refused. %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data from the robot: the arm may be moving. Reconnecting automatically.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program of the other client is stopped to take control.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Control was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A program of another client is running on the robot.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9265,6 +9381,53 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RunBar</name>
+    <message>
+        <source>Run (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the program, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To start (hold)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move to the start position, hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position of the program while the button is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no program to run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11639,6 +11802,26 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Keep recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts an empty project in a new file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The change takes effect immediately and may disturb the program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

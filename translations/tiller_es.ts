@@ -1149,10 +1149,6 @@
         <translation>Codo en el límite de velocidad de %1</translation>
     </message>
     <message>
-        <source>reduce sideways motion</source>
-        <translation>reduzca el movimiento lateral</translation>
-    </message>
-    <message>
         <source>Rotation at the speed cap of %1</source>
         <translation>Giro en el límite de %1</translation>
     </message>
@@ -2855,6 +2851,46 @@
         <source>“%1” must be between %2 and %3.</source>
         <translation>«%1» debe estar entre %2 y %3.</translation>
     </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Paso %1: %2</translation>
+    </message>
+    <message>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
+        <translation>El TCP del robot difiere del TCP de los puntos de paso del programa.</translation>
+    </message>
+    <message>
+        <source>Preview the program first.</source>
+        <translation>Obtenga primero una vista previa del programa.</translation>
+    </message>
+    <message>
+        <source>The preview found problems.</source>
+        <translation>La vista previa encontró problemas.</translation>
+    </message>
+    <message>
+        <source>Move the arm to the start position first.</source>
+        <translation>Mueva primero el brazo a la posición inicial.</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>Se está ejecutando un programa.</translation>
+    </message>
+    <message>
+        <source>The program ended after %1 s.</source>
+        <translation>El programa terminó tras %1 s.</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) failed and ended the program.</source>
+        <translation>El paso %1 (%2) falló y terminó el programa.</translation>
+    </message>
+    <message>
+        <source>Stopped in step %1 (%2): %3</source>
+        <translation>Parada en el paso %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>Stopped before the first step: %1</source>
+        <translation>Parada antes del primer paso: %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -4179,10 +4215,6 @@
         <translation>se abrió un diálogo o menú</translation>
     </message>
     <message>
-        <source>selection changed</source>
-        <translation>cambió la selección</translation>
-    </message>
-    <message>
         <source>second button</source>
         <translation>segundo botón</translation>
     </message>
@@ -4209,10 +4241,6 @@
     <message>
         <source>robot or safety mode changed</source>
         <translation>cambió el modo del robot o de seguridad</translation>
-    </message>
-    <message>
-        <source>input not refreshed in time</source>
-        <translation>entrada no renovada a tiempo</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -4305,6 +4333,14 @@
     <message>
         <source>The control connection does not respond.</source>
         <translation>La conexión de control no responde.</translation>
+    </message>
+    <message>
+        <source>selection or modifier key changed</source>
+        <translation>cambió la selección o una tecla modificadora</translation>
+    </message>
+    <message>
+        <source>this PC was too busy</source>
+        <translation>este PC estaba sobrecargado</translation>
     </message>
 </context>
 <context>
@@ -6228,6 +6264,10 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <source>Last stop: not measured (data lost)</source>
         <translation>Última parada: no medida (sin datos)</translation>
     </message>
+    <message>
+        <source>Press for one step</source>
+        <translation>Pulsar: un paso</translation>
+    </message>
 </context>
 <context>
     <name>tiller::JogKey</name>
@@ -6364,6 +6404,14 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
     <message>
         <source>Contact force that ends the motion, in N</source>
         <translation>Fuerza de contacto en N que termina el movimiento</translation>
+    </message>
+    <message>
+        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <translation>El paso continúa al soltar. Espacio, Esc y STOP lo terminan.</translation>
+    </message>
+    <message>
+        <source>Hold the button until the step is complete.</source>
+        <translation>Mantenga pulsado el botón hasta completar el paso.</translation>
     </message>
 </context>
 <context>
@@ -6761,6 +6809,10 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <source>○ Path</source>
         <translation>○ Ruta</translation>
     </message>
+    <message>
+        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <translation>Se está grabando la trayectoria del brazo. Seleccione el mismo comando para terminar.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PathRecorder</name>
@@ -6944,6 +6996,10 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
             <numerusform>%n de ellas están fuera de alcance y marcadas.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <translation>Las tres esquinas están en una recta. Seleccione otro punto de paso para una de ellas.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
@@ -7107,12 +7163,6 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
     <message>
         <source>Payloads</source>
         <translation>Cargas útiles</translation>
-    </message>
-    <message>
-        <source>No payloads yet.
-Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
-        <translation>Aún no hay cargas útiles.
-Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medirla con el brazo.</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -7297,6 +7347,12 @@ Pulse «Del robot» para guardar la carga útil activa, o «Medir…» para medi
     <message>
         <source>Set “%1” on the robot</source>
         <translation>Fijar «%1» en el robot</translation>
+    </message>
+    <message>
+        <source>No payloads yet.
+Press Measure… to measure the payload with the arm.</source>
+        <translation>Aún no hay cargas.
+Pulse Medir… para medir la carga con el brazo.</translation>
     </message>
 </context>
 <context>
@@ -8385,6 +8441,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>Check</source>
         <translation>Comprobación</translation>
     </message>
+    <message>
+        <source>%1, running</source>
+        <translation>%1, en ejecución</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8558,6 +8618,22 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Exported to %1</source>
         <translation>Exportado a %1</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Iniciando…</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2)</source>
+        <translation>Ejecutando el paso %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En ejecución</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Parando…</translation>
     </message>
 </context>
 <context>
@@ -8734,6 +8810,18 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
         <translation>Cajas y planos ilegibles de la celda: %1. No se evitan colisiones con ellos.</translation>
+    </message>
+    <message>
+        <source>The unsaved work in “%1” will be deleted. This cannot be undone.</source>
+        <translation>Se eliminará el trabajo no guardado de «%1». No se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Proyecto nuevo</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose another name for the new project.</source>
+        <translation>%1 ya existe. Elija otro nombre para el proyecto nuevo.</translation>
     </message>
 </context>
 <context>
@@ -9051,6 +9139,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>Read the popup first.</source>
         <translation>Lea primero el mensaje emergente.</translation>
     </message>
+    <message>
+        <source>The popup is being closed.</source>
+        <translation>Se está cerrando el mensaje emergente.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotSession</name>
@@ -9156,6 +9248,30 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Moves are refused. %1.</source>
         <translation>Los movimientos se rechazan. %1.</translation>
+    </message>
+    <message>
+        <source>No data from the robot: the arm may be moving. Reconnecting automatically.</source>
+        <translation>Sin datos del robot: el brazo puede estar en movimiento. Se reconecta automáticamente.</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>Se está ejecutando un programa.</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <translation>Un programa de otro cliente se ha hecho con el robot. Tomar el control lo termina.</translation>
+    </message>
+    <message>
+        <source>The program of the other client is stopped to take control.</source>
+        <translation>Se detiene el programa del otro cliente para tomar el control.</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Control was lost.</source>
+        <translation>Un programa de otro cliente se ha hecho con el robot. Se perdió el control.</translation>
+    </message>
+    <message>
+        <source>A program of another client is running on the robot.</source>
+        <translation>En el robot se ejecuta un programa de otro cliente.</translation>
     </message>
 </context>
 <context>
@@ -9278,6 +9394,53 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Un bucle necesita al menos dos puntos de paso. Seleccione más puntos o desactive el bucle.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RunBar</name>
+    <message>
+        <source>Run (hold)</source>
+        <translation>Ejecutar (mantener)</translation>
+    </message>
+    <message>
+        <source>Run the program, hold</source>
+        <translation>Ejecutar el programa, mantener</translation>
+    </message>
+    <message>
+        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>Ejecuta el programa desde el principio mientras se mantiene el botón, sin superar la velocidad de jog. El programa termina al soltar el botón.</translation>
+    </message>
+    <message>
+        <source>To start (hold)</source>
+        <translation>Al inicio (mantener)</translation>
+    </message>
+    <message>
+        <source>Move to the start position, hold</source>
+        <translation>Mover a la posición inicial, mantener</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position of the program while the button is held</source>
+        <translation>Mueve todas las articulaciones a la posición inicial del programa mientras se mantiene el botón</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ejecutar</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>There is no program to run.</source>
+        <translation>No hay ningún programa que ejecutar.</translation>
+    </message>
+    <message>
+        <source>Stops the program</source>
+        <translation>Para el programa</translation>
+    </message>
+    <message>
+        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>Ejecuta el programa a su velocidad hasta que termine o se pare. El brazo también se para si se cierra Tiller o se pierde la conexión.</translation>
     </message>
 </context>
 <context>
@@ -11655,6 +11818,26 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Keep recording</source>
         <translation>Seguir grabando</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>Proyecto nuevo…</translation>
+    </message>
+    <message>
+        <source>Starts an empty project in a new file.</source>
+        <translation>Inicia un proyecto vacío en un archivo nuevo.</translation>
+    </message>
+    <message>
+        <source>The change takes effect immediately and may disturb the program.</source>
+        <translation>El cambio tiene efecto inmediato y puede perturbar el programa.</translation>
+    </message>
+    <message>
+        <source>Change anyway</source>
+        <translation>Cambiar de todos modos</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>

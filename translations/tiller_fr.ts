@@ -1149,10 +1149,6 @@
         <translation>Coude au plafond de vitesse de %1</translation>
     </message>
     <message>
-        <source>reduce sideways motion</source>
-        <translation>réduisez le mouvement latéral</translation>
-    </message>
-    <message>
         <source>Rotation at the speed cap of %1</source>
         <translation>Rotation au plafond de %1</translation>
     </message>
@@ -2855,6 +2851,46 @@
         <source>“%1” must be between %2 and %3.</source>
         <translation>« %1 » doit être compris entre %2 et %3.</translation>
     </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>Étape %1 : %2</translation>
+    </message>
+    <message>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
+        <translation>Le TCP du robot diffère du TCP des points de passage du programme.</translation>
+    </message>
+    <message>
+        <source>Preview the program first.</source>
+        <translation>Affichez d&apos;abord l&apos;aperçu du programme.</translation>
+    </message>
+    <message>
+        <source>The preview found problems.</source>
+        <translation>L&apos;aperçu a trouvé des problèmes.</translation>
+    </message>
+    <message>
+        <source>Move the arm to the start position first.</source>
+        <translation>Déplacez d&apos;abord le bras à la position de départ.</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>Un programme est en cours d&apos;exécution.</translation>
+    </message>
+    <message>
+        <source>The program ended after %1 s.</source>
+        <translation>Le programme s&apos;est terminé après %1 s.</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) failed and ended the program.</source>
+        <translation>L&apos;étape %1 (%2) a échoué et a terminé le programme.</translation>
+    </message>
+    <message>
+        <source>Stopped in step %1 (%2): %3</source>
+        <translation>Arrêt à l&apos;étape %1 (%2) : %3</translation>
+    </message>
+    <message>
+        <source>Stopped before the first step: %1</source>
+        <translation>Arrêt avant la première étape : %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -4179,10 +4215,6 @@
         <translation>un dialogue ou menu s’est ouvert</translation>
     </message>
     <message>
-        <source>selection changed</source>
-        <translation>choix changé</translation>
-    </message>
-    <message>
         <source>second button</source>
         <translation>second bouton</translation>
     </message>
@@ -4209,10 +4241,6 @@
     <message>
         <source>robot or safety mode changed</source>
         <translation>mode du robot ou de sécurité changé</translation>
-    </message>
-    <message>
-        <source>input not refreshed in time</source>
-        <translation>entrée non renouvelée à temps</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -4305,6 +4333,14 @@
     <message>
         <source>The control connection does not respond.</source>
         <translation>La connexion de commande ne répond pas.</translation>
+    </message>
+    <message>
+        <source>selection or modifier key changed</source>
+        <translation>sélection ou touche de modification changée</translation>
+    </message>
+    <message>
+        <source>this PC was too busy</source>
+        <translation>ce PC était surchargé</translation>
     </message>
 </context>
 <context>
@@ -6228,6 +6264,10 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <source>Last stop: not measured (data lost)</source>
         <translation>Dernier arrêt : non mesuré (données perdues)</translation>
     </message>
+    <message>
+        <source>Press for one step</source>
+        <translation>Appui : un pas</translation>
+    </message>
 </context>
 <context>
     <name>tiller::JogKey</name>
@@ -6364,6 +6404,14 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
     <message>
         <source>Contact force that ends the motion, in N</source>
         <translation>Force de contact en N qui termine le mouvement</translation>
+    </message>
+    <message>
+        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <translation>Le pas continue après le relâchement. Espace, Échap et STOP l&apos;arrêtent.</translation>
+    </message>
+    <message>
+        <source>Hold the button until the step is complete.</source>
+        <translation>Maintenez le bouton jusqu&apos;à la fin du pas.</translation>
     </message>
 </context>
 <context>
@@ -6761,6 +6809,10 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <source>○ Path</source>
         <translation>○ Trajet</translation>
     </message>
+    <message>
+        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <translation>La trajectoire du bras est enregistrée. Sélectionnez la même commande pour terminer.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PathRecorder</name>
@@ -6944,6 +6996,10 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
             <numerusform>%n d’entre eux sont hors de portée et marqués.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <translation>Les trois coins sont alignés. Sélectionnez un autre point de passage pour l&apos;un d&apos;eux.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
@@ -7107,12 +7163,6 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
     <message>
         <source>Payloads</source>
         <translation>Charges utiles</translation>
-    </message>
-    <message>
-        <source>No payloads yet.
-Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
-        <translation>Pas encore de charges utiles.
-Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer… » pour la mesurer avec le bras.</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -7297,6 +7347,12 @@ Appuyez sur « Du robot » pour garder la charge utile active, ou sur « Mesurer
     <message>
         <source>Set “%1” on the robot</source>
         <translation>Régler « %1 » sur le robot</translation>
+    </message>
+    <message>
+        <source>No payloads yet.
+Press Measure… to measure the payload with the arm.</source>
+        <translation>Aucune charge.
+Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     </message>
 </context>
 <context>
@@ -8385,6 +8441,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Check</source>
         <translation>Contrôle</translation>
     </message>
+    <message>
+        <source>%1, running</source>
+        <translation>%1, en cours</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8558,6 +8618,22 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Exported to %1</source>
         <translation>Exporté vers %1</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Démarrage…</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2)</source>
+        <translation>Étape %1 (%2) en cours</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>Arrêt…</translation>
     </message>
 </context>
 <context>
@@ -8734,6 +8810,18 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
         <translation>Boîtes et plans illisibles de la cellule : %1. Les collisions avec eux ne sont pas évitées.</translation>
+    </message>
+    <message>
+        <source>The unsaved work in “%1” will be deleted. This cannot be undone.</source>
+        <translation>Le travail non enregistré de « %1 » sera supprimé. Cette action est irréversible.</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>Nouveau projet</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose another name for the new project.</source>
+        <translation>%1 existe déjà. Choisissez un autre nom pour le nouveau projet.</translation>
     </message>
 </context>
 <context>
@@ -9051,6 +9139,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Read the popup first.</source>
         <translation>Lisez d’abord le message.</translation>
     </message>
+    <message>
+        <source>The popup is being closed.</source>
+        <translation>La fenêtre contextuelle est en cours de fermeture.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotSession</name>
@@ -9156,6 +9248,30 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Moves are refused. %1.</source>
         <translation>Les mouvements sont refusés. %1.</translation>
+    </message>
+    <message>
+        <source>No data from the robot: the arm may be moving. Reconnecting automatically.</source>
+        <translation>Aucune donnée du robot : le bras peut être en mouvement. Reconnexion automatique.</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>Un programme est en cours d&apos;exécution.</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <translation>Un programme d&apos;un autre client a pris le robot. Prendre le contrôle y met fin.</translation>
+    </message>
+    <message>
+        <source>The program of the other client is stopped to take control.</source>
+        <translation>Le programme de l&apos;autre client est arrêté pour prendre le contrôle.</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Control was lost.</source>
+        <translation>Un programme d&apos;un autre client a pris le robot. Le contrôle a été perdu.</translation>
+    </message>
+    <message>
+        <source>A program of another client is running on the robot.</source>
+        <translation>Un programme d&apos;un autre client s&apos;exécute sur le robot.</translation>
     </message>
 </context>
 <context>
@@ -9278,6 +9394,53 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>Une boucle demande au moins deux points de passage. Sélectionnez-en d’autres ou désactivez la boucle.</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RunBar</name>
+    <message>
+        <source>Run (hold)</source>
+        <translation>Lancer (maintenir)</translation>
+    </message>
+    <message>
+        <source>Run the program, hold</source>
+        <translation>Exécuter le programme, maintenir</translation>
+    </message>
+    <message>
+        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>Exécute le programme depuis le début tant que le bouton est maintenu, sans dépasser la vitesse de jog. Le programme se termine au relâchement.</translation>
+    </message>
+    <message>
+        <source>To start (hold)</source>
+        <translation>Au départ (maintenir)</translation>
+    </message>
+    <message>
+        <source>Move to the start position, hold</source>
+        <translation>Aller à la position de départ, maintenir</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position of the program while the button is held</source>
+        <translation>Déplace tous les axes à la position de départ du programme tant que le bouton est maintenu</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Lancer</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>There is no program to run.</source>
+        <translation>Il n&apos;y a aucun programme à exécuter.</translation>
+    </message>
+    <message>
+        <source>Stops the program</source>
+        <translation>Arrête le programme</translation>
+    </message>
+    <message>
+        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>Exécute le programme à sa propre vitesse jusqu&apos;à sa fin ou son arrêt. Le bras s&apos;arrête aussi si Tiller se ferme ou si la connexion est perdue.</translation>
     </message>
 </context>
 <context>
@@ -11655,6 +11818,26 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Keep recording</source>
         <translation>Continuer l’enregistrement</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>Nouveau projet…</translation>
+    </message>
+    <message>
+        <source>Starts an empty project in a new file.</source>
+        <translation>Commence un projet vide dans un nouveau fichier.</translation>
+    </message>
+    <message>
+        <source>The change takes effect immediately and may disturb the program.</source>
+        <translation>Le changement prend effet immédiatement et peut perturber le programme.</translation>
+    </message>
+    <message>
+        <source>Change anyway</source>
+        <translation>Changer quand même</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
     </message>
 </context>
 <context>

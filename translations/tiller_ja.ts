@@ -1149,10 +1149,6 @@
         <translation>肘が速度上限：%1</translation>
     </message>
     <message>
-        <source>reduce sideways motion</source>
-        <translation>横への動きを減らす</translation>
-    </message>
-    <message>
         <source>Rotation at the speed cap of %1</source>
         <translation>回転が上限：%1</translation>
     </message>
@@ -2855,6 +2851,46 @@
         <source>“%1” must be between %2 and %3.</source>
         <translation>「%1」は %2 から %3 の範囲で指定してください。</translation>
     </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>ステップ %1: %2</translation>
+    </message>
+    <message>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
+        <translation>ロボットの TCP がプログラムのウェイポイントの TCP と異なります。</translation>
+    </message>
+    <message>
+        <source>Preview the program first.</source>
+        <translation>先にプログラムをプレビューしてください。</translation>
+    </message>
+    <message>
+        <source>The preview found problems.</source>
+        <translation>プレビューで問題が見つかりました。</translation>
+    </message>
+    <message>
+        <source>Move the arm to the start position first.</source>
+        <translation>先にアームを開始位置へ移動してください。</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>プログラムを実行中です。</translation>
+    </message>
+    <message>
+        <source>The program ended after %1 s.</source>
+        <translation>プログラムは %1 秒後に終了しました。</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) failed and ended the program.</source>
+        <translation>ステップ %1 (%2) が失敗し、プログラムが終了しました。</translation>
+    </message>
+    <message>
+        <source>Stopped in step %1 (%2): %3</source>
+        <translation>ステップ %1 (%2) で停止: %3</translation>
+    </message>
+    <message>
+        <source>Stopped before the first step: %1</source>
+        <translation>最初のステップの前に停止: %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -4178,10 +4214,6 @@
         <translation>ダイアログかメニューが開いた</translation>
     </message>
     <message>
-        <source>selection changed</source>
-        <translation>選択が変わった</translation>
-    </message>
-    <message>
         <source>second button</source>
         <translation>第二ボタン</translation>
     </message>
@@ -4208,10 +4240,6 @@
     <message>
         <source>robot or safety mode changed</source>
         <translation>ロボットか安全のモードが変わった</translation>
-    </message>
-    <message>
-        <source>input not refreshed in time</source>
-        <translation>入力が時間内に更新されませんでした</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -4304,6 +4332,14 @@
     <message>
         <source>The control connection does not respond.</source>
         <translation>制御用の接続が応答しません。</translation>
+    </message>
+    <message>
+        <source>selection or modifier key changed</source>
+        <translation>選択または修飾キーの変更</translation>
+    </message>
+    <message>
+        <source>this PC was too busy</source>
+        <translation>この PC の負荷が高すぎました</translation>
     </message>
 </context>
 <context>
@@ -6220,6 +6256,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>Last stop: not measured (data lost)</source>
         <translation>最後の停止：未測定（データ喪失）</translation>
     </message>
+    <message>
+        <source>Press for one step</source>
+        <translation>押すと 1 ステップ</translation>
+    </message>
 </context>
 <context>
     <name>tiller::JogKey</name>
@@ -6356,6 +6396,14 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     <message>
         <source>Contact force that ends the motion, in N</source>
         <translation>動作を終える接触力（N）</translation>
+    </message>
+    <message>
+        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <translation>離してもステップは続きます。スペース、Esc、STOP で終了します。</translation>
+    </message>
+    <message>
+        <source>Hold the button until the step is complete.</source>
+        <translation>ステップが完了するまでボタンを押し続けてください。</translation>
     </message>
 </context>
 <context>
@@ -6752,6 +6800,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>○ Path</source>
         <translation>○ 経路</translation>
     </message>
+    <message>
+        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <translation>アームの経路を記録しています。終了するには経路記録の停止を選択してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PathRecorder</name>
@@ -6932,6 +6984,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
             <numerusform>うち %n 個は到達不可で、印を付けました。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <translation>3 つの角が一直線上にあります。いずれかに別のウェイポイントを選択してください。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
@@ -7094,12 +7150,6 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     <message>
         <source>Payloads</source>
         <translation>ペイロード</translation>
-    </message>
-    <message>
-        <source>No payloads yet.
-Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
-        <translation>ペイロードはまだありません。
-「ロボットから」で現在のものを採用するか、「計量…」でアームで求めてください。</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -7284,6 +7334,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
     <message>
         <source>Set “%1” on the robot</source>
         <translation>「%1」をロボットに設定</translation>
+    </message>
+    <message>
+        <source>No payloads yet.
+Press Measure… to measure the payload with the arm.</source>
+        <translation>ペイロードはまだありません。
+「測定…」を押すと、アームでペイロードを測定します。</translation>
     </message>
 </context>
 <context>
@@ -8367,6 +8423,10 @@ Release the button to stop the arm.</source>
         <source>Check</source>
         <translation>チェック</translation>
     </message>
+    <message>
+        <source>%1, running</source>
+        <translation>%1、実行中</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8539,6 +8599,22 @@ Release the button to stop the arm.</source>
     <message>
         <source>Exported to %1</source>
         <translation>%1 に書き出しました</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>開始中…</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2)</source>
+        <translation>ステップ %1 (%2) を実行中</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>実行中</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>停止中…</translation>
     </message>
 </context>
 <context>
@@ -8713,6 +8789,18 @@ Release the button to stop the arm.</source>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
         <translation>読み取れないセルのボックスと平面: %1。それらとの衝突は防止されません。</translation>
+    </message>
+    <message>
+        <source>The unsaved work in “%1” will be deleted. This cannot be undone.</source>
+        <translation>「%1」の未保存の作業は削除されます。元に戻せません。</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>新しいプロジェクト</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose another name for the new project.</source>
+        <translation>%1 は既に存在します。新しいプロジェクトに別の名前を選択してください。</translation>
     </message>
 </context>
 <context>
@@ -9028,6 +9116,10 @@ Release the button to stop the arm.</source>
         <source>Read the popup first.</source>
         <translation>先にポップアップを読んでください。</translation>
     </message>
+    <message>
+        <source>The popup is being closed.</source>
+        <translation>ポップアップを閉じています。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotSession</name>
@@ -9132,6 +9224,30 @@ Release the button to stop the arm.</source>
     <message>
         <source>Moves are refused. %1.</source>
         <translation>移動は拒否されます。%1。</translation>
+    </message>
+    <message>
+        <source>No data from the robot: the arm may be moving. Reconnecting automatically.</source>
+        <translation>ロボットからのデータがありません。アームが動いている可能性があります。自動的に再接続します。</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>プログラムを実行中です。</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <translation>別のクライアントのプログラムがロボットを制御しています。制御を取得すると、そのプログラムは終了します。</translation>
+    </message>
+    <message>
+        <source>The program of the other client is stopped to take control.</source>
+        <translation>制御を取得するため、別のクライアントのプログラムを停止します。</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Control was lost.</source>
+        <translation>別のクライアントのプログラムがロボットの制御を引き継ぎました。制御は失われました。</translation>
+    </message>
+    <message>
+        <source>A program of another client is running on the robot.</source>
+        <translation>ロボットで別のクライアントのプログラムが実行中です。</translation>
     </message>
 </context>
 <context>
@@ -9254,6 +9370,53 @@ Release the button to stop the arm.</source>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>繰り返しには 2 つ以上のウェイポイントが必要です。ウェイポイントを追加で選択するか、繰り返しをオフにしてください。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RunBar</name>
+    <message>
+        <source>Run (hold)</source>
+        <translation>実行 (長押し)</translation>
+    </message>
+    <message>
+        <source>Run the program, hold</source>
+        <translation>プログラムを実行、長押し</translation>
+    </message>
+    <message>
+        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>ボタンを押している間、プログラムを先頭から実行します。ジョグ速度を超えません。ボタンを離すとプログラムは終了します。</translation>
+    </message>
+    <message>
+        <source>To start (hold)</source>
+        <translation>開始位置へ (長押し)</translation>
+    </message>
+    <message>
+        <source>Move to the start position, hold</source>
+        <translation>開始位置へ移動、長押し</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position of the program while the button is held</source>
+        <translation>ボタンを押している間、全関節をプログラムの開始位置へ動かします</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>実行</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>There is no program to run.</source>
+        <translation>実行するプログラムがありません。</translation>
+    </message>
+    <message>
+        <source>Stops the program</source>
+        <translation>プログラムを停止します</translation>
+    </message>
+    <message>
+        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>プログラムを設定された速度で、終了または停止まで実行します。Tiller を閉じるか接続が切れた場合もアームは停止します。</translation>
     </message>
 </context>
 <context>
@@ -11615,6 +11778,26 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Keep recording</source>
         <translation>記録を続ける</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>新しいプロジェクト…</translation>
+    </message>
+    <message>
+        <source>Starts an empty project in a new file.</source>
+        <translation>新しいファイルで空のプロジェクトを開始します。</translation>
+    </message>
+    <message>
+        <source>The change takes effect immediately and may disturb the program.</source>
+        <translation>変更はすぐに有効になり、プログラムに影響することがあります。</translation>
+    </message>
+    <message>
+        <source>Change anyway</source>
+        <translation>それでも変更</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
     </message>
 </context>
 <context>

@@ -1149,10 +1149,6 @@
         <translation>肘部达到速度上限：%1</translation>
     </message>
     <message>
-        <source>reduce sideways motion</source>
-        <translation>减少侧向移动</translation>
-    </message>
-    <message>
         <source>Rotation at the speed cap of %1</source>
         <translation>旋转达到上限：%1</translation>
     </message>
@@ -2855,6 +2851,46 @@
         <source>“%1” must be between %2 and %3.</source>
         <translation>“%1”必须在 %2 和 %3 之间。</translation>
     </message>
+    <message>
+        <source>Step %1: %2</source>
+        <translation>步骤 %1：%2</translation>
+    </message>
+    <message>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
+        <translation>机器人的 TCP 与程序路点的 TCP 不同。</translation>
+    </message>
+    <message>
+        <source>Preview the program first.</source>
+        <translation>请先预览程序。</translation>
+    </message>
+    <message>
+        <source>The preview found problems.</source>
+        <translation>预览发现了问题。</translation>
+    </message>
+    <message>
+        <source>Move the arm to the start position first.</source>
+        <translation>请先将机械臂移动到起始位置。</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>程序正在运行。</translation>
+    </message>
+    <message>
+        <source>The program ended after %1 s.</source>
+        <translation>程序在 %1 秒后结束。</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2) failed and ended the program.</source>
+        <translation>步骤 %1（%2）失败，程序已结束。</translation>
+    </message>
+    <message>
+        <source>Stopped in step %1 (%2): %3</source>
+        <translation>在步骤 %1（%2）停止：%3</translation>
+    </message>
+    <message>
+        <source>Stopped before the first step: %1</source>
+        <translation>在第一步之前停止：%1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -4178,10 +4214,6 @@
         <translation>打开了对话框或菜单</translation>
     </message>
     <message>
-        <source>selection changed</source>
-        <translation>选择已更改</translation>
-    </message>
-    <message>
         <source>second button</source>
         <translation>第二个按钮</translation>
     </message>
@@ -4208,10 +4240,6 @@
     <message>
         <source>robot or safety mode changed</source>
         <translation>机器人或安全模式改变</translation>
-    </message>
-    <message>
-        <source>input not refreshed in time</source>
-        <translation>输入未及时刷新</translation>
     </message>
     <message>
         <source>PC going to sleep</source>
@@ -4304,6 +4332,14 @@
     <message>
         <source>The control connection does not respond.</source>
         <translation>控制连接无响应。</translation>
+    </message>
+    <message>
+        <source>selection or modifier key changed</source>
+        <translation>选择或修饰键已改变</translation>
+    </message>
+    <message>
+        <source>this PC was too busy</source>
+        <translation>此电脑负载过高</translation>
     </message>
 </context>
 <context>
@@ -6220,6 +6256,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>Last stop: not measured (data lost)</source>
         <translation>上次停止：未测量（数据丢失）</translation>
     </message>
+    <message>
+        <source>Press for one step</source>
+        <translation>按一次走一步</translation>
+    </message>
 </context>
 <context>
     <name>tiller::JogKey</name>
@@ -6356,6 +6396,14 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     <message>
         <source>Contact force that ends the motion, in N</source>
         <translation>结束运动的接触力（N）</translation>
+    </message>
+    <message>
+        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <translation>松开后步进继续。空格、Esc 和 STOP 可结束步进。</translation>
+    </message>
+    <message>
+        <source>Hold the button until the step is complete.</source>
+        <translation>按住按钮直到步进完成。</translation>
     </message>
 </context>
 <context>
@@ -6752,6 +6800,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>○ Path</source>
         <translation>○ 路径</translation>
     </message>
+    <message>
+        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <translation>正在记录机械臂的路径。选择停止记录路径以结束。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PathRecorder</name>
@@ -6932,6 +6984,10 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
             <numerusform>其中 %n 个不可达，已标记。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <translation>三个角点在一条直线上。请为其中一个选择其他路点。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
@@ -7094,12 +7150,6 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
     <message>
         <source>Payloads</source>
         <translation>有效负载</translation>
-    </message>
-    <message>
-        <source>No payloads yet.
-Press From robot to store the active payload, or Measure… to measure it with the arm.</source>
-        <translation>还没有有效负载。
-按“取自机器人”保存当前有效负载，或按“称重…”用机械臂测量。</translation>
     </message>
     <message>
         <source>Mass</source>
@@ -7284,6 +7334,12 @@ Press From robot to store the active payload, or Measure… to measure it with t
     <message>
         <source>Set “%1” on the robot</source>
         <translation>将“%1”设到机器人</translation>
+    </message>
+    <message>
+        <source>No payloads yet.
+Press Measure… to measure the payload with the arm.</source>
+        <translation>尚无负载。
+按“测量…”用机械臂测量负载。</translation>
     </message>
 </context>
 <context>
@@ -8367,6 +8423,10 @@ Release the button to stop the arm.</source>
         <source>Check</source>
         <translation>检查</translation>
     </message>
+    <message>
+        <source>%1, running</source>
+        <translation>%1，正在运行</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8539,6 +8599,22 @@ Release the button to stop the arm.</source>
     <message>
         <source>Exported to %1</source>
         <translation>已导出到 %1</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>正在启动…</translation>
+    </message>
+    <message>
+        <source>Running step %1 (%2)</source>
+        <translation>正在运行步骤 %1（%2）</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>正在运行</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>正在停止…</translation>
     </message>
 </context>
 <context>
@@ -8713,6 +8789,18 @@ Release the button to stop the arm.</source>
     <message>
         <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
         <translation>无法读取的单元长方体和平面：%1。与它们的碰撞不会被阻止。</translation>
+    </message>
+    <message>
+        <source>The unsaved work in “%1” will be deleted. This cannot be undone.</source>
+        <translation>“%1”中未保存的工作将被删除。此操作无法撤销。</translation>
+    </message>
+    <message>
+        <source>New project</source>
+        <translation>新建项目</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Choose another name for the new project.</source>
+        <translation>%1 已存在。请为新项目选择其他名称。</translation>
     </message>
 </context>
 <context>
@@ -9028,6 +9116,10 @@ Release the button to stop the arm.</source>
         <source>Read the popup first.</source>
         <translation>请先阅读弹出消息。</translation>
     </message>
+    <message>
+        <source>The popup is being closed.</source>
+        <translation>正在关闭弹出窗口。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotSession</name>
@@ -9132,6 +9224,30 @@ Release the button to stop the arm.</source>
     <message>
         <source>Moves are refused. %1.</source>
         <translation>移动被拒绝。%1。</translation>
+    </message>
+    <message>
+        <source>No data from the robot: the arm may be moving. Reconnecting automatically.</source>
+        <translation>没有来自机器人的数据：机械臂可能在运动。正在自动重新连接。</translation>
+    </message>
+    <message>
+        <source>A program is running.</source>
+        <translation>程序正在运行。</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <translation>其他客户端的程序已接管机器人。获取控制权会结束该程序。</translation>
+    </message>
+    <message>
+        <source>The program of the other client is stopped to take control.</source>
+        <translation>为获取控制权，正在停止其他客户端的程序。</translation>
+    </message>
+    <message>
+        <source>A program of another client has taken over the robot. Control was lost.</source>
+        <translation>其他客户端的程序已接管机器人。控制权已丢失。</translation>
+    </message>
+    <message>
+        <source>A program of another client is running on the robot.</source>
+        <translation>机器人上正在运行其他客户端的程序。</translation>
     </message>
 </context>
 <context>
@@ -9254,6 +9370,53 @@ Release the button to stop the arm.</source>
     <message>
         <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
         <translation>循环至少需要两个路点。请选择更多路点，或关闭循环。</translation>
+    </message>
+</context>
+<context>
+    <name>tiller::RunBar</name>
+    <message>
+        <source>Run (hold)</source>
+        <translation>运行（按住）</translation>
+    </message>
+    <message>
+        <source>Run the program, hold</source>
+        <translation>运行程序，按住</translation>
+    </message>
+    <message>
+        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>按住按钮时从头运行程序，速度不超过点动速度。松开按钮时程序结束。</translation>
+    </message>
+    <message>
+        <source>To start (hold)</source>
+        <translation>到起点（按住）</translation>
+    </message>
+    <message>
+        <source>Move to the start position, hold</source>
+        <translation>移动到起始位置，按住</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position of the program while the button is held</source>
+        <translation>按住按钮时将所有关节移动到程序的起始位置</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>There is no program to run.</source>
+        <translation>没有可运行的程序。</translation>
+    </message>
+    <message>
+        <source>Stops the program</source>
+        <translation>停止程序</translation>
+    </message>
+    <message>
+        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>以程序自身的速度运行，直到结束或被停止。关闭 Tiller 或连接中断时机械臂也会停止。</translation>
     </message>
 </context>
 <context>
@@ -11615,6 +11778,26 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Keep recording</source>
         <translation>继续记录</translation>
+    </message>
+    <message>
+        <source>New project…</source>
+        <translation>新建项目…</translation>
+    </message>
+    <message>
+        <source>Starts an empty project in a new file.</source>
+        <translation>在新文件中开始一个空项目。</translation>
+    </message>
+    <message>
+        <source>The change takes effect immediately and may disturb the program.</source>
+        <translation>更改立即生效，可能会干扰程序。</translation>
+    </message>
+    <message>
+        <source>Change anyway</source>
+        <translation>仍然更改</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,7 @@ public:
         CsvWriter writer(*setup.layout, setup.fields, setup.asGiven);
         return writer.columns() == 0 ? nullptr : std::make_unique<CsvEncoder>(std::move(writer));
     }
+    bool keepsNotes() const override { return false; }
 };
 
 }  // namespace

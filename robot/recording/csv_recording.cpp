@@ -180,6 +180,7 @@ public:
             return failure(QStringLiteral("there are no numbers below the header"));
         }
         finish();
+        table_.notes = readCsvNotes(table_.path);
         return std::unique_ptr<Recording>(std::make_unique<TableRecording>(std::move(table_)));
     }
 

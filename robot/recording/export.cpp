@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/export.h"
 
+#include <QFile>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "robot/core/atomic_file.h"
 #include "robot/recording/detail/column_knowledge.h"
+#include "robot/recording/detail/csv_notes.h"
 #include "robot/recording/detail/ranges.h"
 
 namespace tiller::recording {
@@ -140,6 +142,36 @@ Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choi
     return within(range, recording.rows());
 }
 
+namespace {
+
+/// Writes the notes and log lines in these rows to the second file. Without any, an older file is removed.
+Result<void> exportNotes(const Recording& recording, const RowRange& rows, const QString& path) {
+    std::string lines;
+    for (const RecordedEvent& event : recording.events()) {
+        const auto row = recording.rowAt(std::max(event.seconds, 0.0));
+        if (!row) {
+            return row.error();
+        }
+        if (row.value() < rows.first || row.value() >= rows.first + rows.count) {
+            continue;
+        }
+        const auto start = recording.startUtcNs();
+        const std::int64_t utcNs = start ? *start + std::llround(event.seconds * 1e9) : 0;
+        lines += csvNoteLine(row.value() - rows.first, {utcNs, event.level, event.source, event.text});
+    }
+    const QString notes = csvNotesPath(path);
+    if (lines.empty()) {
+        QFile::remove(notes);
+        return {};
+    }
+    AtomicFile file(notes, QStringLiteral("export to %1").arg(notes));
+    Result<void> done = file.open();
+    done = done ? file.write(csvNotesHeader() + lines) : done;
+    return done ? file.commit() : done;
+}
+
+}  // namespace
+
 Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& choice,
                                const CsvStyle& style) {
     if (std::string_view(",;\t").find(style.separator) == std::string_view::npos ||
@@ -216,6 +248,9 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     }
     if (const Result<void> committed = file.commit(); !committed) {
         return committed.error();
+    }
+    if (const Result<void> noted = exportNotes(recording, rows.value(), choice.path); !noted) {
+        return noted.error();
     }
     return report;
 }

@@ -16,6 +16,7 @@
 #include "robot/realtime/thread_priority.h"
 #include "robot/receive/default_fields.h"
 #include "robot/receive/robot_state.h"
+#include "robot/recording/detail/csv_notes.h"
 #include "robot/recording/detail/recording_file.h"
 #include "robot/recording/detail/restart_note.h"
 
@@ -103,6 +104,9 @@ struct Recorder::Worker {
     RecordingSetup setup;
     RecordingFileFactory makeFile;
     std::unique_ptr<RecordingFile> file;  ///< null: no open file
+    std::unique_ptr<RecordingFile>
+        notesFile;  ///< created with the first note if the format has no place for notes
+    std::uint64_t rowsInFile = 0;
     std::unique_ptr<RecordingEncoder> encoder;
     receive::Subscription subscription;
     receive::Sample sample;
@@ -134,6 +138,10 @@ struct Recorder::Worker {
             path = to;
         }
         file = std::move(next);
+        if (!options.format->keepsNotes()) {
+            QFile::remove(csvNotesPath(to));  // of an earlier recording with this name
+        }
+        rowsInFile = 0;
         bytes = 0;
         firstNs = lastNs = 0;
         ++files;
@@ -172,6 +180,11 @@ struct Recorder::Worker {
         }
         const Result<void> closed = file->close();
         file.reset();
+        if (notesFile) {
+            const Result<void> notesClosed = notesFile->close();
+            notesFile.reset();
+            result = result ? notesClosed : result;
+        }
         earlierNs += lastNs - firstNs;
         return result ? closed : result;
     }
@@ -181,6 +194,7 @@ struct Recorder::Worker {
         lastNs = row.hostTimeNs;
         encoder->add(row, missing, row.hostTimeNs + steadyToUtc);
         ++unwritten;
+        ++rowsInFile;
     }
 
     Result<void> takeSample() {
@@ -256,6 +270,25 @@ struct Recorder::Worker {
         }
     }
 
+    Result<void> keepNote(const RecordedNote& note) {
+        if (options.format->keepsNotes()) {
+            encoder->add(note);
+            return {};
+        }
+        std::size_t written = 0;
+        if (!notesFile) {
+            auto next = makeFile();
+            if (auto opened = next->open(csvNotesPath(path)); !opened) {
+                return opened;
+            }
+            notesFile = std::move(next);
+            if (auto headed = notesFile->write(csvNotesHeader(), written); !headed) {
+                return headed;
+            }
+        }
+        return notesFile->write(csvNoteLine(rowsInFile, note), written);
+    }
+
     Result<void> drain() {
         std::vector<RecordedNote> said;
         {
@@ -279,7 +312,9 @@ struct Recorder::Worker {
             return {};
         }
         for (const RecordedNote& note : said) {
-            encoder->add(note);
+            if (auto kept = keepNote(note); !kept) {
+                return kept;
+            }
         }
         return write(RecordingEncoder::Close::WhenDue);
     }
@@ -331,7 +366,7 @@ struct Recorder::Worker {
     Result<void> noRoom() const {
         constexpr std::int64_t kMega = 1'000'000;
         return Error{
-            ErrorCode::DiskFull, QStringLiteral("record to %1").arg(QDir::toNativeSeparators(path)),
+            ErrorCode::DiskFull, QDir::toNativeSeparators(path),
             QStringLiteral(
                 "the recording was stopped and completed because less than %1 MB are free on the disk")
                 .arg(options.keepFree / kMega)};
@@ -379,15 +414,13 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     }
     next->every = static_cast<std::uint64_t>(options.every);
     if (const QStringList missing = notFollowed(options.fields, *layout); !missing.isEmpty()) {
-        return Error{ErrorCode::FieldUnknown,
-                     QStringLiteral("record to %1").arg(QDir::toNativeSeparators(options.path)),
+        return Error{ErrorCode::FieldUnknown, QDir::toNativeSeparators(options.path),
                      missing.join(QStringLiteral("; "))};
     }
     const QString suffix = QFileInfo(options.path).suffix().toLower();
     if (!options.format && (suffix == QLatin1String("mcap") || suffix == QLatin1String("h5") ||
                             suffix == QLatin1String("hdf5"))) {
-        return Error{ErrorCode::InvalidArgument,
-                     QStringLiteral("record to %1").arg(QDir::toNativeSeparators(options.path)),
+        return Error{ErrorCode::InvalidArgument, QDir::toNativeSeparators(options.path),
                      QStringLiteral("without RecorderOptions::format the file would be CSV: set it, for "
                                     "example to formatForPath()")};
     }

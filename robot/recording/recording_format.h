@@ -44,7 +44,8 @@ public:
 
     /// utcNs  time of arrival [ns since 1970]
     virtual void add(const receive::Sample& sample, std::uint64_t lost, std::int64_t utcNs) = 0;
-    virtual void add(const RecordedNote& note) = 0;  ///< Ignored by formats without notes.
+    /// A format that does not keep notes receives only those of the recorder and ignores them.
+    virtual void add(const RecordedNote& note) = 0;
     /// Returns complete rows only, so that a file ending after them is readable. The first part includes the
     /// header.
     virtual RecordedPart take(Close how) = 0;
@@ -64,6 +65,8 @@ public:
     virtual ~RecordingFormat() = default;
     /// Null if none of the fields can be recorded.
     virtual std::unique_ptr<RecordingEncoder> encoder(const RecordingSetup& setup) const = 0;
+    /// False: the recorder writes notes to a CSV file next to the recording.
+    virtual bool keepsNotes() const { return true; }
 };
 
 /// CSV format, as described in recorder.h.

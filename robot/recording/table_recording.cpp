@@ -41,6 +41,7 @@ double medianStep(std::span<const double> times) {
 TableRecording::TableRecording(RecordedTable table) : table_(std::move(table)) {
     findTimes();
     findGaps();
+    addNotes();
 }
 
 void TableRecording::findTimes() {
@@ -81,6 +82,16 @@ void TableRecording::findTimes() {
         times_[i] = time;
         previous = time;
     }
+}
+
+void TableRecording::addNotes() {
+    for (const auto& [row, note] : table_.notes) {
+        events_.push_back(note);
+        events_.back().seconds =
+            times_.empty() ? 0 : times_[std::min(static_cast<std::size_t>(row), times_.size() - 1)];
+    }
+    std::stable_sort(events_.begin(), events_.end(),
+                     [](const RecordedEvent& a, const RecordedEvent& b) { return a.seconds < b.seconds; });
 }
 
 void TableRecording::findGaps() {

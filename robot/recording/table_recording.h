@@ -16,6 +16,8 @@ struct RecordedTable {
     std::vector<RecordedColumn> columns{};
     std::vector<std::vector<double>> values{};
     QStringList problems{};
+    /// Each with the number of rows before it, which determines its time.
+    std::vector<std::pair<std::uint64_t, RecordedEvent>> notes{};
 };
 
 /// The time axis is the column `timestamp`, or the first column named time, seconds or t. Without such a
@@ -42,6 +44,7 @@ public:
 private:
     void findTimes();
     void findGaps();
+    void addNotes();
 
     RecordedTable table_;
     std::vector<double> times_;

@@ -10,8 +10,15 @@ namespace {
 
 constexpr std::size_t kTextsKept = 32;
 
+/// A message has no room for all registers of a range.
 QString listed(const std::vector<std::string>& names) {
-    return QString::fromStdString(joinNames(names)).replace(QLatin1Char(','), QStringLiteral(", "));
+    constexpr std::size_t kShown = 3;
+    const auto shown =
+        std::vector(names.begin(), names.begin() + std::ptrdiff_t(std::min(names.size(), kShown)));
+    const QString text =
+        QString::fromStdString(joinNames(shown)).replace(QLatin1Char(','), QStringLiteral(", "));
+    return names.size() > kShown ? QStringLiteral("%1 and %2 more").arg(text).arg(names.size() - kShown)
+                                 : text;
 }
 
 QString typeText(PackageType type) {

@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/application.h"
 #include "app/interface_size.h"
 #include "app/main_window.h"
 #include "app/settings_page.h"

@@ -32,6 +32,7 @@
 #include "tests/support/window_bench.h"
 #include "widgets/common/empty_state.h"
 #include "widgets/plots/plot_dock.h"
+#include "widgets/project/undoable_document.h"
 
 using namespace tiller;
 using namespace tiller::test;

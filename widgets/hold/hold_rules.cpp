@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "widgets/common/stop_mark.h"
 #include "widgets/common/text_entry.h"
 #include "widgets/hold/hold_guard.h"
 #include "widgets/hold/key_state_probe.h"
@@ -32,6 +33,11 @@ bool isEvent(const HoldEvent& news, QEvent::Type type) {
 /// because the widget may be a hold-to-run button.
 bool isAtWidget(const HoldEvent& news) {
     return news.watched->isWidgetType();
+}
+
+/// The first click on STOP ends a hold before STOP receives it.
+StopCause causeOfPressOn(const QObject& widget) {
+    return widget.property(kStopButtonProperty).toBool() ? StopCause::StopButton : StopCause::SecondButton;
 }
 
 bool isKeyPress(const HoldEvent& news, Qt::Key key) {
@@ -108,13 +114,14 @@ struct HoldRules::HoldRuleTable {
     }
     static StopCause mousePressed(const HoldRules&, const HoldEvent& n) {
         const bool press = isEvent(n, QEvent::MouseButtonPress) || isEvent(n, QEvent::MouseButtonDblClick);
-        return when(press && isAtWidget(n), StopCause::SecondButton);
+        return press && isAtWidget(n) ? causeOfPressOn(*n.watched) : StopCause::None;
     }
     static StopCause framePressed(const HoldRules&, const HoldEvent& n) {
         return when(isEvent(n, QEvent::NonClientAreaMouseButtonPress), StopCause::SecondButton);
     }
     static StopCause touched(const HoldRules&, const HoldEvent& n) {
-        return when(isEvent(n, QEvent::TouchBegin) && isAtWidget(n), StopCause::SecondButton);
+        const bool touch = isEvent(n, QEvent::TouchBegin) && isAtWidget(n);
+        return touch ? causeOfPressOn(*n.watched) : StopCause::None;
     }
     static StopCause penPressed(const HoldRules&, const HoldEvent& n) {
         return when(isEvent(n, QEvent::TabletPress) && isAtWidget(n), StopCause::SecondButton);

@@ -128,17 +128,27 @@ GripperPanel::GripperPanel(RobotSession& session, QWidget* parent)
     connect(kind_, &QComboBox::activated, this, &GripperPanel::chosenByUser);
     connect(closeOutput_, &QComboBox::activated, this, &GripperPanel::chosenByUser);
     connect(openOutput_, &QComboBox::activated, this, &GripperPanel::chosenByUser);
-    connect(activate_, &QAbstractButton::clicked, this, [this] { robotiq_.activate(); });
-    connect(open_, &QAbstractButton::clicked, this,
-            [this] { choice_.usesOutputs() ? setHand(false) : move(0, tr("Gripper: open")); });
-    connect(close_, &QAbstractButton::clicked, this,
-            [this] { choice_.usesOutputs() ? setHand(true) : move(io::kRobotiqMost, tr("Gripper: close")); });
-    connect(move_, &QAbstractButton::clicked, this, [this] {
+    const auto ask = [this](const std::function<void()>& change) {
+        if (!session_.asksBeforeChange(tr("Gripper"), change)) {
+            change();
+        }
+    };
+    connect(activate_, &QAbstractButton::clicked, this,
+            [this, ask] { ask([this] { robotiq_.activate(); }); });
+    connect(open_, &QAbstractButton::clicked, this, [this, ask] {
+        ask([this] { choice_.usesOutputs() ? setHand(false) : move(0, tr("Gripper: open")); });
+    });
+    connect(close_, &QAbstractButton::clicked, this, [this, ask] {
+        ask([this] { choice_.usesOutputs() ? setHand(true) : move(io::kRobotiqMost, tr("Gripper: close")); });
+    });
+    connect(move_, &QAbstractButton::clicked, this, [this, ask] {
         if (isRefused(position_)) {
             return;
         }
         const double opening = position_->value() * format::metresPerUnit();
-        move(robotiq_.position(opening), tr("Gripper: move to %1").arg(format::length(opening, 1)));
+        ask([this, opening] {
+            move(robotiq_.position(opening), tr("Gripper: move to %1").arg(format::length(opening, 1)));
+        });
     });
     connect(&robotiq_, &RobotiqLink::changed, this, &GripperPanel::refresh);
     connect(&session_, &RobotSession::stateChanged, this, &GripperPanel::follow);

@@ -161,7 +161,9 @@ void IoTab::toggle(int output) {
     // Compare with the requested state, so that a second click reverts the first click.
     const auto asked = pending_.constFind(output);
     const bool now = asked != pending_.constEnd() ? asked->wanted : bit(state_.digitalOutputs, output);
-    ask(output, !now);
+    if (!session_.asksBeforeChange(terminal(true, output), [this, output, now] { ask(output, !now); })) {
+        ask(output, !now);
+    }
 }
 
 void IoTab::ask(int output, bool on) {
@@ -377,15 +379,24 @@ void IoTab::buildAnalog(QVBoxLayout* layout) {
     for (int channel = 0; channel < 2; ++channel) {
         connect(add(QStringLiteral("AO %1").arg(channel), true), &AnalogRow::setRequested, this,
                 [this, channel](io::AnalogDomain domain, double level) {
-                    session_.outputs().setAnalogOutput(channel, domain, level);
+                    const auto set = [this, channel, domain, level] {
+                        session_.outputs().setAnalogOutput(channel, domain, level);
+                    };
+                    if (!session_.asksBeforeChange(QStringLiteral("AO %1").arg(channel), set)) {
+                        set();
+                    }
                 });
     }
     registerHeading_ = heading(tr("Registers of robot programs"));
     layout->addWidget(registerHeading_);
     registers_ = new RegisterPanel;
     layout->addWidget(registers_);
-    connect(registers_, &RegisterPanel::writeRequested, this,
-            [this](const RegisterValue& value) { session_.outputs().setRegister(value); });
+    connect(registers_, &RegisterPanel::writeRequested, this, [this](const RegisterValue& value) {
+        const auto set = [this, value] { session_.outputs().setRegister(value); };
+        if (!session_.asksBeforeChange(tr("Registers of robot programs"), set)) {
+            set();
+        }
+    });
 }
 
 void IoTab::refreshAnalog(bool known, bool stale) {

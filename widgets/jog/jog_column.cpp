@@ -155,6 +155,7 @@ JogColumn::JogColumn(MotionPort port, HoldPolicy& policy, QWidget* parent)
     connectBottom();
     connect(selectors_, &JogSelectors::changing, this, &JogColumn::stopMotion);
     connect(selectors_, &JogSelectors::changed, this, [this] {
+        setHint(stepRunsToEnd(selection(), false) ? tr("Press for one step") : tr("Hold to move"));
         showFrame();
         speedsKnown_ = false;
         showSpeeds();

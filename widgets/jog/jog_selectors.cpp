@@ -53,6 +53,17 @@ int angleSegment(double angle) {
     return kOtherSegment;
 }
 
+/// A sentence for the tooltip: whether the step continues after the release.
+QString stepNote(MotionChoice motion, const std::optional<StepSize>& other, bool turns) {
+    JogSelection selection;
+    selection.motion = motion;
+    selection.step = other;
+    return QLatin1Char('\n') +
+           (stepRunsToEnd(selection, turns)
+                ? JogSelectors::tr("The step continues after the release. Space, Esc and STOP end it.")
+                : JogSelectors::tr("Hold the button until the step is complete."));
+}
+
 /// Formats a number with as few digits as possible, e.g. "0.1", "45".
 QString angleNumber(double angle) {
     const double degrees = toDegrees(angle);
@@ -305,10 +316,11 @@ void JogSelectors::refreshTexts() {
         const int segment = static_cast<int>(choice);
         motion_->setText(segment, format::shortLengthNumber(step.length));
         motion_->segment(segment)->setToolTip(
-            tr("One step per press: %1").arg(format::shortLength(step.length)));
+            tr("One step per press: %1").arg(format::shortLength(step.length)) + stepNote(choice, {}, false));
         turn_->setText(segment, angleNumber(step.angle));
         turn_->segment(segment)->setToolTip(
-            tr("One rotation step per press, tool or joint: %1").arg(angleText(step.angle)));
+            tr("One rotation step per press, tool or joint: %1").arg(angleText(step.angle)) +
+            stepNote(choice, {}, true));
     }
     const bool contact = selection_.motion == MotionChoice::UntilContact;
     // The last button of each row shows the unit.
@@ -320,11 +332,13 @@ void JogSelectors::refreshTexts() {
                                   "for other steps")
                                    .arg(selection_.contactForce, 0, 'f', 0)
                              : tr("One step per press: %1. Click again for other steps")
-                                   .arg(format::shortLength(other_.length)));
+                                       .arg(format::shortLength(other_.length)) +
+                                   stepNote(MotionChoice::Step, other_, false));
     turn_->setText(kOtherSegment, angleText(other_.angle));
     turn_->segment(kOtherSegment)
         ->setToolTip(tr("One rotation step per press, tool or joint: %1. Click again for other angles")
-                         .arg(angleText(other_.angle)));
+                         .arg(angleText(other_.angle)) +
+                     stepNote(MotionChoice::Step, other_, true));
     for (int i = 0; i < kSpeedClassCount; ++i) {
         const SpeedClass& speed = speedClasses()[static_cast<std::size_t>(i)];
         speed_->setText(i, format::speedNumber(speed.tcp));

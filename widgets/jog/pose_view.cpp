@@ -188,6 +188,16 @@ QString PoseView::deltaText(int axis) const {
     return valid_ ? paced(inFrame(pose_.position - zero_)[axis], moving_) : dash();
 }
 
+/// With fewer decimals if the text would not fit into the room [px].
+QString PoseView::deltaText(int axis, const QFont& font, int room) const {
+    const QFontMetrics metrics(font);
+    QString text = deltaText(axis);
+    for (int digits = 1; valid_ && digits >= 0 && metrics.horizontalAdvance(text) > room; --digits) {
+        text = format::lengthNumber(inFrame(pose_.position - zero_)[axis], digits, true);
+    }
+    return text;
+}
+
 QString PoseView::rotationText(int axis) const {
     if (!valid_) {
         return dash();
@@ -245,9 +255,11 @@ void PoseView::paintEvent(QPaintEvent*) {
             Qt::AlignLeft, QLatin1String(kAxes[axis]));
         put(value, ink, 12, number - 12, Qt::AlignRight, positionText(axis));
         put(label, theme.secondary, number + 4, 32, Qt::AlignLeft, format::lengthUnit());
-        put(label, theme.secondary, number + (narrow ? 33 : 43), 20, Qt::AlignLeft,
-            ownZero_ ? QStringLiteral("Δ₀") : QStringLiteral("Δ"));
-        put(label, theme.secondary, delta - 66, 66, Qt::AlignRight, deltaText(axis));
+        const QString sign = ownZero_ ? QStringLiteral("Δ₀") : QStringLiteral("Δ");
+        const int signLeft = number + (narrow ? 33 : 43);
+        put(label, theme.secondary, signLeft, 20, Qt::AlignLeft, sign);
+        const int room = delta - signLeft - QFontMetrics(label).horizontalAdvance(sign) - 2;
+        put(label, theme.secondary, delta - room, room, Qt::AlignRight, deltaText(axis, label, room));
         put(label, theme.secondary, right - (narrow ? 121 : 124), 26, Qt::AlignLeft,
             QLatin1String(kTurns[axis]));
         put(value, ink, right - 100, 98, Qt::AlignRight, rotationText(axis));

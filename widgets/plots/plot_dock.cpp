@@ -203,6 +203,7 @@ PlotDock::PlotDock(RobotSession& session, QWidget* parent)
         values_->follow(view());
         analysis_->follow(&view());
     });
+    connect(pages_, &PlotPages::readoutAged, this, &PlotDock::updateHeader);
     connect(pages_, &PlotPages::noteWanted, this, &PlotDock::askForNote);
     connect(marks_.get(), &PlotMarks::thresholdsChanged, this, &PlotDock::arrangementChanged);
     connect(marks_.get(), &PlotMarks::crossed, this, [this](const Threshold& threshold, double time) {

@@ -71,6 +71,7 @@ PlotView& PlotPages::addView() {
     }
     connect(view, &PlotView::windowChanged, this, &PlotPages::windowChanged);
     connect(view, &PlotView::readoutChanged, this, &PlotPages::readoutChanged);
+    connect(view, &PlotView::readoutAged, this, &PlotPages::readoutAged);
     connect(view, &PlotView::zeroChanged, this, &PlotPages::zeroChanged);
     connect(view, &PlotView::tooManySignals, this, &PlotPages::tooManySignals);
     connect(view, &PlotView::noteWanted, this, &PlotPages::noteWanted);

@@ -60,6 +60,7 @@ public:
 Q_SIGNALS:
     void windowChanged();
     void readoutChanged();
+    void readoutAged();
     void zeroChanged();
     void tooManySignals();
     void noteWanted(double time);

@@ -488,6 +488,11 @@ void PlotView::show(double seconds, HistoryFile::Effort effort) {
     sinceShown_ = 0;
     if (window_.follows()) {
         reference_ = window_.newest();
+        constexpr double kAgedEvery = 0.1;
+        if ((cursors_[0] || cursors_[1]) && std::abs(reference_ - agedAt_) >= kAgedEvery) {
+            agedAt_ = reference_;
+            Q_EMIT readoutAged();
+        }
     }
     const double t0 = window_.start();
     const double t1 = window_.end();

@@ -131,6 +131,8 @@ Q_SIGNALS:
     /// The time range, pause state or position in the history has changed.
     void windowChanged();
     void readoutChanged();
+    /// While the plots follow the live data, the cursors recede from the newest sample. At most 10 times per second.
+    void readoutAged();
     void zeroChanged();
     /// Plots, signals or lanes have changed.
     void pageChanged();
@@ -219,6 +221,7 @@ private:
     double shownNewest_ = 0;
     double sinceShown_ = 0;  // time since the last repaint [s]
     double reference_ = 0;   // reference of the time labels [s]
+    double agedAt_ = 0;      // reference at the last readoutAged() [s]
     TimeAxis timeAxis_ = TimeAxis::Relative;
     std::function<QDateTime(double)> clock_;
     QStringList timeLabels_;

@@ -22,6 +22,10 @@ constexpr char kElsewhere[] = "project.elsewhere";
 constexpr char kForeign[] = "project.foreign";
 constexpr char kKept[] = "project.kept";
 
+QString withSuffix(const QString& path) {
+    return QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".tiller") : path;
+}
+
 }  // namespace
 
 QString projectFolder() {
@@ -197,6 +201,26 @@ void ProjectFiles::askToOpen(QWidget* over) {
     }
 }
 
+void ProjectFiles::askForNew(QWidget* over) {
+    QDir().mkpath(projectFolder());
+    const QString path = QFileDialog::getSaveFileName(
+        over, tr("New project"), store_.path().isEmpty() ? projectFolder() : QFileInfo(store_.path()).path(),
+        tr("Tiller projects (*.tiller)"), nullptr, QFileDialog::DontConfirmOverwrite);
+    if (path.isEmpty()) {
+        return;
+    }
+    startNew(withSuffix(path));
+}
+
+void ProjectFiles::startNew(const QString& path) {
+    if (QFileInfo::exists(path)) {
+        Q_EMIT message(Severity::Warning,
+                       tr("%1 already exists. Choose another name for the new project.").arg(path));
+        return;
+    }
+    open(path);
+}
+
 void ProjectFiles::askToSave(QWidget* over) {
     if (store_.path().isEmpty()) {
         QDir().mkpath(projectFolder());
@@ -301,8 +325,7 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
 }
 
 void ProjectFiles::saveAs(const QString& path) {
-    const QString full = QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".tiller") : path;
-    if (const Result<void> saved = store_.saveAs(full); !saved) {
+    if (const Result<void> saved = store_.saveAs(withSuffix(path)); !saved) {
         warn(tr("The project could not be saved"), saved.error(), QLatin1String(kSaving));
     }
 }

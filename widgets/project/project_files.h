@@ -29,6 +29,9 @@ public:
     /// over  the parent window of the question
     void askToOpen(QWidget* over);
     void askToSave(QWidget* over);
+    void askForNew(QWidget* over);
+    /// Starts an empty project that will be saved to this file. An existing file is refused with a message.
+    void startNew(const QString& path);
     /// Opens the file. If it does not exist, opens an empty project that will be saved under this name. If
     /// the file is damaged, reports the error and offers to load the readable part.
     void open(const QString& path);

@@ -42,20 +42,16 @@ void Camera::setViewport(const QSizeF& size) {
 void Camera::look(StandardView from) {
     switch (from) {
         case StandardView::Home:
-            azimuth_ = kStartAzimuth;
-            elevation_ = kStartElevation;
+            turnTo(kStartAzimuth, kStartElevation);
             break;
         case StandardView::Front:
-            azimuth_ = toRadians(-90);
-            elevation_ = 0;
+            turnTo(toRadians(-90), 0);
             break;
         case StandardView::Side:
-            azimuth_ = 0;
-            elevation_ = 0;
+            turnTo(0, 0);
             break;
         case StandardView::Top:
-            azimuth_ = toRadians(-90);
-            elevation_ = toRadians(90);
+            turnTo(toRadians(-90), toRadians(90));
             break;
     }
 }
@@ -158,21 +154,21 @@ void Camera::pan(const QPointF& pixels) {
 }
 
 void Camera::orbit(double azimuth, double elevation) {
-    azimuth_ = std::remainder(azimuth_ + azimuth, 2 * std::numbers::pi);
-    elevation_ = std::clamp(elevation_ + elevation, kLowest, kHighest);
+    turnTo(std::remainder(azimuth_ + azimuth, 2 * std::numbers::pi),
+           std::clamp(elevation_ + elevation, kLowest, kHighest));
 }
 
 void Camera::zoom(double factor) {
     distance_ = std::clamp(distance_ * factor, kNearest * height_, kFarthest * height_);
 }
 
-Eigen::Matrix3d Camera::viewRotation() const {
+void Camera::turnTo(double azimuth, double elevation) {
+    azimuth_ = azimuth;
+    elevation_ = elevation;
     const Eigen::Vector3d towardsEye(std::cos(elevation_) * std::cos(azimuth_),
                                      std::cos(elevation_) * std::sin(azimuth_), std::sin(elevation_));
     const Eigen::Vector3d right(-std::sin(azimuth_), std::cos(azimuth_), 0);
-    Eigen::Matrix3d R_base_view;
-    R_base_view << right, towardsEye.cross(right), towardsEye;
-    return R_base_view;
+    R_base_view_ << right, towardsEye.cross(right), towardsEye;
 }
 
 Camera::Eye Camera::eye() const {

@@ -25,6 +25,8 @@ public:
         double radius = 0;
     };
 
+    Camera() { turnTo(0, 0.3); }
+
     /// Sets the initial view for an arm with this height [m] when upright.
     void reset(double height);
     void setViewport(const QSizeF& size);
@@ -55,7 +57,7 @@ public:
 
     /// Returns R_base_view. Its columns are the axes of the view in the base frame: X to the right of the
     /// screen, Y up, Z towards the eye.
-    Eigen::Matrix3d viewRotation() const;
+    const Eigen::Matrix3d& viewRotation() const { return R_base_view_; }
 
     /// Parameters for projecting many points.
     struct Eye {
@@ -81,10 +83,13 @@ private:
     struct Room;
     Room roomFor(std::span<const Ball> balls, const QMarginsF& margins) const;
     double focalLength() const;
+    /// Sets the viewing direction [rad]. The rotation is stored, because each frame projects many points.
+    void turnTo(double azimuth, double elevation);
 
     Eigen::Vector3d target_{0, 0, 0.35};
     double azimuth_ = 0;
-    double elevation_ = 0.3;
+    double elevation_ = 0;
+    Eigen::Matrix3d R_base_view_;
     double distance_ = 2.5;
     double height_ = 1.08;
     QSizeF viewport_{640, 480};

@@ -302,7 +302,7 @@ ModeLook linkLook(const SessionState& state) {
 }
 
 QString linkCaption(const SessionState& state) {
-    if (state.link == LinkState::Stale) {
+    if (state.link == LinkState::Stale && state.control == ControlState::InControl) {
         return ModeLookText::tr("LINK · JOG STOPS");
     }
     if (state.link != LinkState::Live) {

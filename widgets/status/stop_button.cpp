@@ -7,6 +7,7 @@
 #include <QScreen>
 #include <algorithm>
 
+#include "widgets/common/stop_mark.h"
 #include "widgets/common/theme.h"
 
 namespace tiller {
@@ -17,6 +18,7 @@ constexpr int kHintHeight = 18;  // height of the line below the STOP text [px]
 
 StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     setObjectName(QStringLiteral("stopButton"));
+    setProperty(kStopButtonProperty, true);
     setText(tr("STOP"));
     setAccessibleName(tr("Stop"));
     setFocusPolicy(Qt::NoFocus);

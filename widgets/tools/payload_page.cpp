@@ -77,9 +77,8 @@ constexpr Preset kPresets[] = {
 PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port,
                          HoldPolicy& policy, QWidget* parent)
     : PartPage(QStringLiteral("payload"), tr("Payloads"), payloadModel(document),
-               tr("No payloads yet.\nPress From robot to store the active payload, or Measure… to measure it "
-                  "with the arm."),
-               new QWidget, parent)
+               tr("No payloads yet.\nPress Measure… to measure the payload with the arm."), new QWidget,
+               parent)
     , session_(session)
     , document_(document)
     , state_(session.state())

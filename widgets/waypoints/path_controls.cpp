@@ -93,6 +93,10 @@ void PathControls::toggle() {
         recorder_.stop(selection_.currentRow());
     } else {
         recorder_.start();
+        if (recorder_.isRecording()) {
+            Q_EMIT reported(
+                tr("The path of the arm is being recorded. Select Stop recording path to end it."));
+        }
     }
 }
 
@@ -147,7 +151,7 @@ void PathControls::exportTo(const QString& path) {
                        said ? QString() : texts::errorText(done.error()));
         return;
     }
-    Q_EMIT exported(tr("%n waypoints written as a path to %1", nullptr, static_cast<int>(rows.size()))
+    Q_EMIT reported(tr("%n waypoints written as a path to %1", nullptr, static_cast<int>(rows.size()))
                         .arg(QFileInfo(path).fileName()));
 }
 

@@ -45,8 +45,8 @@ public:
 Q_SIGNALS:
     void kept(const QString& summary);
     void refused(const QString& reason, const QString& details);
-    /// A file was written. The argument is a sentence for the log.
-    void exported(const QString& summary);
+    /// A sentence for the log, e.g. after a file was written.
+    void reported(const QString& sentence);
 
 private:
     QAction* addAction(const QString& name, const QString& text, const std::function<void()>& run);

@@ -181,7 +181,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
             Q_EMIT pathStored();
         }
     });
-    connect(paths_, &PathControls::exported, this,
+    connect(paths_, &PathControls::reported, this,
             [this](const QString& summary) { Q_EMIT message(Severity::Info, summary); });
     connect(details_, &WaypointDetails::placeWanted, this, &WaypointsTab::fitRoutes);
     connect(goThrough_, &GoThroughBar::comingChanged, this, &WaypointsTab::onComing);

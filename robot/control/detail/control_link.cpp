@@ -41,7 +41,8 @@ Error explainInUse(const Error& error, RegisterRange range) {
             ? QStringLiteral("switch the fieldbus (EtherNet/IP, PROFINET) off on the robot, ")
             : QString();
     return {ErrorCode::RegisterInUse, QStringLiteral("take the %1 registers").arg(rangeText(range)),
-            QStringLiteral("%1. End the program that owns it, %2or use the %3 registers.")
+            QStringLiteral("%1. End the program that owns it (it may be another window of Tiller), %2or use "
+                           "the %3 registers.")
                 .arg(error.context, fieldbus, rangeText(other(range)))};
 }
 

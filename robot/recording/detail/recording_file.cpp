@@ -22,7 +22,7 @@ namespace {
 Error fileError(const QFile& file, int systemError, const QString& words) {
     const bool full = systemError == ENOSPC || systemError == EDQUOT;
     return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-            QStringLiteral("record to %1").arg(QDir::toNativeSeparators(file.fileName())), words};
+            QDir::toNativeSeparators(file.fileName()), words};
 }
 
 /// Devices, pipes and some file systems do not support syncing.

@@ -32,7 +32,7 @@ Result<std::shared_ptr<const RecordingFormat>> formatForPath(const Text& path) {
     if (format != nullptr && format->recorder != nullptr) {
         return format->recorder({});
     }
-    return Error{ErrorCode::InvalidArgument, QStringLiteral("record to %1").arg(QString(path)),
+    return Error{ErrorCode::InvalidArgument, QString(path),
                  QStringLiteral("path: must end in ") + suffixWords(true)};
 }
 

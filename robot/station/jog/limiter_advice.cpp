@@ -134,7 +134,7 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
                         LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::ElbowSpeed:
                 return {LimiterAdviceText::tr("Elbow at the speed cap of %1").arg(percent),
-                        LimiterAdviceText::tr("reduce sideways motion")};
+                        LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::RotationSpeed:
                 return {LimiterAdviceText::tr("Rotation at the speed cap of %1").arg(percent),
                         LimiterAdviceText::tr("change the cap in Settings")};

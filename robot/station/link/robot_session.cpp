@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/link/robot_session.h"
 
+#include <QMetaMethod>
 #include <algorithm>
 #include <limits>
 
@@ -12,6 +13,7 @@
 #include "robot/script/supervised_program.h"
 #include "robot/station/link/detail/session_backend.h"
 #include "robot/station/text/controller_codes.h"
+#include "robot/station/text/mode_words.h"
 #include "robot/station/text/move_words.h"
 #include "robot/station/text/notation.h"
 #include "robot/station/text/texts.h"
@@ -24,9 +26,11 @@ using std::chrono::milliseconds;
 constexpr milliseconds kTakeControlTime{5000};
 constexpr milliseconds kSendPathTime{5000};
 
-QString stopSentence(const control::StopMeasurement& stop) {
+/// A stop by the robot is described by its safety mode, e.g. "Protective stop".
+QString stopSentence(const control::StopMeasurement& stop, SafetyStatus safety) {
+    const bool bySafety = stop.cause == control::StopCause::UnsafeMode && !allowsMotion(safety);
     return RobotSession::tr("Stopped: %1 (%2 ms, %3)")
-        .arg(texts::stopCauseText(stop.cause))
+        .arg(bySafety ? safetyWords(safety).text : texts::stopCauseText(stop.cause))
         .arg(stop.durationMs, 0, 'f', 0)
         .arg(format::length(stop.distanceMm / 1e3, 1));
 }
@@ -266,6 +270,10 @@ void RobotSession::takeControl(ForeignProgram program) {
     if (program == ForeignProgram::Ask && d_->state.hasForeignProgram()) {
         Q_EMIT takeControlQuestion();
         return;
+    }
+    if (d_->state.hasForeignProgram()) {
+        Q_EMIT message(Severity::Warning, tr("The program of the other client is stopped to take control."),
+                       Origin::Operator);
     }
     d_->takingControl = true;
     d_->refusal.clear();
@@ -673,7 +681,7 @@ void RobotSession::reportChanges() {
     if (state.lastStop.count > d_->stopsSeen) {
         d_->stopsSeen = state.lastStop.count;
         Q_EMIT motionStopped(state.lastStop);
-        Q_EMIT message(Severity::Info, stopSentence(state.lastStop),
+        Q_EMIT message(Severity::Info, stopSentence(state.lastStop, state.safety()),
                        isOperatorStop(state.lastStop.cause) ? Origin::Operator : Origin::Tiller);
     }
     if (state.link != d_->linkSeen) {
@@ -692,6 +700,7 @@ void RobotSession::reportChanges() {
                               "closed. STOP, Space and Esc still stop the robot. Take control again."));
         }
     }
+    reportExternalProgram();
     if (state.hasData() && state.safety() != d_->safetySeen) {
         d_->safetySeen = state.safety();
         const QString obstacle = texts::safetyModeObstacle(state.safety());
@@ -706,6 +715,41 @@ void RobotSession::reportChanges() {
     if (d_->link) {
         reportControllerMessages();
     }
+}
+
+void RobotSession::reportExternalProgram() {
+    const SessionState& state = d_->state;
+    const bool runs = state.isFresh() && !d_->takingControl && state.foreignProgramRuns() &&
+                      !state.programAbandoned && !state.controlInDoubt;
+    if (!state.foreignProgramRuns()) {
+        d_->changesConfirmed = false;
+    }
+    if (!state.isFresh() || runs == d_->externalRunSeen) {
+        return;
+    }
+    d_->externalRunSeen = runs;
+    if (runs) {
+        Q_EMIT message(d_->isTakenOver() ? Severity::Warning : Severity::Info,
+                       d_->isTakenOver()
+                           ? tr("A program of another client has taken over the robot. Control was lost.")
+                           : tr("A program of another client is running on the robot."),
+                       Origin::Robot);
+    } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
+        Q_EMIT message(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);
+    }
+}
+
+bool RobotSession::asksBeforeChange(const QString& what, const std::function<void()>& change) {
+    if (!d_->state.foreignProgramRuns() || d_->state.programAbandoned || d_->changesConfirmed ||
+        !isSignalConnected(QMetaMethod::fromSignal(&RobotSession::changeQuestion))) {
+        return false;
+    }
+    Q_EMIT changeQuestion(what, change);
+    return true;
+}
+
+void RobotSession::confirmChanges() {
+    d_->changesConfirmed = d_->state.foreignProgramRuns();
 }
 
 void RobotSession::reportControllerMessages() {

@@ -114,6 +114,15 @@ public:
     /// monitor-only mode, reports that `command` is rejected and returns true.
     bool refusesCommand(const QString& command);
 
+    /// For a change of outputs, registers or the gripper by the operator. If a program of another client runs, emits
+    /// changeQuestion() and returns true, and the caller must not make the change. Without a receiver of the question,
+    /// returns false.
+    /// what    name of the change, e.g. "DO 3"
+    /// change  makes the change after the operator has agreed
+    bool asksBeforeChange(const QString& what, const std::function<void()>& change);
+    /// The operator agreed: asksBeforeChange() returns false until this program ends.
+    void confirmChanges();
+
     // Control. The result is reported by stateChanged and message.
     /// What to do with a program of another client that runs or is paused on the robot.
     enum class ForeignProgram { Ask, Stop };
@@ -216,6 +225,9 @@ Q_SIGNALS:
     /// takeControl() would end a program of another client. Call it again with ForeignProgram::Stop if the
     /// operator agrees.
     void takeControlQuestion();
+    /// A change could disturb the program of another client. If the operator agrees, call confirmChanges() and
+    /// `change`.
+    void changeQuestion(const QString& what, const std::function<void()>& change);
     /// RobotServices::perform(PowerOff) would end a program of another client. Call it again with `confirmed`
     /// if the operator agrees.
     void powerOffQuestion();
@@ -226,6 +238,7 @@ private:
     Result<control::MotionProgress> programProgress() const;
     void startPath(MotionId ticket, const Result<control::PreparedPath>& prepared);
     void reportChanges();
+    void reportExternalProgram();
     void reportControllerMessages();
 
     std::unique_ptr<SessionBackend> d_;

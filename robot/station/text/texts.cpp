@@ -176,7 +176,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::DialogOpened:
             return TextsText::tr("a dialog or menu opened");
         case StopCause::SelectionChanged:
-            return TextsText::tr("selection changed");
+            return TextsText::tr("selection or modifier key changed");
         case StopCause::SecondButton:
             return TextsText::tr("second button");
         case StopCause::Escape:
@@ -192,7 +192,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::UnsafeMode:
             return TextsText::tr("robot or safety mode changed");
         case StopCause::EventLoopStalled:
-            return TextsText::tr("input not refreshed in time");
+            return TextsText::tr("this PC was too busy");
         case StopCause::Sleep:
             return TextsText::tr("PC going to sleep");
         case StopCause::LinkLost:

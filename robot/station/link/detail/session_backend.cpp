@@ -219,6 +219,13 @@ bool SessionBackend::isControlInDoubt() {
     return !doubtEnded;
 }
 
+/// True if the control program ended without a request while another program runs now.
+bool SessionBackend::isTakenOver() const {
+    using control::ControlLoss;
+    return (loss == ControlLoss::ScriptStopped || loss == ControlLoss::EchoStalled) && state.isFresh() &&
+           state.foreignProgramRuns() && !state.programAbandoned;
+}
+
 /// True while the control program is uploaded again with a path in it. This is not a loss of control.
 bool SessionBackend::isSendingPath(const control::ControllerStatus& status) const {
     return link->path.sending > 0 && status.loss == control::ControlLoss::Taking && status.fresh;
@@ -299,8 +306,11 @@ QString SessionBackend::obstacle() const {
         case LinkState::Connecting:
             return RobotSession::tr("Connecting to %1…").arg(address.host);
         case LinkState::Lost:
-            return RobotSession::tr(
-                "No data from the robot. Reconnecting automatically; motion does not resume.");
+            return loss == control::ControlLoss::NotTaken || loss == control::ControlLoss::Released
+                       ? RobotSession::tr(
+                             "No data from the robot: the arm may be moving. Reconnecting automatically.")
+                       : RobotSession::tr(
+                             "No data from the robot. Reconnecting automatically; motion does not resume.");
         case LinkState::Stale:
             return RobotSession::tr("Robot data are late.");
         case LinkState::Live:
@@ -323,6 +333,10 @@ QString SessionBackend::obstacle() const {
     }
     if (!refusal.isEmpty()) {
         return refusal;
+    }
+    if (isTakenOver()) {
+        return RobotSession::tr(
+            "A program of another client has taken over the robot. Taking control ends it.");
     }
     return state.remoteNeeded ? texts::remoteObstacle() : texts::controlLossText(loss);
 }

@@ -135,6 +135,8 @@ struct SessionBackend {
         freshSinceLossNs;     ///< start of fresh data after a loss of control, on the monotonic host clock
     bool doubtEnded = false;  ///< data have been fresh for long enough
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
+    bool externalRunSeen = false;   ///< the program of another client was reported
+    bool changesConfirmed = false;  ///< the operator agreed to changes while this program runs
 
     QStringList extraFields;                 ///< requested in addition to the standard fields
     std::vector<receive::Sample> extraRoom;  ///< reused buffer for extra samples
@@ -162,6 +164,7 @@ private:
     void readLink();
     void readSample();
     void readControl();
+    bool isTakenOver() const;
     bool isSendingPath(const control::ControllerStatus& status) const;
     bool isControlInDoubt();
     void readGuard();

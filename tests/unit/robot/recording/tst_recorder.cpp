@@ -178,6 +178,7 @@ private Q_SLOTS:
     void unwritablePlacesAreErrors();
     void fullDiskAtTheStartIsAnError();
     void aRestartOfTheControllerIsAnEvent();
+    void notesOfACsvRecordingAreInASecondFile();
     void fullDiskKeepsRecordedData();
     void killedWriterLeavesAReadableFile();
     void anErrorOfWritingBackEndsInFailed();
@@ -463,6 +464,40 @@ void TestRecorder::fullDiskAtTheStartIsAnError() {
     const auto started = recorder.start({QStringLiteral("/dev/full"), {}}, bench.receiver);
     QCOMPARE(started.error().code, ErrorCode::DiskFull);
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
+}
+
+void TestRecorder::notesOfACsvRecordingAreInASecondFile() {
+    Bench bench;
+    const QString path = bench.path();
+    const QString notes = QFileInfo(path).path() + '/' + QFileInfo(path).completeBaseName() + ".notes.csv";
+    test::writeFile(notes, "row,utc,level,source,text\n5,,20,note,of an older recording\n");
+    Recorder recorder;
+    QVERIFY(recorder.start({path, {"timestamp"}}, bench.receiver).ok());
+    const auto sendUntil = [&](int rows) {
+        for (int i = rows - 99; i <= rows; ++i) {
+            bench.peer.send(i * 0.002);
+        }
+        TRY_COMPARE(recorder.progress().rows, std::uint64_t(rows));
+    };
+    sendUntil(100);
+    recorder.note({1'700'000'000'000'000'000, 30, kNoteSource, QStringLiteral("part \"2\", jammed\nagain")});
+    TRY_COMPARE(QFileInfo(notes).size() > 60, true);
+    sendUntil(200);
+    recorder.stop();
+    QCOMPARE(recorder.progress().state, RecorderState::Finished);
+
+    const auto recording = openCsv(path);
+    QVERIFY2(recording.ok(), qPrintable(recording.error().toString()));
+    const std::vector<RecordedEvent>& events = recording.value()->events();
+    QCOMPARE(events.size(), std::size_t(1));
+    QCOMPARE(events.front().level, 30);
+    QCOMPARE(events.front().source, QString(kNoteSource));
+    QCOMPARE(events.front().text, QString("part \"2\", jammed again"));
+    const double at = events.front().seconds;
+    QVERIFY2(at > 0.15 && at < 0.25, qPrintable(QString::number(at)));
+    QFile file(notes);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().contains("100,2023-11-14T22:13:20.000Z,30,"));
 }
 
 void TestRecorder::aRestartOfTheControllerIsAnEvent() {

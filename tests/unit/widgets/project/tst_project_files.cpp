@@ -307,6 +307,26 @@ private Q_SLOTS:
         QVERIFY(project::keptCopies(folder).isEmpty());
     }
 
+    void aNewProjectIsEmptyAndReplacesNoFile() {
+        document_->insertWaypoints(0, {named("a")}, "Teach");
+        files_->saveAs(path_);
+        QStringList messages;
+        connect(files_.get(), &ProjectFiles::message, this,
+                [&](Severity, const QString& text) { messages << text; });
+        files_->startNew(path_);
+        QCOMPARE(messages.filter("already exists").size(), 1);
+        QCOMPARE(document_->waypoints().size(), 1);
+        const QString fresh = directory_->filePath("fresh.tiller");
+        files_->startNew(fresh);
+        QCOMPARE(files_->store().path(), fresh);
+        QVERIFY(document_->waypoints().isEmpty());
+        document_->insertWaypoints(0, {named("b")}, "Teach");
+        QVERIFY(files_->mayLeave(nullptr));
+        QVERIFY(QFileInfo::exists(fresh));
+        files_->open(path_);
+        QCOMPARE(document_->waypoints().at(0).name, QString("a"));
+    }
+
     void keptWorkIsDiscardedOnRequest() {
         const QString folder = directory_->filePath("Unsaved");
         for (const char* name : {"first", "second"}) {

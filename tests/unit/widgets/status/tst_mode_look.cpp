@@ -161,6 +161,8 @@ private Q_SLOTS:
         QVERIFY(linkLook(state).text.contains(QStringLiteral("3 lost")));
         state.link = LinkState::Stale;
         QCOMPARE(linkLook(state).emphasis, Emphasis::Warning);
+        QCOMPARE(linkCaption(state), QStringLiteral("LINK"));
+        state.control = ControlState::InControl;
         QCOMPARE(linkCaption(state), QStringLiteral("LINK · JOG STOPS"));
         state.link = LinkState::Lost;
         QCOMPARE(linkCaption(state), QStringLiteral("LINK"));

@@ -82,6 +82,45 @@ class TestForeignProgram : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void changesDuringAProgramOfAnotherClientAreAskedAboutOnce() {
+        ProgramBench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        const auto change = [] {};
+        QVERIFY2(bench.sendMovingProgram() && bench.within([&] { return bench.state().moving; }),
+                 "the program does not run");
+        QVERIFY2(!bench.session.asksBeforeChange("DO 3", change), "nothing can show the question");
+        QStringList asked;
+        QObject::connect(&bench.session, &RobotSession::changeQuestion, &bench.session,
+                         [&](const QString& what) { asked << what; });
+        QVERIFY(bench.session.asksBeforeChange("DO 3", change));
+        QCOMPARE(asked, QStringList{"DO 3"});
+        bench.session.confirmChanges();
+        QVERIFY(!bench.session.asksBeforeChange("DO 4", change));
+        QVERIFY(bench.cell.robot.inject("script-error").ok());
+        QVERIFY(bench.within([&] { return !bench.state().hasForeignProgram(); }));
+        QVERIFY2(!bench.session.asksBeforeChange("DO 4", change), "no program is running");
+        QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.state().moving; }));
+        QVERIFY(bench.session.asksBeforeChange("DO 5", change));
+        QCOMPARE(asked.size(), 2);
+    }
+
+    void theLogNamesProgramsOfOtherClients() {
+        QStringList messages;  // outlives the session, which reports its end
+        ProgramBench bench;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.moves(); }));
+        QVERIFY(bench.within([&] { return messages.filter("another client is running").size() == 1; }));
+        bench.session.takeControl(RobotSession::ForeignProgram::Stop);
+        QCOMPARE(messages.filter("program of the other client is stopped").size(), 1);
+        QVERIFY(bench.within([&] { return bench.isInControl(); }));
+        QVERIFY(bench.sendMovingProgram());
+        QVERIFY(bench.within([&] { return messages.filter("taken over").size() == 1; }));
+        QVERIFY2(bench.state().controlReason.contains("taken over"), qPrintable(bench.state().controlReason));
+        QCOMPARE(messages.filter("another client is running").size(), 1);
+    }
+
     // The control program of a killed process continues to run at standstill for five seconds.
     void controlOfAnAbandonedProgramIsTakenWithoutAQuestion() {
         ProgramBench bench;

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "robot/recording/detail/csv_notes.h"
+
+#include <QDateTime>
+#include <QFile>
+#include <QFileInfo>
+#include <utility>
+
+#include "robot/core/file_reading.h"
+
+namespace tiller::recording {
+
+namespace {
+
+constexpr qint64 kNsPerMs = 1'000'000;
+constexpr char kHeader[] = "row,utc,level,source,text";
+// A longer file was not written by a recorder.
+constexpr qint64 kMaxBytes = 64 << 20;
+
+QString quoted(QString text) {
+    text.replace(QLatin1Char('\r'), QLatin1Char(' ')).replace(QLatin1Char('\n'), QLatin1Char(' '));
+    return QLatin1Char('"') + text.replace(QLatin1Char('"'), QLatin1String("\"\"")) + QLatin1Char('"');
+}
+
+/// Splits at commas outside quotes.
+QStringList cellsOf(const QString& line) {
+    QStringList cells(QString{});
+    bool inQuotes = false;
+    for (qsizetype i = 0; i < line.size(); ++i) {
+        const QChar each = line[i];
+        if (each == QLatin1Char('"')) {
+            if (inQuotes && i + 1 < line.size() && line[i + 1] == QLatin1Char('"')) {
+                cells.back() += line[++i];
+            } else {
+                inQuotes = !inQuotes;
+            }
+        } else if (each == QLatin1Char(',') && !inQuotes) {
+            cells << QString();
+        } else {
+            cells.back() += each;
+        }
+    }
+    return cells;
+}
+
+}  // namespace
+
+QString csvNotesPath(const QString& recording) {
+    const QFileInfo file(recording);
+    return file.path() + QLatin1Char('/') + file.completeBaseName() + QStringLiteral(".notes.csv");
+}
+
+std::string csvNotesHeader() {
+    return std::string(kHeader) + '\n';
+}
+
+std::string csvNoteLine(std::uint64_t row, const RecordedNote& note) {
+    const QString utc =
+        note.utcNs == 0
+            ? QString()
+            : QDateTime::fromMSecsSinceEpoch(note.utcNs / kNsPerMs, Qt::UTC).toString(Qt::ISODateWithMs);
+    return QStringLiteral("%1,%2,%3,%4,%5\n")
+        .arg(QString::number(row), utc, QString::number(note.level), quoted(note.source), quoted(note.text))
+        .toStdString();
+}
+
+std::vector<std::pair<std::uint64_t, RecordedEvent>> readCsvNotes(const QString& recording) {
+    QFile file;
+    const QString path = csvNotesPath(recording);
+    if (!QFileInfo::exists(path) || !openForReading(file, path) || file.size() > kMaxBytes ||
+        file.readLine().trimmed() != kHeader) {
+        return {};
+    }
+    std::vector<std::pair<std::uint64_t, RecordedEvent>> notes;
+    while (!file.atEnd()) {
+        const QStringList cells = cellsOf(QString::fromUtf8(file.readLine()).remove(QLatin1Char('\n')));
+        bool hasRow = false;
+        bool hasLevel = false;
+        const std::uint64_t row = cells.value(0).toULongLong(&hasRow);
+        const int level = cells.value(2).toInt(&hasLevel);
+        if (hasRow && hasLevel && cells.size() == 5) {
+            notes.emplace_back(row, RecordedEvent{0, level, cells[3], cells[4]});
+        }
+    }
+    return notes;
+}
+
+}  // namespace tiller::recording

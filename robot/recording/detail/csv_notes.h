@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The notes and log lines of a CSV recording. A table of numbers has no place for text, so they are in a second CSV
+// file next to the recording, with the columns row, utc, level, source and text.
+
+#include <QString>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot/recording/recording.h"
+#include "robot/recording/recording_format.h"
+
+namespace tiller::recording {
+
+/// "a.csv" becomes "a.notes.csv".
+QString csvNotesPath(const QString& recording);
+std::string csvNotesHeader();
+/// row  number of rows before the note
+std::string csvNoteLine(std::uint64_t row, const RecordedNote& note);
+/// Reads the file next to a recording; empty if there is none. Lines that cannot be read are skipped. Each note is
+/// returned with the number of rows before it, and without a time.
+std::vector<std::pair<std::uint64_t, RecordedEvent>> readCsvNotes(const QString& recording);
+
+}  // namespace tiller::recording
