@@ -83,7 +83,7 @@ private Q_SLOTS:
 
     // Some programs grab the server while one of their menus is open. The server then does not respond to
     // other clients.
-    void anotherProgramTakesTheServerForItself() {
+    void anotherProgramGrabsTheServer() {
         XHand other(cell().displayName());
         hold();
         other.grabServer();
@@ -92,7 +92,7 @@ private Q_SLOTS:
         verifyEndedForGood();
     }
 
-    void theProgramIsFrozenAndGoesOnWhileItIsHeld() {
+    void theProgramIsFrozenAndContinuesWhileTheKeyIsHeld() {
         hold();
         cell().program().signal(SIGSTOP);
         verifyStands();

@@ -53,7 +53,7 @@ class TestGoThroughByHand : public InterruptedHold {
     bool all() { return cell().place("waypoint.routeScope").text == "All"; }
 
 private Q_SLOTS:
-    void theButtonIsLetGo() {
+    void theButtonIsReleased() {
         hold();
         hand().button(1, false);
         verifyStands();

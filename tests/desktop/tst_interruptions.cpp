@@ -23,14 +23,14 @@ class TestInterruptions : public InterruptedHold {
     void letGo() override { hand().release(kRight); }
 
 private Q_SLOTS:
-    void theKeyIsLetGo() {
+    void theKeyIsReleased() {
         hold();
         hand().release(kRight);
         verifyStands();
     }
 
     // The server repeats a held key. Each repetition is sent as a release and a press.
-    void autoRepeatIsNeitherAReleaseNorAPress() {
+    void autoRepeatDoesNotCountAsReleaseOrPress() {
         // If the computer is blocked for 100 ms, a hold ends as intended. Auto-repeat would end every hold, so one
         // uninterrupted hold is the proof.
         const QDeadlineTimer timeLimit(std::chrono::minutes(2));
@@ -101,7 +101,7 @@ private Q_SLOTS:
 
     // A program sends a press to the window that did not come from the keyboard. A release would never
     // follow.
-    void aKeyIsSentThatNobodyPressed() {
+    void theArmStopsAfterASyntheticKeyPress() {
         const Vector6 from = arm().joints();
         hand().sendKey(cell().place("mainWindow").window, kRight, true);
         QVERIFY2(cell().until([&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 1e-4; }),
@@ -109,7 +109,7 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    void aButtonIsSentThatNobodyPressed() {
+    void theArmStopsAfterASyntheticButtonPress() {
         const Place key = cell().place("jog.X+");
         hand().moveTo(key.middle());
         hand().sendButton(key.window, key.middle(), true);

@@ -149,7 +149,7 @@ class TestKeyMatrix : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whatIsLetGoStandsWhateverWasPressedBesides() {
+    void releaseStopsTheArmWhateverElseIsPressed() {
         const QList<MatrixCell> cells = everyPair();
         MatrixTrial trial;
         Tally tally;

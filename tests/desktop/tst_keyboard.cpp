@@ -80,7 +80,7 @@ private Q_SLOTS:
     }
 
     // The arrow key is still held, but the motion was started as a rotation.
-    void altIsLetGoUnderShift() {
+    void altIsReleasedUnderShift() {
         holdBy(
             [&] {
                 hand().press(kAlt);
@@ -97,7 +97,7 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    void aSecondDirectionIsLetGoFirst() {
+    void theSecondDirectionIsReleasedFirst() {
         holdBy([&] { hand().press(kRight); }, [&] { hand().release(kRight); });
         hand().press(kUp);
         hand().release(kUp);

@@ -45,7 +45,7 @@ private Q_SLOTS:
         QVERIFY(arm().stays(0.3));
     }
 
-    void theKeyThatArmsTheKeyboardTakesItBackToo() {
+    void theArmButtonAlsoDisarmsTheKeyboard() {
         QVERIFY(cell().toTheFront());
         QVERIFY(cell().click("jog.armKeyboard"));
         QVERIFY(cell().until([&] { return !cell().place("armedFrame").visible; }));
@@ -59,7 +59,7 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    void theKeyThatArmsIsClickedWhileTheKeyboardJogs() {
+    void clickingTheArmButtonStopsAKeyboardJog() {
         QVERIFY(cell().armKeyboard());
         holdBy([&] { hand().press(kRight); }, [&] { hand().release(kRight); });
         QVERIFY(cell().click("jog.armKeyboard"));

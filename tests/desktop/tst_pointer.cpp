@@ -31,13 +31,13 @@ private Q_SLOTS:
         }
     }
 
-    void theButtonIsLetGo() {
+    void theButtonIsReleased() {
         hold();
         hand().button(1, false);
         verifyStands();
     }
 
-    void everyKeyMovesWhileItIsHeldAndNoLonger_data() {
+    void everyKeyMovesOnlyWhileItIsHeld_data() {
         QTest::addColumn<QString>("name");
         for (const char* axis : {"X", "Y", "Z", "Rz", "Ry", "Rx"}) {
             for (const char* sign : {"-", "+"}) {
@@ -49,14 +49,14 @@ private Q_SLOTS:
             QTest::addRow("%s", name) << QString::fromLatin1(name);
         }
     }
-    void everyKeyMovesWhileItIsHeldAndNoLonger() {
+    void everyKeyMovesOnlyWhileItIsHeld() {
         QFETCH(QString, name);
         hold(name);
         hand().button(1, false);
         verifyStands();
     }
 
-    void backMovesWhileItIsHeldAndNoLonger() {
+    void backMovesOnlyWhileItIsHeld() {
         const Vector6 from = arm().joints();
         hold();
         QVERIFY(cell().until([&] { return (arm().joints() - from).cwiseAbs().maxCoeff() > 0.05; }));
@@ -68,7 +68,7 @@ private Q_SLOTS:
         verifyStands();
     }
 
-    void theButtonIsLetGoOutsideTheWindow() {
+    void theButtonIsReleasedOutsideTheWindow() {
         hold();
         const Place window = cell().place("mainWindow");
         hand().moveTo(window.area.bottomRight() + QPoint(10, 10));
@@ -150,7 +150,7 @@ private Q_SLOTS:
         }
     }
 
-    void aDialogOpensByItsKey() {
+    void aDialogIsOpenedByItsShortcut() {
         hold();
         hand().press(kControl);
         hand().tap(kLetterK);

@@ -59,7 +59,7 @@ private Q_SLOTS:
         server_.reset();
     }
 
-    void itSaysWhatIsDown() {
+    void reportsThePressedKeysAndButtons() {
         XcbKeyStateProbe witness;
         QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         XHand hand(QString::fromLatin1(display_));
@@ -79,7 +79,7 @@ private Q_SLOTS:
         hand.button(3, false);
     }
 
-    void itSleepsUntilItIsWanted() {
+    void pollsOnlyWhenRequested() {
         XcbKeyStateProbe witness;
         QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         QTest::qWait(50);
@@ -88,7 +88,7 @@ private Q_SLOTS:
         QVERIFY(fresh(witness, 0).askedNs > 0);
     }
 
-    void aFrozenServerIsSilenceAndNobodyWaitsForIt() {
+    void aFrozenServerBlocksNoCaller() {
         {
             XcbKeyStateProbe witness;
             QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
@@ -103,7 +103,7 @@ private Q_SLOTS:
         server_->signal(SIGCONT);
     }
 
-    void aDeadServerIsSilenceForEver() {
+    void aKilledServerIsNotTreatedAsAbsent() {
         XcbKeyStateProbe witness;
         QVERIFY(QTest::qWaitFor([&] { return witness.isThere(); }, kWaitTimeoutMs));
         witness.want(true);
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QVERIFY2(witness.isThere(), "who was there once is not replaced by trust");
     }
 
-    void withoutAServerThereIsNone() {
+    void isUnavailableWithoutAServer() {
         qputenv("DISPLAY", ":4711");
         XcbKeyStateProbe witness;
         // The description is "unavailable" from the beginning, so the attempt to connect needs its time.

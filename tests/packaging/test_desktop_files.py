@@ -47,7 +47,7 @@ class TestDesktopFiles(unittest.TestCase):
         first = (SOURCE / "packaging/debian/changelog").read_text().splitlines()[0]
         self.assertIn(f"({version})", first)
 
-    def test_the_mime_type_knows_a_project(self):
+    def test_the_mime_type_matches_a_project(self):
         tree = xml.parse(LINUX / "tiller-mime.xml")
         space = {"m": "http://www.freedesktop.org/standards/shared-mime-info"}
         name = tree.find("m:mime-type", space).get("type")
@@ -77,7 +77,7 @@ class TestDesktopFiles(unittest.TestCase):
             done = subprocess.run(["rst2man", "--strict"], input=text, capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_the_shells_complete_what_there_is(self):
+    def test_the_shells_complete_every_command_and_option(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, path in PROGRAMS.items():
                 subprocess.run(["python3", "-B", str(LINUX / "make_completions.py"), path, folder], check=True)
@@ -97,7 +97,7 @@ class TestDesktopFiles(unittest.TestCase):
                   'printf "%s\\n" "${COMPREPLY[@]}"')
         return set(subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True).stdout.split())
 
-    def test_the_packages_are_built_with_what_the_build_needs(self):
+    def test_the_packages_declare_every_build_dependency(self):
         with open(SOURCE / "packaging/dependencies", encoding="utf-8") as file:
             wanted = file.read().partition("[run]\n")[2].partition("[test]")[0].split()
         text = (SOURCE / "packaging/debian/control").read_text()
@@ -106,7 +106,7 @@ class TestDesktopFiles(unittest.TestCase):
         for package in set(wanted) - {"build-essential", "ccache"}:
             self.assertRegex(text, rf"(?m)^(Build-Depends: | +|Depends: ){re.escape(package)}[ ,\n]")
 
-    def test_the_units_are_well_formed_and_start_what_there_is(self):
+    def test_the_units_are_well_formed_and_start_existing_programs(self):
         for unit in (LINUX / "systemd").glob("*.service"):
             command = re.search(r"^ExecStart=.*/usr/bin/tiller-cli (\w+) (.*)$", unit.read_text(), re.MULTILINE)
             self.assertLessEqual(options_in(command[2]), options_in(help_of("tiller-cli", command[1])), unit)
@@ -131,7 +131,7 @@ class TestDesktopFiles(unittest.TestCase):
                                       text=True, check=False)
                 self.assertNotIn(unit.name.partition("@")[0], done.stderr)
 
-    def test_what_is_no_address_is_refused(self):
+    def test_invalid_addresses_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             for address in ("--force", "$(touch x)", "a;touch x", "`touch x`", "a b", "../x", "a/b", "x\ny", ""):
                 done = subprocess.run([PROGRAMS["tiller-cli"], "record", "--out-folder", ".", "--quiet", "--wait", "1",

@@ -38,7 +38,7 @@ class TestPortable(unittest.TestCase):
             return subprocess.run(words, env=dict(surroundings, HOME=home, PATH="/usr/bin:/bin"), capture_output=True, text=True,
                                   cwd="/", check=False)
 
-    def test_everything_the_programs_load_is_inside(self):
+    def test_the_package_contains_every_loaded_library(self):
         code = [path for path in self.folder.rglob("*") if path.is_file() and is_code(path)]
         self.assertGreater(len(code), 50)
         wanted = 0
@@ -56,7 +56,7 @@ class TestPortable(unittest.TestCase):
                 self.assertNotRegex(dynamic, r"RUNPATH|RPATH", path)
         self.assertIn(f"glibc 2.{wanted} or newer", (self.folder / "README").read_text(encoding="utf-8"))
 
-    def test_other_libraries_on_the_way_change_nothing(self):
+    def test_libraries_in_the_search_path_are_ignored(self):
         with tempfile.TemporaryDirectory() as other:
             for name in ("libQt6Core.so.6", "libQt6Gui.so.6", "libQt6Network.so.6"):
                 pathlib.Path(other, name).write_text("not this one")
@@ -64,7 +64,7 @@ class TestPortable(unittest.TestCase):
                 done = self.started(str(self.folder / program), "--version", LD_LIBRARY_PATH=other)
                 self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_it_starts_by_a_link_and_takes_its_own_plugins(self):
+    def test_it_starts_through_a_link_and_uses_its_own_plugins(self):
         with tempfile.TemporaryDirectory() as somewhere:
             link = os.path.join(somewhere, "tiller")
             os.symlink(self.folder / "tiller", link)
@@ -73,7 +73,7 @@ class TestPortable(unittest.TestCase):
             self.assertIn(f"{self.folder}/plugins/platforms/libqoffscreen.so", done.stderr)
             self.assertNotIn("/usr/lib", done.stderr)
 
-    def test_help_and_texts_of_qt_are_there(self):
+    def test_help_and_qt_translations_are_included(self):
         self.assertTrue((self.folder / "share/translations/qtbase_de.qm").exists())
         if (pathlib.Path(os.environ["TILLER_BUILD"]) / "share/tiller/manual/index.html").exists():
             self.assertTrue((self.folder / "share/tiller/manual/index.html").exists())
@@ -94,7 +94,7 @@ class TestPortable(unittest.TestCase):
         for name in ("LICENSE", "robot/LICENSE", "app/LICENSE"):
             self.assertEqual((licences.parent / name).read_bytes(), (SOURCE / name).read_bytes())
 
-    def test_fonts_come_along_for_those_who_have_none(self):
+    def test_fonts_are_included_for_systems_without_fonts(self):
         fonts = self.folder / "share/fonts"
         listed = subprocess.run(["fc-list"], env=dict(os.environ, FONTCONFIG_FILE=str(fonts / "fonts.conf"), HOME=self.output.name),
                                 capture_output=True, text=True, check=False)

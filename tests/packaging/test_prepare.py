@@ -85,7 +85,7 @@ class TestPrepare(unittest.TestCase):
         os.close(ours)
         return process.wait(), said.decode()
 
-    def test_a_log_gets_few_whole_lines(self):
+    def test_a_log_receives_few_complete_lines(self):
         ran = self.piped()
         self.assertEqual(ran.returncode, 0, ran.stdout)
         self.assertNotIn("\r", ran.stdout)
@@ -99,7 +99,7 @@ class TestPrepare(unittest.TestCase):
         self.assertEqual(shares, [10, 50, 75, 100])
         self.assertIn("worked=1", ran.stdout)
 
-    def test_a_terminal_gets_one_line_that_moves(self):
+    def test_a_terminal_shows_one_updating_line(self):
         code, said = self.on_a_terminal()
         self.assertEqual(code, 0, said)
         self.assertIn("\r\033[K  Building   50 %  100 of 200", said)
@@ -110,7 +110,7 @@ class TestPrepare(unittest.TestCase):
         self.assertEqual([line[:5] for line in kept if line.startswith("[")], ["[1/3]", "[2/3]", "[3/3]"])
         self.assertTrue(any(re.match(r"Built in \d+ s\.$", line) for line in kept), kept)
 
-    def test_nothing_to_do_says_nothing(self):
+    def test_nothing_is_printed_when_there_is_nothing_to_do(self):
         self.assertEqual(self.piped().returncode, 0)
         with open(f"{self.folder}/packaging/dependencies", encoding="utf-8") as file:
             names = [line for line in file.read().splitlines() if line and line[0] not in "#["]
@@ -118,13 +118,13 @@ class TestPrepare(unittest.TestCase):
         ran = self.piped(NOTHING_TO_DO="1")
         self.assertEqual(ran.stdout, "worked=0\n")
 
-    def test_a_failed_installation_tells_apts_words(self):
+    def test_a_failed_installation_prints_the_output_of_apt(self):
         ran = self.piped(APT_FAILS="1")
         self.assertNotEqual(ran.returncode, 0)
         self.assertIn("E: no space left on device", ran.stdout)
         self.assertIn("tiller-apt.log", ran.stdout.splitlines()[-1])
 
-    def test_a_failed_build_tells_the_compilers_words(self):
+    def test_a_failed_build_prints_the_output_of_the_compiler(self):
         ran = self.piped(BUILD_FAILS="1")
         self.assertNotEqual(ran.returncode, 0)
         self.assertIn("arm.cpp:7: error: no such joint", ran.stdout)

@@ -16,7 +16,7 @@ import make_reference  # noqa: E402
 
 
 class TestReference(unittest.TestCase):
-    def test_it_is_about_what_is_installed(self):
+    def test_it_documents_the_installed_headers(self):
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run(["cmake", "--install", os.environ["TILLER_BUILD"], "--component", "development", "--prefix", folder],
                            check=True, capture_output=True)
@@ -28,7 +28,7 @@ class TestReference(unittest.TestCase):
         self.assertEqual(set(make_reference.headers()), installed)
 
     @unittest.skipUnless(shutil.which("doxygen"), "doxygen is not installed")
-    def test_it_is_made_without_a_warning(self):
+    def test_it_is_generated_without_warnings(self):
         with tempfile.TemporaryDirectory() as folder:
             script = SOURCE / "packaging/reference/make_reference.py"
             made = subprocess.run([sys.executable, "-B", str(script), folder + "/made"], capture_output=True, text=True, check=False)
@@ -39,7 +39,7 @@ class TestReference(unittest.TestCase):
             self.assertIn("URScript movej", text)
             self.assertTrue(pathlib.Path(folder, "made/index.html").exists())
 
-    def test_words_of_a_header_reach_its_class(self):
+    def test_comments_of_a_header_appear_on_its_class_page(self):
         text = ("// SPDX-License-Identifier: MIT\n#pragma once\n\n// What it is.\n//\n//     code();\n\n#include <x>\n\n"
                 "struct Before {};\nclass Thing {\n    /// Goes.\n    /// speed  [m/s]\n    void go(double speed);\n};\n")
         shown = make_reference.for_doxygen(text, "thing")

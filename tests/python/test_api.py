@@ -48,11 +48,11 @@ class TestArguments(unittest.TestCase):
             tiller.Kinematics(5)
         self.assertIn("model", str(raised.exception))
 
-    def test_a_text_says_what_is_needed_and_what_came(self):
+    def test_the_message_names_the_expected_and_actual_type(self):
         with self.assertRaisesRegex(TypeError, r"^Robot\.move_j\(\): speed must be a number, not 'fast' \(str\)$"):
             self.robot.move_j(self.robot.state.q, speed="fast")
 
-    def test_type_errors_of_the_caller_are_left_alone(self):
+    def test_type_errors_of_the_caller_are_not_changed(self):
         def callback(cycle):
             raise TypeError("mine: incompatible function arguments")
 
@@ -103,7 +103,7 @@ class TestLink(unittest.TestCase):
         self.assertEqual(robot.state.runtime_state, "STOPPED")
         self.assertEqual(robot.state["safety_mode"], 1.0)  # the packet is unchanged
 
-    def test_a_refused_connection_is_not_waited_for(self):
+    def test_a_refused_connection_fails_immediately(self):
         self.simulator.stop()
         with self.assertRaises(errors.ConnectionRefused):
             tiller.Robot(self.simulator.address, timeout=None)  # would hang if it waited for the refused connection

@@ -28,13 +28,13 @@ class TestBenchmarks(unittest.TestCase):
         return self.table.Program("p", [sys.executable, "-c", f"print({text!r})"],
                                 [self.table.Figure("f", **figure)])
 
-    def test_the_list_is_whole(self):
+    def test_the_list_is_complete(self):
         programs = self.table.load(FOLDER / "rows.toml")
         self.assertGreater(len(programs), 0)
         names = [f"{program.name}: {figure.name}" for program in programs for figure in program.figures]
         self.assertEqual(len(names), len(set(names)))
 
-    def test_a_wrong_list_is_told(self):
+    def test_an_invalid_list_is_reported(self):
         for figure in ('name = "f"', 'name = "f"\nat = "a"\npattern = "b"', 'name = "f"\nat = "a"\ngoal = "3"'):
             with self.subTest(figure), tempfile.TemporaryDirectory() as folder:
                 rows = Path(folder) / "rows.toml"
@@ -42,7 +42,7 @@ class TestBenchmarks(unittest.TestCase):
                 with self.assertRaises(self.table.Mistake):
                     self.table.load(rows)
 
-    def test_figures_are_found(self):
+    def test_values_are_extracted(self):
         several = self.printing('{"all": [{"lost": 1}, {"lost": 4}, {}]}', at="all.*.lost", goal="< 4")
         second = self.printing('{"all": [{"lost": 1}, {"lost": 4}]}', at="all.0.lost", goal="< 4")
         text = self.printing("cost   2.5 %\\nlate 3", pattern=r"^cost +([\d.]+)", goal=">= 2.5")
@@ -51,7 +51,7 @@ class TestBenchmarks(unittest.TestCase):
             self.assertEqual(program.figures[0].values, [value])
             self.assertEqual(program.figures[0].verdict(), met)
 
-    def test_what_is_not_told_is_no_figure(self):
+    def test_missing_output_gives_no_value(self):
         for program in (self.printing("{}", at="all.*.lost"), self.printing("not JSON", at="a"),
                         self.printing("late", pattern=r"late (\d+)"),
                         self.table.Program("p", ["{bin}/nothing"], [self.table.Figure("f", at="a")])):
@@ -60,7 +60,7 @@ class TestBenchmarks(unittest.TestCase):
                     program.measure(Path("/"), 60)
                 self.assertEqual(program.figures[0].values, [])
 
-    def test_the_table_tells_median_spread_and_mistakes(self):
+    def test_the_table_shows_median_spread_and_errors(self):
         program = self.printing("", at="a", goal="< 3")
         program.figures[0].values = [1, 7, 2]
         program.others = program.stolen = [10, 30, 20]

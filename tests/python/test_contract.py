@@ -87,7 +87,7 @@ class TestContract(unittest.TestCase):
     def test_kill(self):
         self.every(lambda process: process.kill())
 
-    def test_stop_and_go_on(self):
+    def test_suspend_and_resume(self):
         self.every(lambda process: process.send_signal(signal.SIGSTOP),
                    lambda process: process.send_signal(signal.SIGCONT))
 

@@ -63,7 +63,7 @@ class TestControl(unittest.TestCase):
         self.assertTrue(self.control.moveJ(START, vel=1.0, acc=1.4))
         self.assertTrue(self.control.moveJ(START, 1.0, acc=1.4))
 
-    def test_a_second_one_is_told_who_holds_the_registers(self):
+    def test_a_second_client_learns_who_uses_the_registers(self):
         self.assertEqual(repr(self.control), f"<rtde_control.RTDEControlInterface {self.robot.host}, connected>")
         try:
             second = RTDEControlInterface(self.robot.host)

@@ -45,7 +45,7 @@ class TestData(unittest.TestCase):
         receive.disconnect()
         self.assertFalse(receive.isConnected())
 
-    def test_interfaces_end_with_their_block_and_show_themselves(self):
+    def test_interfaces_close_with_their_block_and_have_a_repr(self):
         with RTDEReceiveInterface(self.robot.host) as receive:
             self.assertEqual(repr(receive), f"<rtde_receive.RTDEReceiveInterface {self.robot.host}, connected>")
         self.assertFalse(receive.isConnected())

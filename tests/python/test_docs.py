@@ -46,7 +46,7 @@ class TestDocs(unittest.TestCase):
                     for parameter in parameters:
                         self.assertNotRegex(parameter.name, r"^arg\d")
 
-    def test_bound_methods_have_the_arguments_that_are_left(self):
+    def test_bound_methods_omit_the_bound_arguments(self):
         from rtde_control import Path, RTDEControlInterface
 
         self.assertEqual(str(inspect.signature(RTDEControlInterface.moveL)),
@@ -68,7 +68,7 @@ class TestDocs(unittest.TestCase):
                             checked += 1
         self.assertGreater(checked, 25)
 
-    def test_enumerations_are_pythons(self):
+    def test_enumerations_are_python_enums(self):
         import enum
 
         from rtde_control import RTDEControlInterface

@@ -27,7 +27,7 @@ class TestEpisodes(unittest.TestCase):
         spec.loader.exec_module(module)
         return module
 
-    def test_the_primitive_takes_the_demonstrated_way(self):
+    def test_the_primitive_follows_the_demonstrated_path(self):
         """Uses a path to the goal and half the way back, which a spring alone cannot produce."""
         primitive = self.example().MovementPrimitive()
         t = np.linspace(0, 1, 501)[:, None]

@@ -19,7 +19,7 @@ ATTEMPTS = 5
 
 
 class TestExamples(unittest.TestCase):
-    def test_they_are_short(self):
+    def test_the_examples_are_short(self):
         names = sorted(name[:-3] for name in os.listdir(FOLDER) if name.endswith(".py"))
         self.assertEqual(names, sorted(SAYS))
         for name in names:
@@ -28,7 +28,7 @@ class TestExamples(unittest.TestCase):
             self.assertLess(len(text.splitlines()), 31, name)
             self.assertTrue(ast.get_docstring(ast.parse(text)), name)
 
-    def test_each_runs(self):
+    def test_each_example_runs(self):
         for name, said in SAYS.items():
             with self.subTest(name), tempfile.TemporaryDirectory() as folder, tiller.Simulator() as one, \
                     tiller.Simulator() as other:

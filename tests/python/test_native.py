@@ -66,7 +66,7 @@ class TestHandles(VirtualCase):
                   "jog": lambda robot: robot.jog([0.1, 0, 0, 0, 0, 0], "joints"),
                   "force mode": lambda robot: robot.force_mode(**SOFT, timeout=None)}
 
-    def test_an_uncaught_exception_ends_what_it_moves(self):
+    def test_an_uncaught_exception_stops_the_motion(self):
         for name, begin in self.BEGINNINGS.items():
             with self.subTest(name):
                 handle = begin(self.simulator.robot(timeout=None).take_control(None))
@@ -78,7 +78,7 @@ class TestHandles(VirtualCase):
                 self.assertFalse(getattr(handle, "active", False))
                 del handle
 
-    def test_a_cell_that_runs_again_gets_control(self):
+    def test_a_cell_that_is_rerun_gets_control(self):
         for _ in range(2):
             robot = self.simulator.robot(timeout=None)
             robot.take_control(None)
@@ -144,7 +144,7 @@ class TestReceive(VirtualCase):
             self.assertEqual(int(frame.packages_lost.sum()), 0)
 
 
-    def test_the_end_of_the_name_chooses_the_format(self):
+    def test_the_suffix_selects_the_format(self):
         with tempfile.TemporaryDirectory() as folder:
             for name, begin in (("a.mcap", b"\x89MCAP"), ("a.csv", b"timestamp,"), ("B.CSV", b"timestamp,")):
                 path = os.path.join(folder, name)
@@ -190,7 +190,7 @@ def resident():
 
 
 class TestLife(VirtualCase):
-    def test_a_closed_robot_refuses_by_name(self):
+    def test_a_closed_robot_raises_a_clear_error(self):
         self.take_control()
         q = self.robot.state.q
         samples = self.robot.samples()
@@ -210,7 +210,7 @@ class TestLife(VirtualCase):
                 call()
         self.assertFalse(os.path.exists("never.csv"))
 
-    def test_nothing_keeps_a_robot_alive(self):
+    def test_no_hidden_reference_keeps_a_robot_alive(self):
         robot = self.simulator.robot(timeout=PATIENCE)
         robot.outputs.set_digital(1, True, PATIENCE)
         gone = weakref.ref(robot)
@@ -221,7 +221,7 @@ class TestLife(VirtualCase):
         finally:
             gc.enable()
 
-    def test_a_notebook_cell_runs_again(self):
+    def test_a_notebook_cell_can_be_rerun(self):
         self.robot.close()
         kept = []  # a notebook keeps the value of a cell
         for _ in range(3):
@@ -236,7 +236,7 @@ class TestLife(VirtualCase):
         for one in kept:
             one.close()
 
-    def test_connecting_again_and_again_takes_no_memory(self):
+    def test_repeated_connections_do_not_leak_memory(self):
         self.robot.close()
         for kept in ([], None):
             for _ in range(3):
@@ -251,7 +251,7 @@ class TestLife(VirtualCase):
 
 
 class TestErrors(unittest.TestCase):
-    def test_nobody_there_is_said(self):
+    def test_a_missing_robot_is_reported(self):
         with self.assertRaises(errors.ConnectionRefused) as caught:
             tiller.Robot("127.0.0.1", timeout=0.5, port_offset=17)
         self.assertEqual(caught.exception.code, "ConnectionRefused")
@@ -295,7 +295,7 @@ class TestMotion(VirtualCase):
         path = [tiller.PathMove(self.robot.state.q + [0, 0, 0, 0, 0, x]) for x in (0.1, 0.2)]
         self.robot.move_path(path, PATIENCE).wait(PATIENCE)
 
-    def test_silence_has_bounds(self):
+    def test_the_heartbeat_timeout_is_limited(self):
         for silence in (0.05, 4.5, float("nan"), -1.0):
             with self.subTest(silence), self.assertRaisesRegex(errors.Error, "silence"):
                 self.robot.move_j(self.robot.state.q, silence=silence)
@@ -335,14 +335,14 @@ class TestMotion(VirtualCase):
         self.assert_brakes()
         self.assertFalse(move.active)
 
-    def test_a_move_without_its_handle_goes_on(self):
+    def test_a_move_without_a_handle_continues(self):
         target = self.robot.state.q + [0, 0, 0, 0, 0, 0.3]
         self.robot.move_j(target)
         gc.collect()
         self.simulator.step(3.0)
         self.assertLess(float(np.abs(self.simulator.truth["q"] - target).max()), 1e-3)
 
-    def test_stop_ends_a_move_without_its_handle(self):
+    def test_stop_ends_a_move_without_a_handle(self):
         for stop in (self.robot.stop, self.robot.release):
             self.take_control()
             self.robot.move_j(self.robot.state.q + FAR, 0.5, 1.0)
@@ -351,13 +351,13 @@ class TestMotion(VirtualCase):
             stop()
             self.assert_brakes()
 
-    def test_closing_ends_a_move_without_its_handle(self):
+    def test_closing_ends_a_move_without_a_handle(self):
         with self.assertRaises(ZeroDivisionError), self.robot:
             self.begin()
             1 / 0
         self.assert_brakes()
 
-    def test_a_robot_without_references_ends(self):
+    def test_a_robot_without_references_is_closed(self):
         self.begin()
         gone = weakref.ref(self.robot)
         self.robot = None
@@ -373,7 +373,7 @@ class TestMotion(VirtualCase):
             move.wait(PATIENCE)
         self.assert_brakes()
 
-    def test_the_plan_says_how_long_and_what_slows_it_down(self):
+    def test_the_plan_reports_duration_and_limiter(self):
         slow = self.robot.move_j(self.robot.state.q + FAR, 0.2, 1.0)
         self.assertEqual((slow.plan.limiter, slow.plan.scale), ("None", 1.0))
         self.assertGreater(slow.plan.duration, 1.0)
@@ -426,7 +426,7 @@ class TestMotion(VirtualCase):
                 self.assertFalse(stands(self.simulator))
             self.assertTrue(stands(self.simulator))
 
-    def test_stopping_a_stream_leaves_the_next_motion_alone(self):
+    def test_stopping_a_stream_does_not_affect_the_next_motion(self):
         stream = self.robot.speed_j()
         move = self.begin()
         stream.stop()
@@ -447,7 +447,7 @@ class TestMotion(VirtualCase):
         self.simulator.step(0.02)  # the status is only as new as the latest packet
         return self.robot.status["force_mode"]
 
-    def test_force_mode_begins_at_the_call(self):
+    def test_force_mode_starts_at_the_call(self):
         mode = self.robot.force_mode(**SOFT, timeout=PATIENCE)
         self.assertTrue(self.in_force_mode())
         mode.stop()
@@ -486,7 +486,7 @@ class TestMotion(VirtualCase):
             with self.subTest(name), self.assertRaisesRegex(errors.InvalidArgument, name):
                 self.robot.force_mode(**dict(SOFT, **{name: value}))
 
-    def test_streams_that_fall_silent_end(self):
+    def test_streams_without_new_targets_end(self):
         stream = self.robot.speed_j()
         stream.send([0.2, 0, 0, 0, 0, 0])
         self.simulator.step(0.09)
@@ -529,7 +529,7 @@ class TestMotion(VirtualCase):
         with self.assertRaisesRegex(errors.Error, "contactForce"):
             self.robot.jog([0, 0, 0.05, 0, 0, 0], contact_force=-5)
 
-    def test_unknown_words_are_refused_with_the_list(self):
+    def test_unknown_keywords_are_refused_with_the_valid_ones(self):
         q = self.robot.state.q
         self.assertTrue(issubclass(errors.InvalidArgument, ValueError))
         for call, listed in ((lambda: tiller.PathMove(q, kind="L"), '"j", "l", "p", "c"'),
@@ -557,7 +557,7 @@ class TestMotion(VirtualCase):
         self.simulator.step(0.5)
         self.assertTrue(stands(self.simulator))
 
-    def test_six_numbers_of_a_path_move_mean_what_its_kind_moves_to(self):
+    def test_six_numbers_are_read_according_to_the_kind_of_path_move(self):
         start = self.robot.state
         near = start.tcp_pose + [0, 0, 0.05, 0, 0, 0]
         for place in (list(near), np.array(near), near):
@@ -576,7 +576,7 @@ class TestMotion(VirtualCase):
             with self.subTest(wrong), self.assertRaises(errors.InvalidArgument):
                 tiller.PathMove(**wrong)
 
-    def test_a_pose_is_never_taken_for_joint_positions(self):
+    def test_a_pose_is_never_used_as_joint_positions(self):
         q, pose = self.robot.state.q, self.robot.state.tcp_pose
         arm = tiller.Kinematics("UR5e")
         self.assertIsInstance(q, tiller.Joints)
@@ -604,7 +604,7 @@ class TestMotion(VirtualCase):
         self.robot.move_l_to_joints(q).wait(PATIENCE)
         self.assertLess(float(np.abs(self.simulator.truth["q"] - q).max()), 1e-3)
 
-    def test_defaults_keep_to_the_speed_cap(self):
+    def test_defaults_respect_the_speed_cap(self):
         self.robot.speed_cap = 0.1
         pose = self.robot.state.tcp_pose + [0, 0, 0.03, 0, 0, 0]
         self.assertAlmostEqual(self.robot.move_l(pose).plan.speed, 0.1)
@@ -786,7 +786,7 @@ class TestMotion(VirtualCase):
         self.assertEqual(len(refused), 1)
         self.assertGreater(report.cycles, 100)
 
-    def test_a_function_cannot_leave_its_body(self):
+    def test_a_function_cannot_end_its_own_body(self):
         for body in ("end\ndef other():\n  sync()", "if True:\n  sync()", "sync() end", 'x = "if" end',
                      "thread other():\n sync()"):
             with self.subTest(body), self.assertRaisesRegex(errors.InvalidArgument, "end"):
@@ -795,7 +795,7 @@ class TestMotion(VirtualCase):
                                 timeout=PATIENCE).wait(PATIENCE)
         self.assertTrue(self.simulator.truth["digital_outputs"] & 8)
 
-    def test_questions_settings_functions(self):
+    def test_queries_settings_and_functions(self):
         pose = self.robot.forward_kinematics(self.robot.state.q, PATIENCE)
         near = self.robot.inverse_kinematics(pose, self.robot.state.q, PATIENCE)
         self.assertLess(float(np.abs(near - self.robot.state.q).max()), 1e-3)
@@ -845,7 +845,7 @@ class TestTorque(VirtualCase):
             self.robot.torque([2, 0, 0, 0, 0, 0])
         stream.stop()
 
-    def test_packet_loops_give_torques(self):
+    def test_packet_loops_send_torques(self):
         def steady(cycle):
             return None if cycle["time"] > 0.3 else [40 * (0.2 - cycle["qd"][0]), 0, 0, 0, 0, 0]
 
@@ -905,14 +905,14 @@ class TestWithoutARobot(unittest.TestCase):
         back = tiller.kinematics.pose_product(pose, tiller.kinematics.pose_inverse(pose))
         self.assertLess(float(np.abs(back).max()), 1e-9)
 
-    def test_the_doctor_examines(self):
+    def test_the_doctor_checks_the_robot(self):
         with tiller.Simulator() as simulator:
             report = tiller.examine(simulator.address, timeout=PATIENCE)
         self.assertEqual(len(report), 19)
         self.assertEqual({finding.condition: finding.verdict for finding in report}["protocol"], "good")
         self.assertIn("good", str(report))
 
-    def test_everything_shows_itself(self):
+    def test_every_object_has_a_repr(self):
         with tiller.Simulator(virtual=True) as simulator, simulator.robot(timeout=PATIENCE) as robot:
             self.assertIn(simulator.address, repr(simulator))
             self.assertIn("not in control", repr(robot))
@@ -1004,7 +1004,7 @@ class TestSlowLoops(unittest.TestCase):
         if report is not None:
             self.assertGreater(report.longest_wait, 0.002)
 
-    def test_a_callback_that_hangs_is_named(self):
+    def test_a_hanging_callback_is_reported(self):
         with tiller.Simulator() as simulator, simulator.robot(timeout=PATIENCE) as robot:
             robot.take_control(PATIENCE)
             with self.assertRaisesRegex(errors.Stopped, "a call of the callback took [0-9]{3,}"):
@@ -1038,7 +1038,7 @@ class TestEnds(unittest.TestCase):
             with self.subTest(what):
                 self.check(what, signal.SIGKILL)
 
-    def test_a_longer_silence_is_survived(self):
+    def test_a_longer_heartbeat_timeout_is_respected(self):
         """A process is suspended for half a second, as on a busy computer, and the timeout of its move permits
         this."""
         with tiller.Simulator() as simulator:

@@ -109,7 +109,7 @@ class TestTypes(unittest.TestCase):
                                        options=("--allow-untyped-defs", "--allow-untyped-calls"))
                 self.assertEqual(code, 0, text)
 
-    def test_mypy_finds_what_is_wrong(self):
+    def test_mypy_finds_type_errors(self):
         code, text = self.mypy(self.write(WRONG))
         self.assertNotEqual(code, 0)
         self.assertIn("Found 3 errors", text)
@@ -119,14 +119,14 @@ class TestTypes(unittest.TestCase):
         code, text = self.pyright()
         self.assertEqual(code, 0, text)
 
-    def test_pyright_finds_what_is_wrong(self):
+    def test_pyright_finds_type_errors(self):
         self.write(WRONG)
         code, text = self.pyright()
         self.assertNotEqual(code, 0)
         for line in (5, 6, 7):
             self.assertIn(f"program.py:{line}:", text)
 
-    def test_packages_say_that_they_are_typed(self):
+    def test_packages_declare_that_they_are_typed(self):
         self.assertTrue(os.path.exists(os.path.join(self.modules, "tiller", "py.typed")))
 
 

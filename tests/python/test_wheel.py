@@ -73,7 +73,7 @@ class TestWheel(unittest.TestCase):
         for wheel in self.wheels.values():
             wheel.close()
 
-    def test_the_record_is_right(self):
+    def test_the_record_file_is_correct(self):
         for wheel in self.wheels.values():
             record = [name for name in wheel.namelist() if name.endswith("/RECORD")][0]
             listed = {}
@@ -86,7 +86,7 @@ class TestWheel(unittest.TestCase):
                     actual = base64.urlsafe_b64encode(hashlib.sha256(wheel.read(name)).digest()).rstrip(b"=")
                     self.assertEqual(digest, "sha256=" + actual.decode())
 
-    def test_everything_they_load_is_inside(self):
+    def test_the_wheels_contain_every_loaded_library(self):
         for wheel in self.wheels.values():
             glibc = re.search(r"manylinux_2_(\d+)_", wheel.filename)
             self.assertTrue(glibc, wheel.filename)

@@ -30,7 +30,7 @@ PLACES = [
     ("widgets/jog/axis_jog.cpp", "tst_hold_rules"),
     ("widgets/jog/device_jog.cpp", "tst_devices"),
 ]
-NOT_COUNTED = {"everyRuleHasATrial()"}
+NOT_COUNTED = {"everyRuleHasATestCase()"}
 ROW = re.compile(r'^\s*\{"([^"]+)", &HoldRuleTable::\w+\},\s*$')
 MARK = re.compile(r"// rule: (.+?)\s*$")
 

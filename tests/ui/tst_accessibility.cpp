@@ -135,7 +135,7 @@ private Q_SLOTS:
         QCOMPARE(dialogs, 8);
     }
 
-    void tabReachesEveryControlThatACommandDoesNot() {
+    void tabReachesEveryControlWithoutACommand() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(100);
@@ -181,7 +181,7 @@ private Q_SLOTS:
         QVERIFY2(missed.isEmpty(), qPrintable(missed.join('\n')));
     }
 
-    void arrowsWalkThroughARowOfKeys() {
+    void arrowKeysMoveThroughARowOfButtons() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         auto* motion = bench.window.findChild<SegmentedControl*>("jogMotion");
@@ -297,7 +297,7 @@ private Q_SLOTS:
         }
     }
 
-    void thePaletteFindsAndRunsByKeyboardAlone() {
+    void thePaletteWorksWithTheKeyboardAlone() {
         Bench bench;
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<app::CommandPalette*>() != nullptr, 60'000);

@@ -111,7 +111,7 @@ private Q_SLOTS:
         }
     }
 
-    void theMeasureItselfSeesABlockedThread() {
+    void theCheckDetectsABlockedThread() {
         const Stretch asleep;
         QTest::qSleep(120);
         QVERIFY2(asleep.blockedMs() > 60, "sleeping is blocking");

@@ -154,7 +154,7 @@ private Q_SLOTS:
     }
     void cleanupTestCase() { applyDensity(*qApp, Density::Mouse); }
 
-    void theFinderFindsWhatIsCutOff() {
+    void theCheckDetectsClippedText() {
         QWidget window;
         auto* label = new QLabel(QStringLiteral("A sentence that needs more room than this"), &window);
         label->setGeometry(0, 0, 60, 20);
@@ -238,8 +238,8 @@ private Q_SLOTS:
         page->close();
     }
 
-    void noWayToARobotIsCutOff_data() { densities(); }
-    void noWayToARobotIsCutOff() {
+    void noConnectionOptionIsCutOff_data() { densities(); }
+    void noConnectionOptionIsCutOff() {
         Bench bench;
         QDialog* first = bench.open("robot.connect");
         look(*first, "first-run");
@@ -328,8 +328,8 @@ private Q_SLOTS:
         }
     }
 
-    void noWayBackFromAStopIsCutOff_data() { densities(); }
-    void noWayBackFromAStopIsCutOff() {
+    void noRecoveryStepIsCutOff_data() { densities(); }
+    void noRecoveryStepIsCutOff() {
         const std::pair<const char*, void (*)(simulator::Simulator&)> stops[] = {
             {"protective", [](simulator::Simulator& robot) { robot.protectiveStop(); }},
             {"emergency", [](simulator::Simulator& robot) { robot.emergencyStop(true); }},

@@ -219,7 +219,7 @@ private Q_SLOTS:
         disconnect(watching);
     }
 
-    void theArmDoesNotGoIntoItself() {
+    void theArmDoesNotCollideWithItself() {
         cell_ = &cell();
         // The elbow folds until wrist 1 collides with the upper arm.
         addWaypoint("folded", turned(2, -0.9), project::MoveKind::Joint);
@@ -262,7 +262,7 @@ private Q_SLOTS:
     }
 
     // If the arm is inside the safety distance, it may move away from the obstacle, but not closer.
-    void motionOutOfTheSafetyDistanceIsAllowed() {
+    void leavingTheSafetyDistanceIsAllowed() {
         cell_ = &cell();
         addTable(0.004);
         chooseMotion(2);
@@ -328,7 +328,7 @@ private Q_SLOTS:
     }
     // The display is never empty during the calculation. It shows the marked old number, or a symbol that a
     // new number is being calculated.
-    void aNumberOnAKeyIsMarkedWhileItIsCalculatedAgain() {
+    void aValueOnAKeyIsMarkedWhileItIsRecalculated() {
         cell_ = &cell();
         addTable(0.08);
         TravelWatch& travel = window().jogColumn().travel();

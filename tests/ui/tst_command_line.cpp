@@ -12,7 +12,7 @@ class TestCommandLine : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void nothingAsksWhichRobot() {
+    void startingWithoutArgumentsAsksForTheRobot() {
         const Result<CommandLine> line = parseCommandLine({"tiller"});
         QVERIFY(line.ok());
         QCOMPARE(line->start, CommandLine::Start::Ask);
@@ -32,7 +32,7 @@ private Q_SLOTS:
         QCOMPARE(line->demoDirectory, QString("/tmp/x"));
     }
 
-    void monitorOnlyIsAnOption() {
+    void monitorOnlyOptionIsAccepted() {
         QVERIFY(!parseCommandLine({"tiller", "--robot", "x"})->monitorOnly);
         const Result<CommandLine> line = parseCommandLine({"tiller", "--robot", "x", "--monitor-only"});
         QVERIFY(line.ok());

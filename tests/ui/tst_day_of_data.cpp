@@ -47,7 +47,7 @@ class TestDayOfData : public QObject {
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    void theMemoryOfTheMorningIsThatOfTheEvening() {
+    void memoryUseStaysConstantOverADay() {
         if (residentMb() == 0) {
             QSKIP("this system does not tell how much memory a process has");
         }

@@ -204,7 +204,7 @@ private:
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    void controlIsGivenUpWithinHalfASecond() {
+    void controlIsReleasedWithinHalfASecond() {
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.control().contains(QStringLiteral("Ready")));
@@ -229,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(!bench.state().controlInDoubt);
     }
 
-    void aHiccupCostsNoControl() {
+    void aShortOutageKeepsControl() {
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.silence(true);
@@ -240,7 +240,7 @@ private Q_SLOTS:
         QVERIFY(!bench.hasSaid("Control was lost"));
     }
 
-    void everyKeyStopsAForeignProgramWhileWeBelieveToBeInControl_data() {
+    void everyStopKeyStopsAForeignProgramAfterSilentControlLoss_data() {
         QTest::addColumn<Key>("key");
         QTest::addColumn<Fault>("fault");
         QTest::addColumn<int>("afterMs");
@@ -254,7 +254,7 @@ private Q_SLOTS:
             }
         }
     }
-    void everyKeyStopsAForeignProgramWhileWeBelieveToBeInControl() {
+    void everyStopKeyStopsAForeignProgramAfterSilentControlLoss() {
         QFETCH(Key, key);
         QFETCH(Fault, fault);
         QFETCH(int, afterMs);
@@ -267,7 +267,7 @@ private Q_SLOTS:
         checkStop(bench, key);
     }
 
-    void stopStopsAForeignProgramWhileWeMonitor_data() {
+    void stopStopsAForeignProgramWhileMonitoring_data() {
         QTest::addColumn<Key>("key");
         QTest::addColumn<Fault>("fault");
         QTest::addColumn<int>("afterMs");
@@ -281,7 +281,7 @@ private Q_SLOTS:
             }
         }
     }
-    void stopStopsAForeignProgramWhileWeMonitor() {
+    void stopStopsAForeignProgramWhileMonitoring() {
         QFETCH(Key, key);
         QFETCH(Fault, fault);
         QFETCH(int, afterMs);
@@ -295,13 +295,13 @@ private Q_SLOTS:
     }
 
     // A program of another client moves the arm when the connections fail.
-    void stopReachesAProgramThatRanBefore_data() {
+    void stopReachesAProgramStartedBeforeTheOutage_data() {
         QTest::addColumn<Key>("key");
         for (const Key key : {Key::Stop, Key::Device}) {
             QTest::newRow(kKeys[static_cast<int>(key)]) << key;
         }
     }
-    void stopReachesAProgramThatRanBefore() {
+    void stopReachesAProgramStartedBeforeTheOutage() {
         QFETCH(Key, key);
         DeadLinkBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -361,13 +361,13 @@ private Q_SLOTS:
     }
 
     // If the window is in control and receives data, STOP ends the motion and keeps control.
-    void aStopInControlKeepsTheControl_data() {
+    void aStopKeepsControl_data() {
         QTest::addColumn<Key>("key");
         for (const Key key : {Key::Stop, Key::Escape, Key::Space, Key::Device}) {
             QTest::newRow(kKeys[static_cast<int>(key)]) << key;
         }
     }
-    void aStopInControlKeepsTheControl() {
+    void aStopKeepsControl() {
         QFETCH(Key, key);
         DeadLinkBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

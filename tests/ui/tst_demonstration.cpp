@@ -58,7 +58,7 @@ private Q_SLOTS:
         QVERIFY2(*high - *low > 0.049, "the recording shows the jog");
     }
 
-    void pandasReadsTheRecordingAsItIs() {
+    void pandasReadsTheRecordingUnmodified() {
         const QString python = QFile::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3";
         QProcess probe;
         probe.start(python, {"-c", "import pandas"});
@@ -82,7 +82,7 @@ print(len(demo), tau)
         QVERIFY2(reader.exitCode() == 0, reader.readAllStandardError().constData());
     }
 
-    void aFolderThatCannotBeMadeFailsClearly() {
+    void aFolderThatCannotBeCreatedIsReported() {
         QProcess program;
         program.start(TILLER_PROGRAM, {"--simulator", "--demo", "/proc/no/such/place"});
         QVERIFY(program.waitForFinished(60'000));

@@ -75,7 +75,7 @@ private Q_SLOTS:
     }
     void init() { QFile::remove(file()); }
 
-    void aNewcomerIsOfferedThreeWays() {
+    void aNewUserIsOfferedThreeOptions() {
         app::MainWindow window{app::Settings(file())};
         window.show();
         window.askForRobot();
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(window.session().state().link, LinkState::Disconnected);
     }
 
-    void returnTriesTheSimulator() {
+    void returnConnectsToTheSimulator() {
         app::MainWindow window{app::Settings(file())};
         window.show();
         window.askForRobot();
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QVERIFY2(app::Settings(file()).rememberedRobots().isEmpty(), "the simulator is no robot of yours");
     }
 
-    void anImpossibleAddressIsNamedBeforeItIsTried_data() {
+    void anInvalidAddressIsReportedBeforeConnecting_data() {
         QTest::addColumn<QString>("host");
         QTest::addColumn<bool>("possible");
         QTest::newRow("address") << "192.168.0.10" << true;
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QTest::newRow("blank inside") << "my robot" << false;
         QTest::newRow("a page") << "http://192.168.0.10/" << false;
     }
-    void anImpossibleAddressIsNamedBeforeItIsTried() {
+    void anInvalidAddressIsReportedBeforeConnecting() {
         QFETCH(QString, host);
         QFETCH(bool, possible);
         ConnectDialog dialog({});
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QCOMPARE(dialog.address().name, QStringLiteral("Left arm"));
     }
 
-    void whoHasARobotIsOfferedItFirst() {
+    void rememberedRobotsAreOfferedFirst() {
         const QVector<RobotAddress> robots = {{"Left arm", "192.168.0.10", 0, false},
                                               {"Right arm", "192.168.0.11", 100, false}};
         ConnectDialog dialog(robots);
@@ -163,7 +163,7 @@ private Q_SLOTS:
         QCOMPARE(dialog.address().host, QStringLiteral("192.168.0.10"));
     }
 
-    void anotherAddressIsAnotherRobot() {
+    void aDifferentAddressIsADifferentRobot() {
         const QVector<RobotAddress> robots = {{"Left arm", "192.168.0.10", 0, false},
                                               {"Right arm", "192.168.0.11", 100, false}};
         ConnectDialog dialog(robots);
@@ -231,7 +231,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(file()).rememberedRobots().first().name, QStringLiteral("Bench"));
     }
 
-    void aRobotIsLookedAtBeforeItIsConnected() {
+    void aRobotIsCheckedBeforeConnecting() {
         VirtualClock clock;
         app::MainWindow window(app::Settings(file()), clock);
         window.show();
@@ -249,7 +249,7 @@ private Q_SLOTS:
         QVERIFY2(app::Settings(file()).rememberedRobots().isEmpty(), "nobody answered there");
     }
 
-    void severalRobotsStandInTheSelectorNewestFirst() {
+    void theSelectorListsTheNewestRobotFirst() {
         app::Settings settings(file());
         for (int i = 0; i < 12; ++i) {
             settings.rememberRobot(
@@ -281,7 +281,7 @@ private Q_SLOTS:
         QCOMPARE(window.session().state().robotName, QStringLiteral("Arm 10"));
     }
 
-    void theProjectWorkedInLastIsOpenedAgain() {
+    void theLastProjectIsReopened() {
         const QString folder = folder_.path();
         const Home home(folder);
         const app::Settings settings(file());
@@ -316,7 +316,7 @@ private Q_SLOTS:
         QVERIFY(hidden.remove());
     }
 
-    void recentProjectsStandInTheProjectMenu() {
+    void recentProjectsAreListedInTheProjectMenu() {
         VirtualClock clock;
         app::MainWindow window(app::Settings(file()), clock);
         QStringList paths;
@@ -334,7 +334,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(file()).recentProjects().first(), paths[1]);
     }
 
-    void aKeyChosenForOpenBeforeItMovedStaysChosen() {
+    void aCustomShortcutForOpenIsKeptAfterItsMove() {
         {
             QSettings settings(file(), QSettings::IniFormat);
             settings.setValue("shortcuts/waypoint.action.open", "Ctrl+Alt+O");
@@ -344,7 +344,7 @@ private Q_SLOTS:
         QCOMPARE(window.actions().find("project.open")->shortcut(), QKeySequence("Ctrl+Alt+O"));
     }
 
-    void aDamagedListOfRobotsLosesNothingElse() {
+    void aDamagedRobotListLosesNoOtherSettings() {
         {
             QSettings settings(file(), QSettings::IniFormat);
             settings.setValue("robots/size", 1'000'000);

@@ -50,7 +50,7 @@ class TestForeignStop : public QObject {
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    void stopStopsItAndTheKeysBelongToTheFocus_data() {
+    void onlyTheStopButtonStopsAForeignProgram_data() {
         QTest::addColumn<Way>("way");
         QTest::addColumn<Focus>("focus");
         for (const Focus focus :
@@ -62,7 +62,7 @@ private Q_SLOTS:
             }
         }
     }
-    void stopStopsItAndTheKeysBelongToTheFocus() {
+    void onlyTheStopButtonStopsAForeignProgram() {
         QFETCH(Way, way);
         QFETCH(Focus, focus);
         Bench bench;
@@ -132,7 +132,7 @@ private Q_SLOTS:
 
     // Space typed in a name must not end the program of the client that has taken control, regardless of the
     // time since then.
-    void theKeysBelongToTheFocusAfterControlWasReplaced() {
+    void keysGoToTheFocusedWidgetAfterControlIsReplaced() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.window.session().takeControl(RobotSession::ForeignProgram::Stop);
@@ -166,7 +166,7 @@ private Q_SLOTS:
         QVERIFY(bench.runs());
     }
 
-    void theStopKeySaysHowItStops() {
+    void theStopKeyShowsHowItStops() {
         Bench bench;
         const auto& stop = bench.find<StopButton>("stopButton");
         QVERIFY(!stop.keysStop());
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(!stop.keysStop());
     }
 
-    void takingControlAsksFirst_data() {
+    void takingControlAsksForConfirmation_data() {
         QTest::addColumn<Path>("path");
         QTest::addColumn<bool>("paused");
         for (const bool paused : {false, true}) {
@@ -194,7 +194,7 @@ private Q_SLOTS:
             }
         }
     }
-    void takingControlAsksFirst() {
+    void takingControlAsksForConfirmation() {
         QFETCH(Path, path);
         QFETCH(bool, paused);
         Bench bench;
@@ -284,7 +284,7 @@ private Q_SLOTS:
     }
 
     // A dialog blocks the window behind it. STOP is still available at its usual position.
-    void stopIsReachedByMouseWhileADialogIsOpen() {
+    void stopCanBeClickedWhileADialogIsOpen() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QDialog dialog(&bench.window);
@@ -427,7 +427,7 @@ private Q_SLOTS:
     }
 
     // All other stops apply only to the window's own motions.
-    void changingTheTabStopsNoProgramOfOthers() {
+    void changingTheTabStopsNoForeignProgram() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.startMoving());
@@ -438,7 +438,7 @@ private Q_SLOTS:
         QVERIFY(bench.runs());
     }
 
-    void aRobotInLocalIsNamed() {
+    void aRobotInLocalControlIsReported() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.gateLocalControl = true;
         options.gateLoopbackClients = true;

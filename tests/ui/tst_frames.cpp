@@ -93,7 +93,7 @@ private Q_SLOTS:
     }
     void cleanup() { bench_.reset(); }
 
-    void aFrameFromThreePointsIsTaughtJoggedInUndoneAndSaved() {
+    void aThreePointFrameIsTaughtUsedUndoneAndSaved() {
         window().showTab("frames");
         keepPictures("frames-empty");
         const Pose origin = cell().truth().tcpPose;

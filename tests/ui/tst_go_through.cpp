@@ -248,7 +248,7 @@ private:
 private Q_SLOTS:
     // On a low screen, there is space either for the route buttons or for the values of the waypoint. A
     // button switches between them.
-    void onALowScreenItsKeysTakeThePlaceOfTheFigures() {
+    void onALowScreenButtonsReplaceTheWaypointValues() {
         window().setTheme("light");
         teach({0.2, 0.4}, 0);
         window().resize(1280, 720);
@@ -280,7 +280,7 @@ private Q_SLOTS:
     }
 
     // The buttons are visible in the default layout.
-    void itsKeysAreInSightOnAnOrdinaryScreen() {
+    void routeButtonsAreVisibleOnAnOrdinaryScreen() {
         window().setTheme("light");
         teach({0.2, 0.4}, 0);
         window().resize(1920, 1080);
@@ -294,7 +294,7 @@ private Q_SLOTS:
         }
     }
 
-    void itGoesThroughAllInOrder() {
+    void theRouteVisitsAllWaypointsInOrder() {
         teach({0.2, 0.4, 0.1}, 0);
         hold(through());
         QVERIFY(isMarked(0));
@@ -316,7 +316,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    void letGoIsPauseAndTheNextPressGoesOn() {
+    void releasePausesAndTheNextPressContinues() {
         teach({0.3, 0.6, 0.9}, 0);
         hold(through());
         QVERIFY(until([&] { return isMarked(1); }));
@@ -340,7 +340,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    void oneStepOnAndOneBack() {
+    void stepForwardAndStepBack() {
         teach({0.2, 0.4, 0.6}, 0.02);
         QVERIFY2(!key("waypoint.stepBack").isEnabled(), "nothing was gone yet");
         step("waypoint.stepOn");
@@ -360,7 +360,7 @@ private Q_SLOTS:
         QVERIFY2(coming().startsWith("Done"), qPrintable(coming()));
     }
 
-    void aLoopGoesRoundAndEndsAfterTheLongestHold() {
+    void aLoopRepeatsUntilTheMaximumHoldTime() {
         teach({0.05, 0.1}, 0);
         window().findChild<QCheckBox*>("waypoint.routeLoop")->click();
         hold(through());
@@ -375,7 +375,7 @@ private Q_SLOTS:
     }
 
     // After reaching the waypoint, the arm would only wait while the button is held.
-    void aLoopOfOneIsNotBegun() {
+    void aLoopOfOneWaypointIsNotStarted() {
         teach({0.1}, 0);
         QVERIFY(through().isEnabled());
         window().findChild<QCheckBox*>("waypoint.routeLoop")->click();
@@ -386,7 +386,7 @@ private Q_SLOTS:
         QVERIFY(through().isEnabled());
     }
 
-    void aSelectionAndFromHere() {
+    void theRouteStartsAtTheSelectedWaypoint() {
         teach({0.1, 0.2, 0.3, 0.4}, 0);
         tab().selectRow(2);
         hold(through());
@@ -448,7 +448,7 @@ private Q_SLOTS:
     }
 
     // The selected speed limits every motion, at TCP and elbow, with and without blends.
-    void noWayIsFasterThanTheChosenSpeed_data() {
+    void noRouteIsFasterThanTheChosenSpeed_data() {
         QTest::addColumn<double>("blend");
         QTest::addColumn<project::MoveKind>("move");
         QTest::newRow("joint") << 0.0 << project::MoveKind::Joint;
@@ -456,7 +456,7 @@ private Q_SLOTS:
         QTest::newRow("line") << 0.0 << project::MoveKind::Linear;
         QTest::newRow("line, blended") << 0.02 << project::MoveKind::Linear;
     }
-    void noWayIsFasterThanTheChosenSpeed() {
+    void noRouteIsFasterThanTheChosenSpeed() {
         QFETCH(double, blend);
         QFETCH(project::MoveKind, move);
         teach({0.15, 0.3, 0.1}, blend, move);
@@ -543,7 +543,7 @@ private Q_SLOTS:
 
     // The button is released while the path is being sent, and then pressed again. The path of the new press
     // moves the arm, and the old path does not.
-    void aNewPressAfterOneThatWasGivenUp() {
+    void aNewPressMovesTheArmAfterACancelledPress() {
         teach({0.2, 0.4}, 0.02);
         for (int i = 0; i < 3; ++i) {
             hold(through());
@@ -556,7 +556,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    void whatCannotBeReachedIsNotBegun() {
+    void unreachableWaypointsAreNotStarted() {
         teach({0.2, 0.4}, 0);
         project::Waypoint far = document().waypoints().at(1);
         far.ruling = project::TargetKind::Pose;
@@ -568,7 +568,7 @@ private Q_SLOTS:
         QVERIFY2(key("waypoint.stepOn").isEnabled(), "the first one can be reached");
     }
 
-    void anEditWhileItIsHeldEndsIt() {
+    void anEditWhileTheButtonIsHeldEndsTheRun() {
         teach({0.4, 0.8}, 0);
         hold(through());
         cell().advanceMs(300);

@@ -166,7 +166,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.holds") == "nothing"; }));
     }
 
-    void typedOpeningIsApproachedOnClick() {
+    void anEnteredOpeningIsAppliedOnClick() {
         choose(kTwoF85);
         activate();
         click("gripper.close");
@@ -200,7 +200,7 @@ private Q_SLOTS:
         QCOMPARE(text("gripper.opening"), QString("85.0 mm"));
     }
 
-    void spacePressesNothingAndEnterPressesOnce() {
+    void spacePressesNoButtonAndEnterPressesOnce() {
         choose(kTwoF85);
         activate();
         QVERIFY(until([this] { return key("gripper.close").isEnabled(); }));
@@ -213,7 +213,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return text("gripper.opening") == "0.0 mm"; }));
     }
 
-    void aGripperThatDiesIsUnknownWithTheRemedy() {
+    void aDisconnectedGripperIsUnknownWithASolution() {
         HoldingGripper gripper;
         auto peer = std::make_unique<RawPeer>([&gripper](RawPeer::Link& link) { gripper.serve(link); });
         panel().setAddress("127.0.0.1", peer->port());
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(wasSaid("No gripper service responds"));
     }
 
-    void silentGripperIsShownAsUnknownWithoutDelay() {
+    void anUnresponsiveGripperIsShownAsUnknownImmediately() {
         HoldingGripper gripper;
         RawPeer peer([&gripper](RawPeer::Link& link) { gripper.serve(link); });
         panel().setAddress("127.0.0.1", peer.port());
@@ -249,7 +249,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return wasSaid("The gripper responds again"); }));
     }
 
-    void anActivationWhosePlaceWasTakenIsNotReported() {
+    void aReplacedActivationIsNotReported() {
         HoldingGripper gripper;
         RawPeer peer([&gripper](RawPeer::Link& link) { gripper.serve(link); });
         RobotiqLink link(bench_->window.session());
@@ -319,7 +319,7 @@ private Q_SLOTS:
         QCOMPARE(text("gripper.state"), QString("both outputs off"));
     }
 
-    void oneOutputIsNoPair() {
+    void theSameOutputIsRefusedForBothDirections() {
         choose(kTwoOutputs);
         auto& list = bench_->find<QComboBox>("gripper.openOutput");
         list.setFocus();
@@ -329,7 +329,7 @@ private Q_SLOTS:
         QCOMPARE(app::Settings(bench_->file).gripper("simulator"), QString("outputs|16|17"));
     }
 
-    void anOutputThatAnotherClientHoldsGreysTheKeys() {
+    void anOutputInUseByAnotherClientDisablesTheButtons() {
         bench_.reset();
         begin();
         QVERIFY(cell().robot.start().ok());
@@ -350,7 +350,7 @@ private Q_SLOTS:
         QVERIFY(!output(16));
     }
 
-    void oldDataGreyTheKeys() {
+    void oldDataDisableTheButtons() {
         choose(kTwoOutputs);
         QVERIFY(until([this] { return key("gripper.close").isEnabled(); }));
         // Time advances without data.
@@ -363,7 +363,7 @@ private Q_SLOTS:
         QVERIFY(!wasSaid("Gripper: close"));
     }
 
-    void theGripperIsRememberedWithItsRobot() {
+    void theGripperIsSavedForEachRobot() {
         choose(kTwoF140);
         QCOMPARE(app::Settings(bench_->file).gripper("simulator"), QString("robotiq|2F-140"));
         QVERIFY(app::Settings(bench_->file).gripper("192.168.0.10").isEmpty());

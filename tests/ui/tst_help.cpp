@@ -90,7 +90,7 @@ class TestHelp : public QObject {
 private Q_SLOTS:
     void init() { qputenv("XDG_DATA_DIRS", QByteArray(TILLER_MANUAL "/../..")); }
 
-    void everyPlaceHasAPage() {
+    void everyHelpContextHasAPage() {
         NEEDS_MANUAL();
         app::HelpPage help(20, {}, manual());
         help.resize(820, 300);
@@ -109,7 +109,7 @@ private Q_SLOTS:
         }
     }
 
-    void everyNameIsThatOfAPartOfTheWindow() {
+    void everyHelpContextNamesAWidget() {
         Bench bench;
         for (const char* id :
              {"robot.connect", "app.settings", "app.report", "jog.devices", "project.sample"}) {
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QVERIFY2(without.isEmpty(), qPrintable(without.join(QStringLiteral(", "))));
     }
 
-    void picturesAreThereAndFitThePage() {
+    void picturesExistAndFitThePage() {
         NEEDS_MANUAL();
         app::HelpPage help(20, {}, manual());
         help.show();
@@ -224,7 +224,7 @@ private Q_SLOTS:
         QVERIFY(pictures >= 12);
     }
 
-    void theKeyShowsThePageOfWhatHasTheFocus_data() {
+    void f1ShowsThePageOfTheFocusedWidget_data() {
         QTest::addColumn<QString>("tab");
         QTest::addColumn<QString>("widget");
         QTest::addColumn<QString>("page");
@@ -256,7 +256,7 @@ private Q_SLOTS:
                                              << "tabs"
                                              << "window/tools.html";
     }
-    void theKeyShowsThePageOfWhatHasTheFocus() {
+    void f1ShowsThePageOfTheFocusedWidget() {
         NEEDS_MANUAL();
         QFETCH(QString, tab);
         QFETCH(QString, widget);
@@ -280,7 +280,7 @@ private Q_SLOTS:
         QCOMPARE(bench.window.findChildren<app::HelpPage*>().size(), 1);
     }
 
-    void anotherPlaceTakesTheFirstOnesPlace() {
+    void aNewHelpPageReplacesTheOpenOne() {
         NEEDS_MANUAL();
         Bench bench;
         bench.window.showTab("log");
@@ -295,7 +295,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(bench.window.findChildren<app::HelpPage*>().size(), 1, 60'000);
     }
 
-    void dialogsHaveTheKeyToo() {
+    void f1WorksInDialogs() {
         NEEDS_MANUAL();
         Bench bench;
         QDialog* settings = bench.open("app.settings");
@@ -312,7 +312,7 @@ private Q_SLOTS:
         settings->close();
     }
 
-    void theChecksBeforeConnectingHaveTheirs() {
+    void theConnectionCheckHasItsHelpPage() {
         NEEDS_MANUAL();
         Bench bench;
         bench.window.showPreflight({QStringLiteral("Nobody"), QStringLiteral("127.0.0.254"), 0, false});
@@ -337,7 +337,7 @@ private Q_SLOTS:
         settings->close();
     }
 
-    void fieldForANewKeyConsumesIt() {
+    void theShortcutFieldConsumesTheKey() {
         Bench bench;
         auto* settings = qobject_cast<app::SettingsPage*>(bench.open("app.settings"));
         QVERIFY(settings != nullptr);
@@ -364,7 +364,7 @@ private Q_SLOTS:
         release(key);
     }
 
-    void aLinkLeadsOnAndBackLeadsBack() {
+    void linksAndBackNavigateBetweenPages() {
         NEEDS_MANUAL();
         Bench bench;
         bench.find<QWidget>("scene").setFocus();
@@ -394,7 +394,7 @@ private Q_SLOTS:
         QVERIFY(bench.help()->findChild<QTextBrowser*>("helpText")->toPlainText().contains("emergency stop"));
     }
 
-    void itsPagesLookAsTheWindowDoes() {
+    void helpPagesFollowTheThemeOfTheWindow() {
         NEEDS_MANUAL();
         Bench bench;
         bench.find<QWidget>("scene").setFocus();

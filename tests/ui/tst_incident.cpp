@@ -127,7 +127,7 @@ class TestIncident : public QObject {
 private Q_SLOTS:
     void initTestCase() { initResources(); }
     void oneClickOpensTheRecordingAtTheStop();
-    void theScrubberMovesEverythingTogether();
+    void theScrubberMovesAllViewsTogether();
     void aReplayMovesNoKey();
     void backToLiveMovesNoButtonUnderThePointer();
     void theLogFollowsAgainAfterBackToLive();
@@ -221,7 +221,7 @@ void TestIncident::oneClickOpensTheRecordingAtTheStop() {
     QCOMPARE(bench.plots().view().cursor(PlotView::Cursor::A), std::optional(stop));
 }
 
-void TestIncident::theScrubberMovesEverythingTogether() {
+void TestIncident::theScrubberMovesAllViewsTogether() {
     Bench bench;
     QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
     Q_EMIT bench.window.session().message(Severity::Info, QStringLiteral("before all"), Origin::Operator);

@@ -71,7 +71,7 @@ private Q_SLOTS:
         QCOMPARE(saneInterfaceSize(100000), 200);
     }
 
-    void noSizeIsLargerThanTheScreenHasRoomFor() {
+    void noSizeIsLargerThanTheScreenAllows() {
         QCOMPARE(fittingInterfaceSize(200, {3840, 2160}), 200);
         QCOMPARE(fittingInterfaceSize(150, {3840, 2160}), 150);
         QCOMPARE(fittingInterfaceSize(200, {1920, 1053}), 150);
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QCOMPARE(fittingInterfaceSize(200, {800, 600}), 100);
     }
 
-    void theApplicationBeginsInTheSizeThatFits_data() {
+    void theApplicationStartsInASizeThatFits_data() {
         QTest::addColumn<QSize>("screen");
         QTest::addColumn<int>("wanted");
         QTest::addColumn<int>("begun");
@@ -91,7 +91,7 @@ private Q_SLOTS:
         QTest::newRow("another screen than yesterday") << QSize(1920, 1080) << 200 << 150;
         QTest::newRow("the smallest") << QSize(1280, 720) << 200 << 100;
     }
-    void theApplicationBeginsInTheSizeThatFits() {
+    void theApplicationStartsInASizeThatFits() {
         QFETCH(QSize, screen);
         QFETCH(int, wanted);
         QFETCH(int, begun);
@@ -130,7 +130,7 @@ private Q_SLOTS:
         QVERIFY2(largeSpan >= 1.9 * span, qPrintable(QStringLiteral("%1 %2").arg(span).arg(largeSpan)));
     }
 
-    void sizeIsChosenInTheSettingsWithANoteWhenItApplies() {
+    void theSizeSettingShowsWhenItApplies() {
         const Start start({1920, 1080}, 100);
         VirtualClock clock;
         MainWindow window(Settings(start.setting()), clock);

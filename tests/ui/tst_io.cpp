@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(cell().truth().runtimeState, RuntimeState::Playing);
     }
 
-    void aPulseIsOnForAMomentAndOffAgain() {
+    void aPulseSwitchesOnAndOffAgain() {
         IoChannel* channel = tab().output(4);
         channel->setFocus();
         QTest::keyClick(channel, Qt::Key_P);
@@ -99,7 +99,7 @@ private Q_SLOTS:
     }
 
     // The robot measures the duration, so that a window that hangs does not leave an output on.
-    void aPulseEndsWithAWindowThatHangs() {
+    void aPulseEndsWhenTheWindowHangs() {
         IoChannel* channel = tab().output(4);
         channel->setFocus();
         QTest::keyClick(channel, Qt::Key_P);
@@ -115,7 +115,7 @@ private Q_SLOTS:
     }
 
     // A click switches the output, and then P pulses it, as described in the tooltip.
-    void aClickOnARowGivesItTheKeyForPulses() {
+    void theClickedRowIsPulsedByItsKey() {
         IoChannel* channel = tab().output(4);
         QTest::mouseClick(channel, Qt::LeftButton);
         QVERIFY(until([this] { return output(4); }));
@@ -175,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return !output(4); }));
     }
 
-    void analogValuesAreShownWithDomainAndScale() {
+    void analogValuesAreShownWithDomainAndRange() {
         cell().robot.setAnalogInput(0, 5.0);
         AnalogRow* row = tab().analogInput(0);
         QVERIFY(until([row] { return row->valueText().startsWith("5.00 V"); }));
@@ -260,7 +260,7 @@ private Q_SLOTS:
         QVERIFY(tab().output(0)->isVisible() && tab().analogInput(0)->isVisible());
     }
 
-    void outputHeldByAnotherClientIsLabelled() {
+    void anOutputInUseByAnotherClientIsLabelled() {
         bench_.reset();
         bench_ = std::make_unique<WindowBench>();
         bench_->window.show();

@@ -69,7 +69,7 @@ private Q_SLOTS:
         QVERIFY2(!key("jog.Z-").isHolding(), "the key has to be pressed again");
     }
 
-    void severalAxesMoveNoFasterThanOne() {
+    void severalAxesAreNoFasterThanOne() {
         window().jogColumn().selectors().setSpeedClass(2);
         keyboard().setArmed(true);
         QTest::keyPress(&window(), Qt::Key_Right);
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(timeToStandstill(cell()) >= 0);
     }
 
-    void aStickHasToComeBackToTheMiddle() {
+    void aStickMustReturnToNeutral() {
         bench_->device = tilted();
         cell().advanceMs(200);
         QVERIFY(!standsStill(cell()));
@@ -149,7 +149,7 @@ private Q_SLOTS:
         QVERIFY(timeToStandstill(cell()) >= 0);
     }
 
-    void aPressOnTheScreenStopsADeviceAndBeginsNothing() {
+    void aScreenPressStopsADeviceJogAndStartsNothing() {
         bench_->device = tilted();
         cell().advanceMs(200);
         press(key("jog.Y+"));

@@ -249,7 +249,7 @@ private Q_SLOTS:
         QCOMPARE(bench_->window.session().state().lastStop.cause, control::StopCause::Sleep);
     }
 
-    void aProtectiveStopEndsTheJogForGood() {
+    void aProtectiveStopEndsTheJogPermanently() {
         startJog();
         cell().robot.protectiveStop();
         cell().advanceMs(300);
@@ -264,7 +264,7 @@ private Q_SLOTS:
         expectStandstillFor(300);
     }
 
-    void onlyTheLeftButtonMovesAndTheWheelNever() {
+    void onlyTheLeftButtonMovesTheArm() {
         sendMouse(key(), QEvent::MouseButtonPress, Qt::RightButton);
         expectStandstillFor(200);
         sendMouse(key(), QEvent::MouseButtonRelease, Qt::RightButton);
@@ -287,12 +287,12 @@ private Q_SLOTS:
         expectStandstillFor(300);
     }
 
-    void goToByKeyEndsWithTheKeyDespiteModifiers_data() {
+    void releasingTheGoToKeyStopsDespiteModifiers_data() {
         QTest::addColumn<bool>("modifierFirst");
         QTest::newRow("let go") << false;
         QTest::newRow("a modifier, then let go") << true;
     }
-    void goToByKeyEndsWithTheKeyDespiteModifiers() {
+    void releasingTheGoToKeyStopsDespiteModifiers() {
         QFETCH(bool, modifierFirst);
         app::MainWindow& window = bench_->window;
         window.waypoints().teach();
@@ -318,7 +318,7 @@ private Q_SLOTS:
         expectStandstillFor(500);
     }
 
-    void aRotationKeepsTheTcpWhereItIs() {
+    void aRotationKeepsTheTcpInPlace() {
         const Pose before = cell().truth().tcpPose;
         press(key("jog.Rz+"));
         QVERIFY(cell().advanceUntil(
@@ -346,7 +346,7 @@ private Q_SLOTS:
         QVERIFY(timeToStandstill(cell()) >= 0);
     }
 
-    void speedStartsSlowAgainAfterARestart() {
+    void theSlowSpeedIsSelectedAfterARestart() {
         bench_->window.jogColumn().selectors().setSpeedClass(4);
         app::MainWindow again{app::Settings(bench_->folder.filePath("settings.ini")), bench_->clock};
         QVERIFY(speedClasses()[static_cast<std::size_t>(again.jogColumn().selection().speedClass)].tcp <=

@@ -422,7 +422,7 @@ private Q_SLOTS:
         QTRY_VERIFY2_WITH_TIMEOUT(!button.showsHoldHint(), "for a moment only", 60'000);
     }
 
-    void freedriveIsCalledFreedrive() {
+    void theFreedriveKeyIsLabelledFreedrive() {
         auto& mode = bench_->find<StateChip>("robotModeChip");
         auto& control = bench_->find<StateChip>("controlChip");
         press(key("freedriveKey"));
@@ -441,7 +441,7 @@ private Q_SLOTS:
         QVERIFY(mode.text() != QStringLiteral("FREEDRIVE") && mode.text() != QStringLiteral("MOVING"));
     }
 
-    void aKeyOfTheColumnArmsTheKeyboard() {
+    void theArmButtonOfTheColumnArmsTheKeyboard() {
         auto& arm = bench_->find<ArmKey>("jog.armKeyboard");
         QVERIFY(arm.isVisible() && !arm.isArmed());
         const QRect place = arm.geometry();
@@ -466,7 +466,7 @@ private Q_SLOTS:
         QCOMPARE(arm.text(), before);
     }
 
-    void spaceArmsNothingAndEnterPressesOnce() {
+    void spaceDoesNotArmAndEnterPressesOnce() {
         auto& arm = bench_->find<ArmKey>("jog.armKeyboard");
         window().activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&window()));

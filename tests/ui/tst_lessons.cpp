@@ -299,7 +299,7 @@ private Q_SLOTS:
         }
     }
 
-    void aCardTakesNoFocusAndNoMotion() {
+    void aCardTakesNoFocusAndStopsNoMotion() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.click("firstSteps.close");
@@ -318,7 +318,7 @@ private Q_SLOTS:
 
     // ---- practice
 
-    void helpAndTheChecklistLeadToTheTasks() {
+    void helpAndTheChecklistOpenTheTasks() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(60);
@@ -333,7 +333,7 @@ private Q_SLOTS:
         QVERIFY(bench.practice().isVisible() && !page->isVisible());
     }
 
-    void anotherRobotIsNeverTouched() {
+    void practiceNeverChangesAnotherRobot() {
         Bench bench(false);
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         for (const PracticeTask task : kPracticeTasks) {
@@ -362,7 +362,7 @@ private Q_SLOTS:
         QVERIFY2(bench.check().text().contains("Power the arm on"), qPrintable(bench.check().text()));
     }
 
-    void aProtectiveStopIsRecoveredFrom() {
+    void theProtectiveStopTaskIsCompleted() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.turnTo(PracticeTask::Recover);
@@ -393,7 +393,7 @@ private Q_SLOTS:
         QCOMPARE(bench.find<QLabel>("practice.name").text(), practiceTitle(PracticeTask::TeachFrame));
     }
 
-    void aFrameIsTaught() {
+    void theFrameTaskIsCompleted() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.window.jogColumn().selectors().setSpeedClass(3);
@@ -417,7 +417,7 @@ private Q_SLOTS:
         QCOMPARE(bench.learned().practice, QStringList{"teachFrame"});
     }
 
-    void aWaypointIsTouchedUp() {
+    void theTouchUpTaskIsCompleted() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.window.jogColumn().selectors().setSpeedClass(1);
@@ -437,7 +437,7 @@ private Q_SLOTS:
         QCOMPARE(bench.learned().practice, QStringList{"touchUp"});
     }
 
-    void theReachLimitIsFound() {
+    void theReachLimitTaskIsCompleted() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.window.jogColumn().selectors().setSpeedClass(3);
@@ -452,7 +452,7 @@ private Q_SLOTS:
         QCOMPARE(bench.learned().practice, QStringList{"findLimit"});
     }
 
-    void aForceIsRecordedAndMeasured() {
+    void theForceTaskIsCompleted() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.turnTo(PracticeTask::Measure);

@@ -47,7 +47,7 @@ private:
 
 private Q_SLOTS:
     // A killed process does not close its window.
-    void theSizeIsKeptWithoutClosing() {
+    void theSizeIsSavedBeforeClosing() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);
         window.resize(1333, 777);
@@ -114,7 +114,7 @@ private Q_SLOTS:
         saveScreenshots(window, QStringLiteral("%1x%2").arg(size.width()).arg(size.height()));
     }
 
-    void theJointsAreUnfoldedWhereThereIsRoom_data() {
+    void theJointsAreExpandedWhenTheyFit_data() {
         QTest::addColumn<QSize>("size");
         QTest::addColumn<bool>("unfolded");
         QTest::newRow("1280x720") << QSize(1280, 720) << false;
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QTest::newRow("1600x900 less a title bar") << QSize(1592, 860) << true;
         QTest::newRow("1920x1080") << QSize(1920, 1080) << true;
     }
-    void theJointsAreUnfoldedWhereThereIsRoom() {
+    void theJointsAreExpandedWhenTheyFit() {
         QFETCH(QSize, size);
         QFETCH(bool, unfolded);
         app::MainWindow window(settings());
@@ -153,7 +153,7 @@ private Q_SLOTS:
     }
 
     // The keyboard has only a Russian layout, without Latin letters.
-    void shortcutsAreMeantByThePlaceOfTheirKey() {
+    void shortcutsFollowThePhysicalKeyPosition() {
         VirtualClock clock;
         app::MainWindow window(settings(), clock);
         VirtualCell cell(clock, window.session());
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QCOMPARE(field.text(), QString(QChar(kT.key)));
     }
 
-    void stopIsAlwaysThereAndLargeEnough() {
+    void stopIsAlwaysVisibleAndLargeEnough() {
         app::MainWindow window(settings());
         window.resize(1280, 720);
         window.show();

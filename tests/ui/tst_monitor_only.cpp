@@ -162,7 +162,7 @@ private Q_SLOTS:
         QVERIFY(bench.window.findChild<QWidget*>("armedFrame") != nullptr);
     }
     // Another program moved the arm, so the window does not report that one of its own stops is missing.
-    void lostDataDuringAForeignProgramIsNoStopOfOurs() {
+    void lostDataDuringAForeignProgramAreNotReportedAsOwnStop() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.startMoving());
@@ -315,7 +315,7 @@ private Q_SLOTS:
         QVERIFY(settings.preferences().monitorOnly);
     }
 
-    void theCommandLineIsStrongerThanTheSettings() {
+    void theCommandLineOverridesTheSettings() {
         Bench bench;
         bench.window.lockMonitorOnly();
         QVERIFY(bench.window.session().isMonitorOnly());

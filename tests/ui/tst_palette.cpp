@@ -104,7 +104,7 @@ private Q_SLOTS:
         palette->close();
     }
 
-    void recordingBeginsAndEndsFromThePalette() {
+    void recordingStartsAndEndsFromThePalette() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         const QString folder = bench.folder.filePath("recordings");
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(app::ActionTable::obstacleOf(*record).contains("Connect"));
     }
 
-    void thePlotsPauseAndGoOnFromThePalette() {
+    void thePlotsPauseAndResumeFromThePalette() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(1500);  // for a second after a motion, Space only stops
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY(asked);
     }
 
-    void theLogIsSearchedAndNarrowedFromThePalette() {
+    void theLogIsSearchedAndFilteredFromThePalette() {
         Bench bench;
         bench.run("search log", "log.action.search");
         QCOMPARE(bench.tab(), QString("log"));
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QCOMPARE(bench.find<SegmentedControl>("log.severity").currentIndex(), 2);
     }
 
-    void aChosenOutputIsSwitchedAndRenamedFromThePalette() {
+    void theSelectedOutputIsSwitchedAndRenamedFromThePalette() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(1500);

@@ -192,7 +192,7 @@ private Q_SLOTS:
         QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
     }
 
-    void aPerspectiveIsChosenByKeyPaletteAndMenu() {
+    void aPerspectiveIsSelectedByKeyPaletteAndMenu() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
         QTRY_VERIFY_WITH_TIMEOUT(standsAsInTeach(bench.window), 60'000);
@@ -460,13 +460,13 @@ private Q_SLOTS:
         QVERIFY2(window.perspectives().all().size() == 4, "it is not lost: it can be saved anew");
     }
 
-    void everyPanelIsClosedFloatedAndBroughtBack_data() {
+    void everyPanelIsClosedFloatedAndRestored_data() {
         QTest::addColumn<QByteArray>("dock");
         for (const char* name : {"viewDock", "tabsDock", "plotsDock"}) {
             QTest::newRow(name) << QByteArray(name);
         }
     }
-    void everyPanelIsClosedFloatedAndBroughtBack() {
+    void everyPanelIsClosedFloatedAndRestored() {
         QFETCH(QByteArray, dock);
         WindowBench bench;
         bench.show(QSize(1280, 720));
@@ -497,7 +497,7 @@ private Q_SLOTS:
     }
 
     // Content that does not have enough space scrolls. The jog buttons keep their size.
-    void noArrangementPressesUponTheJogColumn() {
+    void noArrangementShrinksTheJogColumn() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
         const QSize before = bench.window.jogColumn().size();
@@ -689,7 +689,7 @@ private Q_SLOTS:
     }
 
     // The notice and the view are destroyed together with their panels, in any order.
-    void theWindowEndsWithAQuestionOpenInAFloatingPanel() {
+    void theWindowClosesWithAQuestionInAFloatingPanel() {
         auto bench = std::make_unique<WindowBench>();
         bench->show(QSize(1280, 720));
         QVERIFY2(bench->cell.bringUp(), qPrintable(bench->cell.what()));
@@ -720,7 +720,7 @@ private Q_SLOTS:
         QVERIFY(standsStill(bench.cell));
     }
 
-    void theArmedKeyboardEndsWhenAFloatingPanelGetsTheFocus() {
+    void theKeyboardIsDisarmedWhenAFloatingPanelGetsTheFocus() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));

@@ -182,7 +182,7 @@ private Q_SLOTS:
         initResources();
     }
 
-    void everyArmInTwoPoses() {
+    void everyArmIsDrawnInTwoPoses() {
         for (const bool dark : {false, true}) {
             applyTheme(*qApp, dark ? Theme::dark() : Theme::light());
             for (const RobotModel& model : robotModels()) {
@@ -202,7 +202,7 @@ private Q_SLOTS:
         }
     }
 
-    void everyTabAndAPatternBeingTaught() {
+    void everyTabAndThePatternDialogAreDrawn() {
         bench_ = std::make_unique<WindowBench>();
         bench_->show(QSize(1280, 720));
         QVERIFY2(bench_->cell.bringUp(), qPrintable(bench_->cell.what()));
@@ -227,7 +227,7 @@ private Q_SLOTS:
         bench_.reset();
     }
 
-    void everyPartForTheManual() {
+    void everyManualPictureIsDrawn() {
         applyTheme(*qApp, Theme::light());
         bench_ = std::make_unique<WindowBench>();
         bench_->show(QSize(1280, 720));

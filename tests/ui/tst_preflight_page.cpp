@@ -221,7 +221,7 @@ private Q_SLOTS:
         seen_.insert(QLatin1String(fault.cause));
         keepPicture(*page, QLatin1String(fault.cause));
     }
-    void thereAreTwelveAndMoreDifferentCauses() { QVERIFY(seen_.size() >= 12); }
+    void atLeastTwelveCausesAreDistinguished() { QVERIFY(seen_.size() >= 12); }
 
     void polyScopeXIsReachedThroughItsRobotApi() {
         Cell cell;
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QCOMPARE(page->findChild<QPushButton*>("preflightConnect")->text(), QStringLiteral("Connect"));
     }
 
-    void withSomethingRedTheFirstThingToDoIsToLookAgain() {
+    void checkAgainIsTheDefaultActionAfterAFailure() {
         Cell cell;
         QVERIFY(cell.begin());
         cell.robot->protectiveStop();

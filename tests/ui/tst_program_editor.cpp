@@ -221,12 +221,12 @@ private Q_SLOTS:
                  QString("Empty the tray first"));
     }
 
-    void namesAreReadableWhole_data() {
+    void namesAreShownInFull_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("smallest") << QSize(1280, 720);
         QTest::newRow("full HD") << QSize(1920, 1040);
     }
-    void namesAreReadableWhole() {
+    void namesAreShownInFull() {
         QFETCH(QSize, size);
         openTray();
         window().resize(size);
@@ -310,7 +310,7 @@ private Q_SLOTS:
     }
 
     // A running program stops by every way to stop the arm, and the arm stays stopped.
-    void everyWayStopsAProgram_data() {
+    void everyStopInputStopsAProgram_data() {
         QTest::addColumn<bool>("held");
         QTest::addColumn<QString>("way");
         for (const char* way : {"Space", "Esc", "STOP", "release control", "close"}) {
@@ -321,7 +321,7 @@ private Q_SLOTS:
             QTest::addRow("%s, held", way) << true << QString(way);
         }
     }
-    void everyWayStopsAProgram() {
+    void everyStopInputStopsAProgram() {
         QFETCH(bool, held);
         QFETCH(QString, way);
         const QString pick = [&] {

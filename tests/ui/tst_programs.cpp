@@ -118,7 +118,7 @@ private Q_SLOTS:
 
     // Only the first attempt shows whether Local means that remote control is disabled or that commands are
     // rejected.
-    void startedInLocalControlIsNotTakenAndNotOfferedAgain() {
+    void controlIsNotTakenAfterAStartInLocalControl() {
         begin({}, true);
         bool wasInControl = false;
         QObject here;  // its connections end before wasInControl is destroyed
@@ -179,13 +179,13 @@ private Q_SLOTS:
         QVERIFY2(errors_.first().contains("nowhere"), qPrintable(errors_.first()));
     }
 
-    void aProgramThatIsNotThereIsNamed() {
+    void aMissingProgramIsReported() {
         QVERIFY(load("nowhere.urp"));
         QTRY_VERIFY_WITH_TIMEOUT(!errors_.isEmpty(), 20'000);
         QVERIFY2(errors_.first().contains("nowhere.urp"), qPrintable(errors_.first()));
     }
 
-    void aPopupIsClosedBeforeTheProgramGoesOn() {
+    void aPopupIsClosedBeforeTheProgramResumes() {
         QVERIFY(load("wait.urp"));
         QTRY_VERIFY_WITH_TIMEOUT(state().loadedProgram.contains("wait.urp"), 20'000);
         QVERIFY(robot_->inject("popup wait for me").ok());
@@ -282,7 +282,7 @@ private Q_SLOTS:
 
     // The command follows the same rules as the button. It works only after the operator could read the
     // popup, and only once.
-    void theCommandClosesAPopupAsItsButtonDoes() {
+    void theCommandAlsoClosesAPopup() {
         auto* card = window_->findChild<RobotPopup*>("robotPopup");
         QAction* close = action("power.closePopups");
         QTRY_VERIFY_WITH_TIMEOUT(close->isEnabled(), 20'000);
@@ -313,7 +313,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(done.count(), 2, 20'000);
     }
 
-    void aPopupHeardBeforeTheAnswerStaysWhenTheOtherIsClosed() {
+    void aPopupReceivedWhileAnotherClosesStaysOpen() {
         auto* card = window_->findChild<RobotPopup*>("robotPopup");
         QVERIFY(robot_->inject("popup Put the part in").ok());
         QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), 20'000);
@@ -368,7 +368,7 @@ private Q_SLOTS:
         QVERIFY(!card->isVisible());
     }
 
-    void inControlTheRobotsProgramsAreLeftAlone() {
+    void theRobotsProgramsAreNotChangedWhileInControl() {
         window_->session().takeControl();
         QTRY_VERIFY_WITH_TIMEOUT(state().canMove(), 20'000);
         for (const char* id : {"control.load", "control.play", "control.pause", "control.stopProgram"}) {

@@ -154,12 +154,12 @@ private Q_SLOTS:
         QVERIFY(question() == nullptr);
     }
 
-    void nothingMovesBeforeTheAnswer_data() {
+    void nothingMovesBeforeTheQuestionIsAnswered_data() {
         QTest::addColumn<bool>("connectedFirst");
         QTest::newRow("asked when it is opened") << true;
         QTest::newRow("asked when the robot is connected") << false;
     }
-    void nothingMovesBeforeTheAnswer() {
+    void nothingMovesBeforeTheQuestionIsAnswered() {
         QFETCH(bool, connectedFirst);
         if (connectedFirst) {
             bringUp();
@@ -202,7 +202,7 @@ private Q_SLOTS:
         QVERIFY(until([&] { return !notice->isVisible(); }));
     }
 
-    void keptPosesAreWhereTheyWere() {
+    void keptPosesStayInPlace() {
         bringUp();
         const project::Project before = taughtWith(RobotModelId::UR10e);
         open(before);
@@ -221,7 +221,7 @@ private Q_SLOTS:
         nothingMovesToThem();
     }
 
-    void keptJointsAreThePosture() {
+    void keptJointsGiveTheSamePosture() {
         bringUp();
         const project::Project before = taughtWith(RobotModelId::UR10e);
         open(before);
@@ -289,7 +289,7 @@ private Q_SLOTS:
         QVERIFY(question() == nullptr);
     }
 
-    void theRobotsTcpMayBeKept() {
+    void theTcpOfTheRobotMayBeKept() {
         bringUp();
         open(taughtWith(RobotModelId::UR5e, Pose(0, 0, 0.15, 0, 0, 0)));
         QVERIFY(movedBy("waypoint.goTo") < 1e-4);

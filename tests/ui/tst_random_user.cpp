@@ -187,7 +187,7 @@ private Q_SLOTS:
 
     // ---- tests of PlacesWatch -----------------------------------------------------------------------------------
 
-    void aKeyThatSlidesAwayIsCaught() {
+    void aWidgetMovedUnderThePointerIsDetected() {
         Keys keys;
         QVERIFY(keys.watch.isOn());
         QCOMPARE(keys.watch.controlsAtPointer(), 1);
@@ -242,7 +242,7 @@ private Q_SLOTS:
         QVERIFY(keys.watch.moved().isEmpty());
     }
 
-    void aPageOfATabIsNew() {
+    void aNewTabPageIsNotAMovedWidget() {
         QWidget window;
         auto* tabs = new QTabBar;
         tabs->addTab(QStringLiteral("one"));
@@ -284,7 +284,7 @@ private Q_SLOTS:
         QVERIFY(keys.watch.moved().isEmpty());
     }
 
-    void onlyDeliberateResizesAreExcused() {
+    void onlyIntendedResizesAreIgnored() {
         QWidget window;
         auto* column = new QWidget(&window);
         column->setObjectName(QStringLiteral("jogColumn"));
@@ -369,13 +369,13 @@ private Q_SLOTS:
         QVERIFY2(board.check.compared() == compared, "and nothing was compared");
     }
 
-    void aWindowWithoutItsPartsIsNoTrueWindow() {
+    void aWindowWithoutItsWidgetsIsReported() {
         QWidget empty;
         TruthCheck check(empty);
         QVERIFY(check.lies({}, true).size() >= 3);
     }
 
-    void aWarningIsCaught() {
+    void aWarningIsDetected() {
         const WarningWatch watch;
         QTest::ignoreMessage(QtWarningMsg, "This plugin does not support flying");
         qWarning("This plugin does not support flying");

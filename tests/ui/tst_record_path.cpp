@@ -146,7 +146,7 @@ private Q_SLOTS:
         QVERIFY((cell().truth().q.values - path.back().q.values).cwiseAbs().maxCoeff() < 1e-3);
     }
 
-    void anArmThatStoodMakesNoPath() {
+    void anArmAtStandstillRecordsNoPath() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         cell().advanceMs(500);
         QTest::mouseClick(&record(), Qt::LeftButton);
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QVERIFY(more->accessibleDescription().isEmpty());
     }
 
-    void lostDataEndAndKeepTheRecording() {
+    void lostDataEndTheRecordingButKeepThePath() {
         QTest::mouseClick(&record(), Qt::LeftButton);
         lead();
         window().session().disconnectFromRobot();
@@ -278,7 +278,7 @@ private Q_SLOTS:
     }
 
     // Back reverses the motion of "Run route", including the blended path, to the start of the motion.
-    void backGoesOverTaughtMoves() {
+    void backRetracesTaughtMoves() {
         std::vector<project::Waypoint> points;
         const SessionState& state = window().session().state();
         for (const auto& [turn, lift] : {std::pair{0.2, 0.0}, {0.4, -0.2}, {0.1, -0.2}}) {

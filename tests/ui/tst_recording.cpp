@@ -63,7 +63,7 @@ class TestRecording : public QObject {
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    void theNextFileIsAsChosen() {
+    void theNextFileUsesTheSettings() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -203,7 +203,7 @@ private Q_SLOTS:
         QVERIFY(!table->truncated);
     }
 
-    void anMcapFileHoldsEverythingAndTheProject() {
+    void anMcapFileContainsAllDataAndTheProject() {
         WindowBench bench;
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));

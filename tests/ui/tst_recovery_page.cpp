@@ -198,7 +198,7 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return bench.window.session().state().canMove(); }));
     }
 
-    void aSafeguardStopEndsWithItsCauseOnly() {
+    void aSafeguardStopEndsOnlyWithItsCause() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.safeguardStop(true);
@@ -210,12 +210,12 @@ private Q_SLOTS:
         QVERIFY(bench.safety() == SafetyMode::Normal);
     }
 
-    void violationAndFaultNeedALookBeforeTheRestart_data() {
+    void violationAndFaultNeedAnInspectionBeforeTheRestart_data() {
         QTest::addColumn<bool>("fault");
         QTest::newRow("violation") << false;
         QTest::newRow("fault") << true;
     }
-    void violationAndFaultNeedALookBeforeTheRestart() {
+    void violationAndFaultNeedAnInspectionBeforeTheRestart() {
         QFETCH(bool, fault);
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
@@ -229,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return bench.shows(RecoveryStep::ReleaseBrakes); }));
     }
 
-    void polyScopeXIsLedFromPowerOffToJoggingAndBackFromAStop() {
+    void polyScopeXIsPoweredOnAndRecoversFromAStop() {
         Bench bench(polyScopeX());
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -308,7 +308,7 @@ private Q_SLOTS:
         QCOMPARE(bench.cell.truth().robotMode, RobotMode::PowerOff);
     }
 
-    void polyScopeXWithoutTheApiSendsToTheTablet() {
+    void polyScopeXWithoutTheApiRefersToTheTeachPendant() {
         Bench bench(polyScopeX({10, 10, 0, 0}));
         bench.show(QSize(1280, 720));
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -327,7 +327,7 @@ private Q_SLOTS:
             bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the teach pendant"));
     }
 
-    void ticksAreClearedOnlyByANewStop() {
+    void checksAreClearedOnlyByANewStop() {
         Bench bench;
         QVERIFY2(bench.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.protectiveStop();

@@ -91,14 +91,14 @@ class TestReports : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aCrashLeavesSignalCallsAndLastLines_data() {
+    void aCrashWritesSignalBacktraceAndLastLogLines_data() {
         QTest::addColumn<int>("signal");
         QTest::addColumn<QByteArray>("name");
         QTest::newRow("bad pointer") << SIGSEGV << QByteArray("SIGSEGV");
         QTest::newRow("abort") << SIGABRT << QByteArray("SIGABRT");
         QTest::newRow("division") << SIGFPE << QByteArray("SIGFPE");
     }
-    void aCrashLeavesSignalCallsAndLastLines() {
+    void aCrashWritesSignalBacktraceAndLastLogLines() {
         QFETCH(int, signal);
         QFETCH(QByteArray, name);
         const QTemporaryDir folder;
@@ -178,7 +178,7 @@ private Q_SLOTS:
         QVERIFY(bench.find<QLabel>("report.failure").isVisible());
     }
 
-    void aCrashIsOfferedAtTheNextStartAndOnce() {
+    void aCrashReportIsOfferedOnceAtTheNextStart() {
         Bench bench;
         const QString path = bench.folder.filePath("crash.txt");
         QVERIFY(crashed(path, SIGSEGV).contains("SIGSEGV"));

@@ -67,7 +67,7 @@ private Q_SLOTS:
         applyTheme(*qApp, Theme::light());
     }
 
-    void theDialogOffersThree() {
+    void theDialogOffersThreeSamples() {
         Bench bench;
         bench.window.actions().find("project.sample")->trigger();
         QVERIFY(bench.dialog() != nullptr && bench.dialog()->isVisible());
@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY(bench.window.document().waypoints().isEmpty());
     }
 
-    void thePaletteFindsThem() {
+    void thePaletteFindsTheSamples() {
         Bench bench;
         app::CommandPalette palette(bench.window.actions());
         palette.findChild<QLineEdit*>("paletteWords")->setText("sample");
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(palette.listed().first()->objectName(), QString("project.sample"));
     }
 
-    void theFirstRunOffersThemToo() {
+    void theFirstRunPageOffersTheSamples() {
         QTemporaryDir folder;
         app::MainWindow window{app::Settings(folder.filePath("settings.ini"))};
         window.show();
@@ -109,13 +109,13 @@ private Q_SLOTS:
         QVERIFY(window.session().state().simulated);
     }
 
-    void everySampleOpensAsACopyThatIsReachable_data() {
+    void everySampleOpensAsAReachableCopy_data() {
         QTest::addColumn<QString>("id");
         for (const app::SampleProject& sample : app::sampleProjects()) {
             QTest::newRow(qPrintable(sample.id)) << sample.id;
         }
     }
-    void everySampleOpensAsACopyThatIsReachable() {
+    void everySampleOpensAsAReachableCopy() {
         QFETCH(QString, id);
         Bench bench;
         QVERIFY(bench.open(id));
@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(!answer.wasAsked());
     }
 
-    void changesAreKeptInAFileOfOnesOwn() {
+    void changesAreSavedInASeparateFile() {
         Bench bench;
         QVERIFY(bench.open("gluing"));
         bench.change();
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QVERIFY2(!QFile::exists(bench.folder.filePath("gluing.tiller")), "nothing was saved by itself");
     }
 
-    void aChangedCopyIsNotLostUnasked() {
+    void closingAChangedCopyAsksFirst() {
         Bench bench;
         QVERIFY(bench.open("gluing"));
         bench.change();
@@ -176,7 +176,7 @@ private Q_SLOTS:
         QVERIFY(answer.wasAsked());
     }
 
-    void theSimulatedArmGoesThroughTheFirstOnesWhileTheKeyIsHeld() {
+    void goToMovesTheSimulatedArmToTheSampleWaypoints() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.open("pick-and-place"));

@@ -95,7 +95,7 @@ private Q_SLOTS:
     }
 
     // Regression test: an upright arm was cut off at the top.
-    void theGhostOfHomeIsInThePicture() {
+    void theGhostOfHomeIsVisible() {
         view().grab();
         const double alone = view().camera().distance();
         auto& home = bench_->find<HoldToRunButton>("homeKey");
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(view().camera().distance() - alone) < 1e-6);
     }
 
-    void theStandardSidesAreKeysAndCommands() {
+    void theStandardViewsHaveButtonsAndCommands() {
         const struct {
             Qt::Key key;
             const char* button;
@@ -143,7 +143,7 @@ private Q_SLOTS:
         }
     }
 
-    void thePaletteFindsThem() {
+    void thePaletteFindsTheStandardViews() {
         bench_->cell.advanceMs(1500);  // for a second after a motion, Space only stops
         QTest::keyClick(&window(), Qt::Key_K, Qt::ControlModifier);
         QTRY_VERIFY_WITH_TIMEOUT(window().findChild<app::CommandPalette*>() != nullptr, 60'000);
@@ -158,7 +158,7 @@ private Q_SLOTS:
                                  60'000);
     }
 
-    void fitShowsThePannedView() {
+    void fitRestoresAPannedView() {
         view().grab();
         const QPoint from(view().width() / 2, view().height() / 2);
         QTest::mousePress(&view(), Qt::RightButton, {}, from);
@@ -215,7 +215,7 @@ private Q_SLOTS:
 
     // The path of "Back" is drawn as a line from the arm to the start of the path, and disappears after
     // "Back".
-    void theWayBackIsDrawn() {
+    void theRetracePathIsDrawn() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         QVERIFY(view().paths().empty());
         const Eigen::Vector3d from = bench_->cell.truth().tcpPose.position;
@@ -247,7 +247,7 @@ private Q_SLOTS:
     }
 
     // Before a touch-up is confirmed, the distance and both positions of the waypoint are displayed.
-    void touchUpShowsBothPlacesBeforeItIsKept() {
+    void touchUpShowsBothPositionsBeforeConfirmation() {
         driveKeys(bench_->cell, window().jogColumn().holdKeys(), &window().jogColumn().axisJog());
         window().waypoints().teach();
         const project::Waypoint taught = window().document().waypoints().at(0);
@@ -336,7 +336,7 @@ private Q_SLOTS:
 
     // The waypoints are taught at one position. Each name must be legible, or included in the number of
     // hidden names.
-    void namesOfWaypointsDoNotPileUp() {
+    void waypointNamesDoNotOverlap() {
         for (int i = 0; i < 14; ++i) {
             window().waypoints().teach();
         }

@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(Notation::current() == wanted);
     }
 
-    void aRaisedCapIsOnTheHeaderAndEndsWithTheProgram() {
+    void aRaisedCapIsShownInTheHeaderAndIsNotSaved() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         auto* banner = bench.window.findChild<QLabel*>("capBanner");
@@ -154,7 +154,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
     }
 
-    void longestHoldAppliesAtOnce() {
+    void maximumHoldTimeAppliesImmediately() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         driveKeys(bench.cell, bench.window.jogColumn().holdKeys());
@@ -189,7 +189,7 @@ private Q_SLOTS:
         release(*key);
     }
 
-    void aLoweredCapStays() {
+    void aLoweredCapIsSaved() {
         QTemporaryDir folder;
         app::Settings settings(folder.filePath("settings.ini"));
         Preferences preferences;
@@ -260,7 +260,7 @@ private Q_SLOTS:
         QVERIFY2(read.shortcuts.isEmpty(), "Space and Esc stop the arm and nothing else");
     }
 
-    void aKeyIsChangedTakenAwayAndNeverGivenTwice() {
+    void aShortcutIsChangedRemovedAndNeverAssignedTwice() {
         Bench bench;
         app::SettingsPage* page = bench.open();
         page->findChild<QTabBar*>()->setCurrentIndex(2);
@@ -290,7 +290,7 @@ private Q_SLOTS:
         QVERIFY(bench.window.actions().helpText().contains("Ctrl+P"));
     }
 
-    void aDeviceIsTunedSwitchedOnAndTriedOutFromThePage() {
+    void aDeviceIsTunedEnabledAndTestedOnThePage() {
         Bench bench;
         bench.window.devices().addSource(std::make_unique<TestPad>());
         app::SettingsPage* page = bench.open();
@@ -335,7 +335,7 @@ private Q_SLOTS:
         QVERIFY2(next.devices().used() == nullptr, "never after a start");
     }
 
-    void numbersOfTheJogColumnAreEnteredByCommandToo() {
+    void jogColumnValuesCanBeEnteredByCommand() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         const auto enter = [&bench](const char* id, double value) {
@@ -374,7 +374,7 @@ private Q_SLOTS:
         QVERIFY2(page.isNull(), "the page goes with its window");
     }
 
-    void allKeysGoBackAtOnce() {
+    void allShortcutsCanBeResetTogether() {
         Bench bench;
         app::SettingsPage* page = bench.open();
         QVERIFY(page->setShortcut("app.help", {}));

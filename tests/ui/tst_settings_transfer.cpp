@@ -110,7 +110,7 @@ private Q_SLOTS:
     }
     void cleanupTestCase() { applyDensity(*qApp, Density::Mouse); }
 
-    void theKeyOfThePageExports() {
+    void theExportButtonWritesTheFile() {
         Bench bench;
         app::Settings(bench.file).rememberRobot({"Lab UR5e", "10.0.0.7", 0, false});
         app::SettingsPage* page = bench.openSettings();
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QCOMPARE(learned.practice, QStringList("recover"));
     }
 
-    void theGripperOfTheConnectedRobotAndTheRecordingHoldAtOnce() {
+    void importedGripperAndRecordingSettingsApplyImmediately() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         const auto& gripper = bench.find<GripperPanel>("gripper");

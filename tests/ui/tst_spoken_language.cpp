@@ -137,7 +137,7 @@ private Q_SLOTS:
         QLocale::setDefault(QLocale::c());
     }
 
-    void everyTextOfTheSourcesIsInEveryLanguage() {
+    void everySourceTextIsInEveryLanguage() {
         // Extract the texts from the sources again, as a translator would.
         QTemporaryDir folder;
         const QString fresh = folder.filePath("fresh_en.ts");
@@ -160,8 +160,8 @@ private Q_SLOTS:
         }
     }
 
-    void everyTextIsTranslatedAndKeepsItsPlaces_data() { allLanguages(); }
-    void everyTextIsTranslatedAndKeepsItsPlaces() {
+    void everyTextIsTranslatedWithItsPlaceholders_data() { allLanguages(); }
+    void everyTextIsTranslatedWithItsPlaceholders() {
         QFETCH(QString, code);
         const Texts texts = readTexts(kFolder + "tiller_" + code + ".ts");
         QStringList wrong;
@@ -203,7 +203,7 @@ private Q_SLOTS:
         QCOMPARE(languageFor("../../etc/passwd"), languageFor({}));
     }
 
-    void figuresHaveTheDecimalSignOfTheLanguage() {
+    void numbersHaveTheDecimalSeparatorOfTheLanguage() {
         const LanguageTexts texts(QStringLiteral("de"));
         QCOMPARE(format::number(12.5, 2), QString("12,50"));
         QCOMPARE(format::signedNumber(-0.25, 2), QString(QChar(0x2212)) + "0,25");
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(shown.windowTitle() != QLatin1String("Settings"));
     }
 
-    void aRecordingKeepsTheWindow() {
+    void aRunningRecordingPreventsReplacingTheWindow() {
         const LanguageTexts texts(QStringLiteral("en"));
         Bench bench;
         bench.show();
@@ -307,7 +307,7 @@ private Q_SLOTS:
         }
     }
 
-    void aTextThatIsNotThereIsSeen() {
+    void untranslatedTextIsDetected() {
         QCOMPARE(pseudoText("Stop %1 of <b>%n</b>"), QString("Štööp %1 ööf <b>%n</b>"));
         const QString longer = pseudoText("Hold to move the arm along the path");
         QVERIFY(longer.size() >= 44);

@@ -74,7 +74,7 @@ private Q_SLOTS:
     }
     void cleanup() { bench_.reset(); }
 
-    void tcpIsSetOnTheControllerReadBackAndAskedAbout() {
+    void tcpIsSetReadBackAndConfirmed() {
         project::Tooling two;
         two.tools = {{QUuid::createUuid(), "gripper", Pose(0, 0, 0.15, 0, 0, 0), 0.04, {}, {}},
                      {QUuid::createUuid(), "nozzle", Pose(0.01, 0, 0.2, 0, 0, 0), 0, {}, {}}};
@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(until([&] { return window().session().state().tcpOffset == Pose(0, 0, 0.15, 0, 0, 0); }));
     }
 
-    void payloadIsWeighedWithinFiftyGramsAndFiveMillimetres() {
+    void payloadIsMeasuredWithin50GramsAnd5Millimetres() {
         // A load of 2.0 kg that is not configured in the controller. The sensor has noise and an offset.
         QVERIFY(cell().robot.inject("load 2.0 0.02 -0.03 0.09").ok());
         window().tools().showPage(ToolsTab::Payloads);
@@ -151,7 +151,7 @@ private Q_SLOTS:
         keepPictures("tools-payload");
     }
 
-    void homeIsWhereItWasSet() {
+    void homeMovesToTheStoredPosition() {
         window().tools().showPage(ToolsTab::Positions);
         // The page reads the robot's state a few times per second, in real time.
         QTRY_VERIFY_WITH_TIMEOUT(

@@ -94,13 +94,13 @@ private Q_SLOTS:
         setRoomForTouch(*qApp, true);
     }
 
-    void everythingInTheWindowIsAsHighAsAFinger_data() {
+    void everyControlInTheWindowIsLargeEnoughForTouch_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("joints below each other") << QSize(1920, 1160);
         QTest::newRow("joints in pairs") << QSize(1920, 1000);
         QTest::newRow("joints in a tab") << QSize(1600, 985);
     }
-    void everythingInTheWindowIsAsHighAsAFinger() {
+    void everyControlInTheWindowIsLargeEnoughForTouch() {
         QFETCH(QSize, size);
         Bench bench(size);
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -123,7 +123,7 @@ private Q_SLOTS:
         }
     }
 
-    void everyJointHasKeysForAFinger() {
+    void everyJointHasTouchSizedKeys() {
         Bench bench(kRoomy);
         for (int joint = 0; joint < 6; ++joint) {
             for (const char* key : {"minus", "plus"}) {
@@ -139,12 +139,12 @@ private Q_SLOTS:
         }
     }
 
-    void rowsOfInputsAndOutputsAreAsHighAsAFingerInEveryWindow_data() {
+    void ioRowsAreTouchSizedInEveryWindowSize_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("large") << kRoomy;
         QTest::newRow("smallest") << QSize(1280, 720);
     }
-    void rowsOfInputsAndOutputsAreAsHighAsAFingerInEveryWindow() {
+    void ioRowsAreTouchSizedInEveryWindowSize() {
         QFETCH(QSize, size);
         Bench bench(size);
         bench.window.showTab("io");
@@ -157,7 +157,7 @@ private Q_SLOTS:
         }
     }
 
-    void menusHaveEntriesForAFinger() {
+    void menuEntriesAreTouchSized() {
         Bench bench(QSize(1280, 720));
         for (const char* name : {"mainMenu", "waypoint.menu", "plots.span.menu"}) {
             auto& menu = bench.find<QMenu>(name);
@@ -172,7 +172,7 @@ private Q_SLOTS:
         }
     }
 
-    void checkBoxesFieldsAndTabsOfTheSettingsAreForAFinger() {
+    void settingsControlsAreTouchSized() {
         Bench bench(kRoomy);
         QTest::keyClick(&bench.window, Qt::Key_Comma, Qt::ControlModifier);
         auto* page = bench.window.findChild<app::SettingsPage*>();
@@ -190,7 +190,7 @@ private Q_SLOTS:
         }
     }
 
-    void aFingerHitsACommandOfThePalette() {
+    void paletteCommandsAreTouchSized() {
         Bench bench(QSize(1280, 720));
         QTest::keyClick(&bench.window, Qt::Key_K, Qt::ControlModifier);
         auto* list = bench.window.findChild<QListWidget*>("paletteList");
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(list->visualItemRect(list->item(0)).height() >= kFinger, 60'000);
     }
 
-    void aWindowThatGetsLowerKeepsEverythingWhole() {
+    void aLowerWindowCutsNothingOff() {
         Bench bench(kRoomy);
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QCOMPARE(touchHeight(), kFinger);
@@ -234,7 +234,7 @@ private Q_SLOTS:
         QVERIFY(standsStill(bench.cell));
     }
 
-    void aMouseKeepsItsSizes() {
+    void mouseDensityKeepsItsSizes() {
         Bench bench(kRoomy, Density::Mouse);
         QCOMPARE(touchHeight(), 0);
         QCOMPARE(bench.find<QAbstractButton>("joint.0.plus").height(), 26);

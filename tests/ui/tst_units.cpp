@@ -145,7 +145,7 @@ private Q_SLOTS:
     void init() { applyNotation(*qApp, {}); }
     void cleanupTestCase() { applyNotation(*qApp, {}); }
 
-    void everyPlaceFollowsTheChoice() {
+    void everyWidgetFollowsTheUnitSetting() {
         Bench bench;
         app::MainWindow& window = bench.window;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
@@ -202,7 +202,7 @@ private Q_SLOTS:
     }
 
     // Labels, tables and fields use the typographic minus sign. Copied numbers use a hyphen.
-    void everyMinusIsTheSameSign() {
+    void everyMinusSignIsTheSameCharacter() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.window.waypoints().teach();
@@ -246,7 +246,7 @@ private Q_SLOTS:
         QCOMPARE(bench.window.document().undoStack().count(), steps);
     }
 
-    void pagesFollowToo() {
+    void pagesFollowTheUnitSetting() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.cell.robot.protectiveStop();

@@ -244,7 +244,7 @@ private:
     }
 
 private Q_SLOTS:
-    void theyAreDoneInOrderWhereTheArmHasCome() {
+    void actionsRunInOrderAtTheirWaypoint() {
         teach({setOutput(3, true), waitTime(0.5), setOutput(3, false), setOutput(4, true)}, 0.02);
         hold(through());
         QVERIFY(until([&] { return output(3); }));
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(wasSaid("DO 3"));
     }
 
-    void pulseHasItsDurationAndEnds() {
+    void aPulseLastsItsDuration() {
         teach({pulse(2, 0.4)});
         hold(through());
         QVERIFY(until([&] { return output(2); }));
@@ -274,7 +274,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    void anInputIsWaitedFor() {
+    void theRouteWaitsForAnInput() {
         teach({waitFor(5, 60), setOutput(1, true)});
         hold(through());
         QVERIFY(until([&] { return doing().contains("DI 5"); }));
@@ -421,7 +421,7 @@ private Q_SLOTS:
         release(through());
     }
 
-    void aRobotiqIsWaitedFor() {
+    void theRouteWaitsForARobotiqGripper() {
         teach({gripper(true)});
         GripperPanel& panel = useRobotiq();
         holdToTheEnd(through());
@@ -434,7 +434,7 @@ private Q_SLOTS:
     }
 
     // Moving fingers can pinch. They stop on release and continue with the next press.
-    void letGoWhileTheFingersMoveTheyStand() {
+    void releaseStopsTheGripperFingers() {
         teach({gripper(true)});
         GripperPanel& panel = useRobotiq();
         QVERIFY(activate(panel));
@@ -459,7 +459,7 @@ private Q_SLOTS:
     }
 
     // A window that hangs does not hold the button, and a pulsed output must not stay on.
-    void aWindowThatHangsEndsThePulse() {
+    void aHangingWindowEndsThePulse() {
         teach({pulse(2, 60), setOutput(1, true)});
         hold(through());
         QVERIFY(until([&] { return output(2) && doing().contains("DO 2"); }));
@@ -476,7 +476,7 @@ private Q_SLOTS:
         QVERIFY(!output(2));
     }
 
-    void theyAreEditedByKeyboardAndUndone() {
+    void actionsAreEditedByKeyboardAndUndone() {
         teach({});
         const QString before = tab().model().index(0, WaypointModel::Name).data().toString();
         const int commands = document().undoStack().count();

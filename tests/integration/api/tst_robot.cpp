@@ -176,7 +176,7 @@ private Q_SLOTS:
         bench.whileTimePasses([&] { robot.reset(); });
     }
 
-    void theEndOfTheObjectStopsTheArm() {
+    void destroyingTheObjectStopsTheArm() {
         Bench cell;
         QVERIFY(cell.takeControl().ok());
         (void)cell.move();

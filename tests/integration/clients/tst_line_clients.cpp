@@ -352,7 +352,7 @@ private Q_SLOTS:
         QVERIFY(client.until([&] { return robot.controller.truth().qd.values.norm() < 2e-3; }, 2));
     }
 
-    void aLineClientSetsUpAndSwitches() {
+    void aLineClientConfiguresTheRobotAndSetsOutputs() {
         VirtualRobot robot;
         LineClient client(robot);
         QVERIFY(client.until([&] { return client.state().known; }, 2));

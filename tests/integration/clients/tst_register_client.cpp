@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(client_->command(Client::kNothing, 43));
     }
 
-    void theUpperRangeWorksAlike() {
+    void theUpperRangeWorksTheSameWay() {
         QVERIFY(client_->stopScript());
         client_->disconnect();
         QTRY_COMPARE_WITH_TIMEOUT(robot_.controller.rtdeClients(), 0, 60'000);
@@ -317,7 +317,7 @@ private Q_SLOTS:
         client_->step(2);
     }
 
-    void setUpIsSeenOnRtde() {
+    void configurationIsVisibleOnRtde() {
         QVERIFY(six(Client::kSix, 29, {0, 0, 0.12, 0, 0, 0.5}));
         QVERIFY(client_->command(Client::kFour, 17, {1.5, 0.01, 0.02, 0.03}));
         QVERIFY(client_->command(Client::kFour, 59, {0, 4.91, 8.5, 0}));
@@ -355,7 +355,7 @@ private Q_SLOTS:
         QCOMPARE(client_->state().safetyBits, 1U);
     }
 
-    void contactIsDetectedMeanwhile() {
+    void contactIsDetectedDuringAMove() {
         const double z = poseNow()[2];
         robot_.controller.changeWorld([z](simulator::arm::Environment& world) {
             world.addPlane({.point = {0, 0, z - 0.02}});
@@ -372,7 +372,7 @@ private Q_SLOTS:
         QVERIFY(client_->command(Client::kOne, 15, {10}));
     }
 
-    void aHandMovesTheArmInFreedriveAndTeachMode() {
+    void theArmIsGuidedInFreedriveAndTeachMode() {
         for (const bool teach : {false, true}) {
             const Six start = poseNow();
             QVERIFY(teach ? client_->command(Client::kNothing, 18)
@@ -450,7 +450,7 @@ private Q_SLOTS:
         QVERIFY2(client_->upload(), client_->trouble);
     }
 
-    void anExternalSensorReplacesTheArmsOwn() {
+    void anExternalSensorReplacesTheInternalOne() {
         QVERIFY(client_->command(Client::kSensor, 56, {0, 0, 0, 0, 0, 0, 0}, {1}));
         RawRtde rtde = robot_.rtde();
         QVERIFY(rtde.useVersion());

@@ -16,7 +16,7 @@ class TestSocketClient : public SocketClientTest {
     Q_OBJECT
 
 private Q_SLOTS:
-    void stoppedLeavesTheLoopAndWhatFollowsRuns() {
+    void stoppedEndsTheLoopAndTheProgramContinues() {
         QVERIFY(keepIdle(20));
         QVERIFY(client_->writeRaw({}, Client::kStopped, 100));
         QVERIFY(client_->until([this] { return !client_->isReverseConnected(); }, 1));
@@ -62,7 +62,7 @@ private Q_SLOTS:
             [&] { return client_->write(goal, Client::kPose) && std::abs(pose()[2] - goal[2]) < 1e-3; }, 2));
     }
 
-    void speedModesReachTheirSpeedAndChangeOver() {
+    void speedModesReachTheirSpeedAndSwitch() {
         const auto stream = [this](const Six& values, Client::Mode mode, int ticks) {
             for (int n = 0; n < ticks; ++n) {
                 if (!client_->write(values, mode)) {
@@ -161,14 +161,14 @@ private Q_SLOTS:
         QVERIFY(std::abs(pose()[2] - (z - 0.02)) < 2e-3);
     }
 
-    void aToolContactThatIsEndedIsCanceled() {
+    void endingToolContactReportsCanceled() {
         QVERIFY(client_->writeCommand(5, {}));
         QVERIFY(keepIdle(20));
         QVERIFY(client_->writeCommand(6, {}));
         QCOMPARE(client_->commandReply(1).value_or(-1), 1);
     }
 
-    void aProtectiveStopEndsTheScriptWhichIsSentAgain() {
+    void theScriptIsResentAfterAProtectiveStop() {
         client_->news() = {};
         client_->sendScript("sec stop():\n  protective_stop()\nend\n");
         QVERIFY(client_->until([this] { return !client_->isReverseConnected(); }, 1));
@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(largest(client_->data().tcpOffset, {0.01, 0.02, 0.15, 0, 0, 0.5}) < 1e-9);
     }
 
-    void aStandingArmReportsTheSamePositionAgain() {
+    void anArmAtStandstillRepeatsTheSamePosition() {
         QVERIFY(keepIdle(300));
         const Six q = client_->data().actualQ;
         const Six pose = client_->data().actualPose;
@@ -197,7 +197,7 @@ private Q_SLOTS:
         }
     }
 
-    void scriptsAreJudgedByTheirMessages() {
+    void scriptResultsFollowFromTheirMessages() {
         const auto run = [this](const QByteArray& text) {
             client_->news() = {};
             client_->sendScript(text + '\n');

@@ -98,7 +98,7 @@ private Q_SLOTS:
         QVERIFY2(lasted >= 3.0 && lasted < 3.1, qPrintable(QString::number(lasted)));
     }
 
-    void aCancelStopsAndDrains() {
+    void cancellingStopsAndDrainsTheQueue() {
         std::vector<Point> points(200, jointPoint(plus(kStart, 0, 1.0)));
         for (std::size_t i = 1; i < points.size(); i += 2) {
             points[i].target[0] = kStart[0];
@@ -188,7 +188,7 @@ private Q_SLOTS:
         QVERIFY(largest(client_->data().targetQ, kStart) < 5e-3);
     }
 
-    void forceModeRunsBesideATrajectory() {
+    void forceModeRunsDuringATrajectory() {
         const double z = pose()[2];
         robot_->controller.changeWorld([z](simulator::arm::Environment& world) {
             world.addPlane({.point = {0, 0, z - 0.005}});
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY(!moving());
     }
 
-    void stopSettlesBeforeTheResultIsReported() {
+    void standstillIsReachedBeforeTheResultIsReported() {
         // 1.6 rad at 3.4 rad/s2 takes 1.372 s. Another client treats a result before 1.4 s as a failure.
         QVERIFY(client_->startTrajectory({jointPoint({-1.57, -1.6, 1.6, -0.7, 0.7, 0.2}, 3.4, 3.1)}));
         QCOMPARE(client_->trajectoryResult(10).value_or(-1), 0);

@@ -66,11 +66,11 @@ class TestBrokenLink : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void breakIsReportedToAllSubscribers_data() {
+    void aBrokenLinkIsReportedToAllSubscribers_data() {
         QTest::addColumn<QString>("fault");
         QTest::newRow("connections ended in good order") << QStringLiteral("close-clients");
     }
-    void breakIsReportedToAllSubscribers() {
+    void aBrokenLinkIsReportedToAllSubscribers() {
         QFETCH(QString, fault);
         simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());

@@ -190,7 +190,7 @@ private Q_SLOTS:
         QVERIFY(slowed > 8);
     }
 
-    void aJointJogEndsBeforeTheArmMeetsItself() {
+    void aJointJogEndsBeforeASelfCollision() {
         Bench bench;
         Cell& cell = bench.cell;
         QVERIFY(cell.takeControl().ok());
@@ -212,7 +212,7 @@ private Q_SLOTS:
     }
 
     // With contact detection, a jog may touch the cell, but only with the tool.
-    void aJogUntilContactPassesTheSafetyDistanceWithTheToolOnly() {
+    void onlyTheToolMayEnterTheSafetyDistanceUntilContact() {
         Bench bench;
         Cell& cell = bench.cell;
         QVERIFY(cell.takeControl().ok());

@@ -35,7 +35,7 @@ class TestCommands : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aMoveIsWaitedForWithItsProgress() {
+    void waitingForAMoveReportsItsProgress() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         JointPositions target = cell.robot.truth().q;
@@ -58,7 +58,7 @@ private Q_SLOTS:
     }
 
     // A path is sent as a new control program. The previous program must end its pulses first.
-    void aPulseIsNotCutByAPathOrAScript() {
+    void aPulseIsNotShortenedByAPathOrAScript() {
         const Deadline limit = Deadline::never();
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -253,7 +253,7 @@ private Q_SLOTS:
     }
 
     // The watchdog thread writes this register before it ends the script.
-    void aScriptThatItsWatchdogEndedIsNotDone() {
+    void aScriptEndedByItsWatchdogIsNotCompleted() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Programs programs(*cell.controller);
@@ -397,7 +397,7 @@ private Q_SLOTS:
         QCOMPARE(cell.robot.truth().runtimeState, RuntimeState::Stopped);
     }
 
-    void aProtectiveStopIsTriggeredAndSeen() {
+    void aTriggeredProtectiveStopIsReported() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto stopped =

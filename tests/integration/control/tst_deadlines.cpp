@@ -33,13 +33,13 @@ private:
     const std::vector<BlockingCall> calls_ = blockingCalls();
 
 private Q_SLOTS:
-    void everyCallEndsWithItsDeadline_data() {
+    void everyCallReturnsAtItsDeadline_data() {
         QTest::addColumn<int>("which");
         for (std::size_t i = 0; i < calls_.size(); ++i) {
             QTest::newRow(calls_[i].name) << static_cast<int>(i);
         }
     }
-    void everyCallEndsWithItsDeadline() {
+    void everyCallReturnsAtItsDeadline() {
         QFETCH(int, which);
         MuteWorld world;
         const auto begun = world.begin();
@@ -49,8 +49,8 @@ private Q_SLOTS:
         QVERIFY2(error.code == ErrorCode::Timeout, qPrintable(error.toString()));
     }
 
-    void everyCallEndsWithItsCancel_data() { everyCallEndsWithItsDeadline_data(); }
-    void everyCallEndsWithItsCancel() {
+    void everyCallReturnsWhenCancelled_data() { everyCallReturnsAtItsDeadline_data(); }
+    void everyCallReturnsWhenCancelled() {
         QFETCH(int, which);
         MuteWorld world;
         const auto begun = world.begin();
@@ -67,7 +67,7 @@ private Q_SLOTS:
     }
 
     // release() must not wait for the deadline of another call.
-    void releaseEndsACallThatWaits() {
+    void releasingControlEndsAWaitingCall() {
         RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
         ControllerOptions options;
         options.host = QStringLiteral("127.0.0.1");
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QCOMPARE(taken.error().code, ErrorCode::Cancelled);
     }
 
-    void aMotionSurvivesAWaitThatGaveUp() {
+    void aMotionContinuesAfterAWaitTimedOut() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         JointPositions target = cell.robot.truth().q;
@@ -103,7 +103,7 @@ private Q_SLOTS:
 
     // 100 disconnections of 0.1 to 10 s of virtual time. Data resume, and control does not resume
     // automatically. At the end, there are as many threads and descriptors as at the start.
-    void dataComeBackAfterAHundredCutsAndControlDoesNot() {
+    void dataResumeAfterHundredCutsButControlDoesNot() {
         Cell cell;
         receive::ReceiverOptions options;
         options.host = cell.robot.listenAddress();

@@ -80,7 +80,7 @@ private Q_SLOTS:
         }
     }
 
-    void motionBeginsWithin20MsOfThePress() {
+    void motionStartsWithin20MsOfThePress() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto jog = cell.motions().startJog(linearJog(0, 0, 0.1));
@@ -210,12 +210,12 @@ private Q_SLOTS:
     }
 
     // Neither a closed connection nor an error is reported. Only the data are missing.
-    void aConnectionThatDiedWithoutASignIsGivenUpWithinHalfASecond_data() {
+    void aSilentConnectionIsClosedWithinHalfASecond_data() {
         QTest::addColumn<QString>("fault");
         QTest::newRow("forgotten by the controller") << QStringLiteral("half-open");
         QTest::newRow("power cut") << QStringLiteral("silence on");
     }
-    void aConnectionThatDiedWithoutASignIsGivenUpWithinHalfASecond() {
+    void aSilentConnectionIsClosedWithinHalfASecond() {
         QFETCH(QString, fault);
         Cell cell;
         QVERIFY(cell.takeControl().ok());
@@ -236,7 +236,7 @@ private Q_SLOTS:
         QVERIFY(cell.controller->status().inControl);
     }
 
-    void aHiccupCostsTheMotionAndNotTheControl() {
+    void aShortOutageEndsTheMotionButKeepsControl() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         cell.robot.silence(true);

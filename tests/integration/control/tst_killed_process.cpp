@@ -28,7 +28,7 @@ class TestKilledProcess : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aLostProcessEndsInStandstill_data() {
+    void aKilledProcessStopsTheArm_data() {
         QTest::addColumn<QString>("way");
         QTest::addColumn<int>("loss");
         QTest::addColumn<double>("fast");
@@ -73,7 +73,7 @@ private Q_SLOTS:
         row("section in force mode", 0.03);
         row("section in freedrive", 0.05, true);
     }
-    void aLostProcessEndsInStandstill() {
+    void aKilledProcessStopsTheArm() {
         QFETCH(QString, way);
         QFETCH(int, loss);
         QFETCH(double, fast);
@@ -142,13 +142,13 @@ private Q_SLOTS:
     }
 
     // The robot measures the duration of output pulses, so a killed process cannot leave an output on.
-    void aLostProcessLeavesNoOutputOn_data() {
+    void aKilledProcessLeavesNoOutputOn_data() {
         QTest::addColumn<int>("loss");
         for (const Loss loss : kLosses) {
             QTest::newRow(name(loss)) << static_cast<int>(loss);
         }
     }
-    void aLostProcessLeavesNoOutputOn() {
+    void aKilledProcessLeavesNoOutputOn() {
         QFETCH(int, loss);
         simulator::SimulatorOptions options;
         options.anyFreePorts = true;

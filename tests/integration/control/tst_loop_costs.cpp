@@ -82,7 +82,7 @@ private Q_SLOTS:
     }
 
     // A jog that is limited by all kinds of obstacles in a cell: tool, floor and boxes.
-    void aJogBesideObstaclesAllocatesAndLocksNothing() {
+    void aJogNearObstaclesAllocatesAndLocksNothing() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         collision::Surroundings around;

@@ -102,7 +102,7 @@ private Q_SLOTS:
         QVERIFY(aside < 0.0005);
     }
 
-    void aFreeMoveNeedsNoHolder() {
+    void aFreeMoveNeedsNoRefresh() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions target = turned(cell.robot.truth().q, 0, 15 * kDeg);
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(distance(cell.robot.truth().q, target) < 1e-3);
     }
 
-    void bracesMeanJointsAndEveryParameterHasADefault() {
+    void bracesDenoteJointsAndAllParametersHaveDefaults() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Motions motions = cell.motions();
@@ -133,14 +133,14 @@ private Q_SLOTS:
         QCOMPARE(line->state().cause, StopCause::Completed);
     }
 
-    void theHandleSaysHowLongTheMoveTakes_data() {
+    void theHandleReportsTheDurationOfTheMove_data() {
         QTest::addColumn<bool>("linear");
         QTest::addColumn<double>("speed");
         QTest::newRow("MoveJ as asked") << false << 0.3;
         QTest::newRow("MoveJ held down by the cap") << false << 2.0;
         QTest::newRow("MoveL") << true << 0.1;
     }
-    void theHandleSaysHowLongTheMoveTakes() {
+    void theHandleReportsTheDurationOfTheMove() {
         QFETCH(bool, linear);
         QFETCH(double, speed);
         Cell cell;
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QCOMPARE(cell.controller->status().limiter.kind, LimiterKind::None);
     }
 
-    void aSpeedAboveTheCapIsRefusedWithTheWayOut() {
+    void aSpeedAboveTheCapIsRefusedWithASuggestion() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const Error error = cell.motions().moveL(cell.tcp(), {.speed = 0.5}).error();
@@ -212,7 +212,7 @@ private Q_SLOTS:
     }
 
     // For some time, the robot and this computer receive no data from each other.
-    void aFreeMoveSurvivesASilenceShorterThanItsOwn_data() {
+    void aFreeMoveSurvivesAnOutageWithinItsTimeout_data() {
         QTest::addColumn<int>("silenceMs");
         QTest::addColumn<Holding>("holding");
         QTest::addColumn<int>("gapMs");
@@ -231,7 +231,7 @@ private Q_SLOTS:
         QTest::newRow("longer, above its limit") << 800 << Holding::Free << 802 << false << false;
         QTest::newRow("held") << 800 << Holding::Held << 400 << false << true;
     }
-    void aFreeMoveSurvivesASilenceShorterThanItsOwn() {
+    void aFreeMoveSurvivesAnOutageWithinItsTimeout() {
         QFETCH(int, silenceMs);
         QFETCH(Holding, holding);
         QFETCH(int, gapMs);
@@ -270,7 +270,7 @@ private Q_SLOTS:
         QVERIFY(cell.isStanding());
     }
 
-    void aSilenceOutOfItsRangeIsRefused() {
+    void anOutOfRangeHeartbeatTimeoutIsRefused() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         for (const int ms : {0, 50, 4001, 60'000}) {
@@ -282,7 +282,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatHasNoEndIsHeldUnlessAskedOtherwise() {
+    void endlessMotionsAreHeldByDefault() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto held = cell.motions().startJog(linearJog(0, 0, 0.02));
@@ -306,7 +306,7 @@ private Q_SLOTS:
         QVERIFY(cell.isStanding());
     }
 
-    void lettingGoOfAHeldMoveStopsItShortOfItsTarget() {
+    void releasingAHeldMoveStopsItBeforeItsTarget() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
@@ -324,7 +324,7 @@ private Q_SLOTS:
         QVERIFY(distance(cell.robot.truth().q, standing) < 1e-4);
     }
 
-    void aHeldMoveWithoutItsHolderEnds() {
+    void aHeldMoveEndsWithoutRefresh() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto move =
@@ -336,7 +336,7 @@ private Q_SLOTS:
 
     // A motion that was prepared before a stop, or that follows another motion, must not start after the
     // stop.
-    void nothingBeginsBehindAStopThatItWasNotToldOf() {
+    void noPreparedMotionStartsAfterALaterStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
@@ -365,7 +365,7 @@ private Q_SLOTS:
     }
     static Deadline soon() { return Deadline::after(std::chrono::seconds(20)); }
 
-    void aPreparedPathMovesNothingUntilItIsBegun() {
+    void aPreparedPathMovesNothingUntilItIsStarted() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
@@ -382,7 +382,7 @@ private Q_SLOTS:
         QCOMPARE(cell.motions().startPath(*path, Holding::Held).error().code, ErrorCode::Stopped);
     }
 
-    void aPreparedPathIsVoidAfterAStopOrAnotherMotion() {
+    void aStopOrAnotherMotionInvalidatesAPreparedPath() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
@@ -408,7 +408,7 @@ private Q_SLOTS:
         QVERIFY(distance(cell.robot.truth().q, start) < 1e-3);
     }
 
-    void aHeldPathWithoutItsHolderEnds() {
+    void aHeldPathEndsWithoutRefresh() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto path = cell.during([&] { return cell.motions().preparePath(slowPath(cell), soon()); });
@@ -436,7 +436,7 @@ private Q_SLOTS:
         QVERIFY(distance(cell.robot.truth().q, start) < 1e-3);
     }
 
-    void aMoveToWhereTheArmStandsIsDoneAtOnce() {
+    void aMoveToTheCurrentPositionCompletesImmediately() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto move = cell.motions().moveJ(cell.robot.truth().q, {0.5, 1.4, Holding::Held});
@@ -466,7 +466,7 @@ private Q_SLOTS:
         QVERIFY(cell.isStanding());
     }
 
-    void aLinkGoneSilentEndsAMoveToo() {
+    void aSilentLinkAlsoEndsAMove() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto move =
@@ -506,7 +506,7 @@ private Q_SLOTS:
         QVERIFY(cell.hold(*jog, 100));
     }
 
-    void anotherProgramTakesTheArmAway() {
+    void anotherProgramTakesOverTheArm() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto jog = cell.motions().startJog(linearJog(0, 0, 0.05));

@@ -73,7 +73,7 @@ private Q_SLOTS:
         }
     }
 
-    void aFieldThatIsNoOutputIsRefusedWithASuggestion() {
+    void anUnknownOutputFieldIsRefusedWithASuggestion() {
         FieldsBench robot({"actual_curent"});
         const auto taken = robot.takeControl();
         QCOMPARE(taken.error().code, ErrorCode::FieldUnknown);
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY(!robot.controller->isConnected());
     }
 
-    void valuesThatAreNotReceivedAreMissing() {
+    void fieldsThatAreNotReceivedHaveNoValue() {
         QVERIFY(CycleState().robot().q().values.hasNaN());
         FieldsBench robot({});
         QVERIFY(robot.takeControl().ok());

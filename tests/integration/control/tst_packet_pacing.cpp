@@ -176,7 +176,7 @@ class TestPacketPacing : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whatIsSentBetweenTwoPackagesIsNoAnswer() {
+    void setpointsBetweenPackagesAreNotCountedAsReplies() {
         Cell cell;
         cell.clock.pretendToRun();
         QVERIFY(cell.takeControl().ok());
@@ -191,7 +191,7 @@ private Q_SLOTS:
         }
     }
 
-    void everyCycleWaitsForItsMoment() {
+    void everyCycleStartsAtItsScheduledTime() {
         Cell cell;
         cell.clock.pretendToRun();
         QVERIFY(cell.takeControl().ok());
@@ -231,7 +231,7 @@ private Q_SLOTS:
         QCOMPARE(loop.report.cycles, static_cast<std::uint64_t>(loop.cycles) + 1);
     }
 
-    void aRobotThatStallsIsNotOutrun() {
+    void cyclesStopWhileTheRobotStalls() {
         Cell cell;
         cell.clock.pretendToRun();
         QVERIFY(cell.takeControl().ok());
@@ -307,7 +307,7 @@ private Q_SLOTS:
     }
 
     // A packet with a long transit time has just arrived, so its data are old.
-    void aPacketThatWasUnderWayForLongIsNotFresh() {
+    void aPacketWithALongTransitTimeIsNotFresh() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         QVERIFY(cell.step(10));
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(seen[1].age - 0.020) < 1e-6, qPrintable(QString::number(seen[1].age)));
     }
 
-    void aCallbackThatHangsIsNamedWithItsTime() {
+    void aHangingCallbackIsReportedWithItsDuration() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         QVERIFY(cell.step(10));
@@ -352,7 +352,7 @@ private Q_SLOTS:
     }
 
     // The thread that waits for the end of the loop may be scheduled late.
-    void aCallbackThatHangsIsNamedWhenTheLoopEndsLate() {
+    void aHangingCallbackIsReportedWhenTheLoopEndsLate() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         QVERIFY(cell.step(10));
@@ -373,7 +373,7 @@ private Q_SLOTS:
                  qPrintable(loop.ended.error().toString()));
     }
 
-    void whoWantsPacketsOnlyWaitsForThem() {
+    void packetsOnlyModeWaitsForPackets() {
         Cell cell;
         cell.clock.pretendToRun();
         QVERIFY(cell.takeControl().ok());

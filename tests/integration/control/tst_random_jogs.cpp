@@ -23,7 +23,7 @@ class TestRandomJogs : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void thousandSequencesStayWithinTheMotionBound() {
+    void aThousandSequencesStayWithinTheMotionBound() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         std::mt19937 random(2026);

@@ -51,7 +51,7 @@ private Q_SLOTS:
         QVERIFY(cell.ticksToStandstill(500) >= 0);
     }
 
-    void aServoHoldsItsPlaceUntilThereIsATarget() {
+    void aServoHoldsPositionUntilItHasATarget() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;
@@ -253,7 +253,7 @@ private Q_SLOTS:
     }
 
     // Late data alone do not end control. The stop is confirmed when data arrive again.
-    void aHiccupIsNoFailureToStop() {
+    void aShortOutageIsNotReportedAsAFailedStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         const auto speed = Motions(*cell.controller).startSpeedL({0.5, 0}, Holding::Free);
@@ -272,7 +272,7 @@ private Q_SLOTS:
     }
 
     // STOP during a soft stop of a program uses full deceleration.
-    void theStopKeyOverrulesASoftStop() {
+    void theStopKeyOverridesASoftStop() {
         Cell cell;
         QVERIFY(cell.takeControl().ok());
         Motions motions(*cell.controller);
@@ -381,7 +381,7 @@ private Q_SLOTS:
         QVERIFY((cell.robot.truth().q.values - start.values).norm() < 1e-3);
     }
 
-    void heldTorquesThatAreNotRenewedEnd() {
+    void heldTorquesEndWithoutRefresh() {
         Cell cell(hasTorque);
         QVERIFY(cell.takeControl().ok());
         auto stream = Motions(*cell.controller).startTorque();
@@ -459,7 +459,7 @@ private Q_SLOTS:
     }
 
     // The torque limits are those of the connected arm, independent of the configured model.
-    void theTorquesOfTheConnectedArmCount() {
+    void theTorqueLimitsOfTheConnectedArmApply() {
         Cell cell([](simulator::SimulatorOptions& options) {
             hasTorque(options);
             options.model = RobotModelId::UR3e;
@@ -471,7 +471,7 @@ private Q_SLOTS:
         QVERIFY(stream->send(turning(1)).ok());
     }
 
-    void softwareWithoutTorquesIsNamed_data() {
+    void softwareWithoutTorqueSupportIsReported_data() {
         QTest::addColumn<int>("major");
         QTest::addColumn<int>("minor");
         QTest::addColumn<int>("bugfix");
@@ -482,7 +482,7 @@ private Q_SLOTS:
         QTest::newRow("PolyScope X") << 10 << 12 << 0 << "software 10.12.0: it needs";
         QTest::newRow("CB3") << 3 << 15 << 8 << "software 3.15.8: this series does not have it";
     }
-    void softwareWithoutTorquesIsNamed() {
+    void softwareWithoutTorqueSupportIsReported() {
         QFETCH(int, major);
         QFETCH(int, minor);
         QFETCH(int, bugfix);
@@ -503,7 +503,7 @@ private Q_SLOTS:
         QVERIFY(cell.isStanding());
     }
 
-    void thePacketLoopGivesTorques() {
+    void thePacketLoopSendsTorques() {
         Cell cell(hasTorque);
         QVERIFY(cell.takeControl().ok());
         const JointPositions start = cell.robot.truth().q;

@@ -10,7 +10,7 @@
 //
 //     tst_stop_contract --all
 //     tst_stop_contract --all everyMotionEndsInTime:data=late everyMotionEndsInTime:data=doubled
-//     tst_stop_contract --all --combinations 100 200 randomCombinationsToo
+//     tst_stop_contract --all --combinations 100 200 randomCombinationsEndInTime
 //
 // One case, as named in a failure:
 //
@@ -170,7 +170,7 @@ private Q_SLOTS:
         report(problems);
     }
 
-    void randomCombinationsToo() {
+    void randomCombinationsEndInTime() {
         const int end = runsAll ? endCombination : 3;
         const int cells = runsAll ? 20 : 2;
         QStringList problems;
@@ -197,7 +197,7 @@ private Q_SLOTS:
     }
 
     // Past failures with their options: the arm moved afterwards, or the stop took too long.
-    void earlierRegressions_data() {
+    void earlierRegressionsStayFixed_data() {
         QTest::addColumn<QString>("motion");
         QTest::addColumn<QString>("event");
         QTest::addColumn<double>("slider");
@@ -224,7 +224,7 @@ private Q_SLOTS:
         QTest::newRow("bunched data") << "jog in force mode"
                                       << "release" << 1.0 << "data=bunched";
     }
-    void earlierRegressions() {
+    void earlierRegressionsStayFixed() {
         QFETCH(QString, motion);
         QFETCH(QString, event);
         QFETCH(double, slider);
@@ -235,12 +235,12 @@ private Q_SLOTS:
         report(problems);
     }
 
-    void aRobotThatWentLocalStopsToo_data() {
+    void aRobotSwitchedToLocalStops_data() {
         QTest::addColumn<QString>("words");
         QTest::newRow("its program goes on") << QString();
         QTest::newRow("its program ends") << "remote-to-local=ends";
     }
-    void aRobotThatWentLocalStopsToo() {
+    void aRobotSwitchedToLocalStops() {
         QFETCH(QString, words);
         QStringList problems;
         if (runsAll) {
@@ -254,13 +254,13 @@ private Q_SLOTS:
     }
 
     // Before 5.17, a program has no clock that would reveal a pause.
-    void aShortPauseShowsWithoutAClock_data() {
+    void aShortPauseIsDetectedWithoutAClock_data() {
         QTest::addColumn<SoftwareVersion>("software");
         QTest::newRow("5.16") << SoftwareVersion{5, 16, 0, 0};
         QTest::newRow("5.3") << SoftwareVersion{5, 3, 0, 0};
         QTest::newRow("CB3 3.15") << SoftwareVersion{3, 15, 8, 106339};
     }
-    void aShortPauseShowsWithoutAClock() {
+    void aShortPauseIsDetectedWithoutAClock() {
         QFETCH(SoftwareVersion, software);
         QStringList problems;
         if (runsAll) {
@@ -293,7 +293,7 @@ private Q_SLOTS:
 
 int main(int argc, char** argv) {
     std::vector<char*> rest;
-    char oneCell[] = "earlierRegressions";
+    char oneCell[] = "earlierRegressionsStayFixed";
     for (int i = 0; i < argc; ++i) {
         if (qstrcmp(argv[i], "--all") == 0) {
             runsAll = true;

@@ -141,7 +141,7 @@ class TestTakeControl : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theSenderOfTheProgramWaitsForItsAnswer() {
+    void sendingTheProgramWaitsForItsReply() {
         simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         const Choosy choosy(robot.ports().primary);
@@ -151,7 +151,7 @@ private Q_SLOTS:
     }
 
     // A single deprecated function that a controller does not have would make the whole program fail.
-    void namesTheControllerDoesNotKnowAreDoneWithout() {
+    void unsupportedFunctionsAreLeftOutOfTheProgram() {
         simulator::SimulatorOptions options = robotOptions();
         for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits", "set_payload_mass",
                                  "enable_external_ft_sensor"}) {
@@ -206,7 +206,7 @@ private Q_SLOTS:
 #endif
     }
 
-    void aRunningRobotIsTakenInRealTime() {
+    void controlOfARunningRobotIsTakenInRealTime() {
         simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
@@ -226,14 +226,14 @@ private Q_SLOTS:
 
     // A controller may send no data while it compiles. This is accepted for the duration of compiling, but at
     // most for 2 s.
-    void compilingIsNoDeadConnection_data() {
+    void aSlowCompilationIsNotALostConnection_data() {
         QTest::addColumn<int>("quietMs");
         QTest::addColumn<bool>("survives");
         QTest::newRow("above the usual timeout") << 460 << true;
         QTest::newRow("at the limit") << 2000 << true;
         QTest::newRow("above the limit") << 2010 << false;
     }
-    void compilingIsNoDeadConnection() {
+    void aSlowCompilationIsNotALostConnection() {
         QFETCH(int, quietMs);
         QFETCH(bool, survives);
         simulator::Simulator robot(robotOptions());
@@ -347,7 +347,7 @@ private Q_SLOTS:
                  qPrintable(error.toString()));
     }
 
-    void anArmThatIsOffIsNotTaken() {
+    void controlOfAPoweredOffArmIsRefused() {
         simulator::SimulatorOptions options = robotOptions();
         options.poweredOn = false;
         simulator::Simulator robot(options);
@@ -386,7 +386,7 @@ private Q_SLOTS:
         QVERIFY(script.context.contains(QString::number(dead)));
     }
 
-    void muteServersAreTimeouts() {
+    void silentServersCauseATimeout() {
         RawPeer mute([](RawPeer::Link& link) { link.beMute(); });
         Controller muteRtde(to(mute.port(), mute.port()));
         QCOMPARE(muteRtde.takeControl(Deadline::after(milliseconds(200))).error().code, ErrorCode::Timeout);
@@ -417,7 +417,7 @@ private Q_SLOTS:
         QVERIFY(error.controllerMessage.contains(QStringLiteral("line 13, column 5")));
     }
 
-    void aProgramThatNeverAnswersIsATimeoutWithAHint() {
+    void anUnresponsiveProgramTimesOutWithAHint() {
         RtdePeer peer;
         makeRunning(peer);
         RawPeer primary([](RawPeer::Link& link) {
@@ -446,7 +446,7 @@ private Q_SLOTS:
         QCOMPARE(result.error().code, ErrorCode::Cancelled);
     }
 
-    void aControllerThatHangsUpIsALostLink() {
+    void aDisconnectByTheControllerIsALostLink() {
         simulator::Simulator robot(robotOptions());
         QVERIFY(robot.start().ok());
         Controller controller(to(robot));
@@ -463,7 +463,7 @@ private Q_SLOTS:
         QVERIFY2(again.ok(), qPrintable(again.error().toString()));
     }
 
-    void withoutControlNothingCanBeStartedAndEverythingCanBeStopped() {
+    void withoutControlMotionsCanOnlyBeStopped() {
         Controller controller(to(1, 1));
         QCOMPARE(Motions(controller).startJog(JogTarget{}).error().code, ErrorCode::NotInControl);
         QCOMPARE(Motions(controller).moveJ(JointPositions{}, {0.5, 1}).error().code, ErrorCode::NotInControl);

@@ -63,7 +63,7 @@ class TestRobotApiClient : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void leadsARobotThatIsOffToRunning() {
+    void bringsAPoweredOffRobotToRunning() {
         Robot robot;
         auto client = robot.client();
         QCOMPARE(client.robotMode(patience()).value(), RobotMode::PowerOff);
@@ -114,7 +114,7 @@ private Q_SLOTS:
         QVERIFY(refused.error().controllerMessage.contains(QStringLiteral("403")));
     }
 
-    void movedAndChunkedRepliesAreUnderstood() {
+    void redirectsAndChunkedRepliesAreParsed() {
         const Web web(
             {"HTTP/1.1 307 Temporary Redirect\r\nLocation: http://other/elsewhere/mode\r\n"
              "Content-Length: 0\r\n\r\n",

@@ -141,7 +141,7 @@ private Q_SLOTS:
     }
     void cleanup() { robot_.reset(); }
 
-    void aHealthyRobotIsFoundHealthy() {
+    void aHealthyRobotPassesAllChecks() {
         QStringList order;
         const Report report = examine(patient_, Deadline::after(30s),
                                       [&order](const Finding& f) { order << conditionId(f.condition); });
@@ -155,22 +155,22 @@ private Q_SLOTS:
         }
     }
 
-    void anUnknownName() {
+    void anUnknownNameIsReported() {
         patient_.host = QStringLiteral("no-such-robot.invalid");
         expectOnly("address.unresolved");
     }
-    void aHostWithoutAnyOfARobotsServices() {
+    void aHostWithoutRobotServicesIsReported() {
         patient_.ports = {closedPort(), closedPort(), closedPort(), closedPort(), closedPort(), closedPort()};
         expectOnly("host.no-robot");
     }
 #ifndef _WIN32
-    void aHostThatIsSilent() {
+    void aSilentHostIsReported() {
         BlackHole holes[5];
         patient_.ports = {holes[0].port(), holes[1].port(), holes[2].port(),
                           holes[3].port(), holes[4].port(), 80};
         expectOnly("host.silent");
     }
-    void aFirewallOnOnePort() {
+    void aFirewallOnOnePortIsReported() {
         const BlackHole hole;
         patient_.ports.primary = hole.port();
         expectOnly("port.primary.silent");
@@ -188,7 +188,7 @@ private Q_SLOTS:
         patient_.ports.dashboard = closedPort();
         expectOnly("port.service.refused");
     }
-    void theDashboardIsMute() {
+    void theDashboardDoesNotReply() {
         test::RawPeer mute([](test::RawPeer::Link& link) { link.readAll(); });
         patient_.ports.dashboard = mute.port();
         expectOnly("service.mute");
@@ -204,7 +204,7 @@ private Q_SLOTS:
         patient_.ports.dashboard = other.port();
         expectOnly("service.not-dashboard");
     }
-    void theRtdePortIsMute() {
+    void theRtdePortDoesNotReply() {
         test::RawPeer mute([](test::RawPeer::Link& link) { link.readAll(); });
         patient_.ports.rtde = mute.port();
         expectOnly("rtde.mute");
@@ -260,7 +260,7 @@ private Q_SLOTS:
         }
         expectOnly("rate.low");
     }
-    void noDataAtAll() {
+    void missingDataAreReported() {
         test::RtdePeer still;
         patient_.ports.rtde = still.port();
         expectOnly("rate.none");
@@ -279,11 +279,11 @@ private Q_SLOTS:
         expectOnly("software.unsupported");
     }
 
-    void thereAreTwelveAndMoreDifferentCauses() {
+    void atLeastTwelveCausesAreDistinguished() {
         QVERIFY2(seen_.size() >= 12, qPrintable(QString::number(seen_.size())));
     }
 
-    void aCancelEndsTheExaminationWithAWholeReport() {
+    void cancellingTheCheckGivesACompleteReport() {
         const CancelToken token;
         token.cancel();
         const Report report = examine(patient_, Deadline::after(30s, token));

@@ -187,7 +187,7 @@ class TestExamples : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void thereAreElevenShortOnes() {
+    void thereAreElevenShortExamples() {
         const QDir folder(QStringLiteral(TILLER_SOURCE_DIR "/robot/examples/cpp"));
         const QStringList files = folder.entryList({"*.cpp"}, QDir::Files, QDir::Name);
         QCOMPARE(files.size(), 11);

@@ -137,7 +137,7 @@ private Q_SLOTS:
         QVERIFY(bench.client.isConnected());
     }
 
-    void aControllerThatHangsUpIsFoundAgain() {
+    void reconnectsAfterTheControllerDisconnects() {
         Bench bench;
         bench.look();  // the reply shows that the controller has accepted the connection
         bench.robot.controller.closeClients();
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QCOMPARE(bench.look().activation, RobotiqActivation::Reset);
     }
 
-    void aMuteControllerIsNotWaitedForLongerThanTheDeadline() {
+    void aSilentControllerIsAbandonedAtTheDeadline() {
         Bench bench;
         bench.robot.controller.silence(true);
         bench.robot.controller.step();

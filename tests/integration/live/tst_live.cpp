@@ -109,10 +109,10 @@ class TestLive : public QObject {
 
 private Q_SLOTS:
     void aViewerGetsEveryPackage();
-    void onlyWhatIsSubscribedIsSent();
+    void onlySubscribedTopicsAreSent();
     void invalidRequestsAreAnsweredAndHarmless();
     void aViewerInNodeGetsEveryPackage();
-    void datagramsForPlotJuggler();
+    void plotJugglerReceivesDatagrams();
     void startFailuresAreReported();
     void serverListensOnTheLocalMachineOnly();
 };
@@ -160,7 +160,7 @@ void TestLive::aViewerGetsEveryPackage() {
     TRY_COMPARE(viewer.socket.state(), QAbstractSocket::UnconnectedState);
 }
 
-void TestLive::onlyWhatIsSubscribedIsSent() {
+void TestLive::onlySubscribedTopicsAreSent() {
     Bench bench;
     bench.start();
     Viewer viewer(bench.output.port());
@@ -245,7 +245,7 @@ void TestLive::aViewerInNodeGetsEveryPackage() {
     QVERIFY(found["topics"]["/tf"]["count"].toInt() == 2000);
 }
 
-void TestLive::datagramsForPlotJuggler() {
+void TestLive::plotJugglerReceivesDatagrams() {
     Bench bench;
     bench.peer.set("actual_q", {1, 2, 3, 4, 5, 6.5});
     bench.peer.set("robot_mode", {7});

@@ -78,9 +78,9 @@ class TestLiveLimits : public QObject {
 
 private Q_SLOTS:
     void aFrameThatIsTooLargeIsRefusedByItsHeader();
-    void fragmentsWithoutAnEndAreBounded();
-    void requestsOfFullSizeAreServed();
-    void aHeaderWithoutAnEndIsBounded();
+    void unterminatedFragmentsAreBounded();
+    void requestsOfMaximumSizeAreServed();
+    void anUnterminatedHeaderIsBounded();
     void aSilentConnectionIsClosed_data();
     void aSilentConnectionIsClosed();
     void aViewerThatDoesNotReadLosesTheOldestMessages();
@@ -90,8 +90,8 @@ private Q_SLOTS:
     void aFloodOfRequestsEndsTheConnection();
     void idleViewersDoNotLockOutOthers();
     void subscribedViewersAreLimited();
-    void foreignPagesAreRefused_data();
-    void foreignPagesAreRefused();
+    void requestsFromOtherOriginsAreRefused_data();
+    void requestsFromOtherOriginsAreRefused();
     void malformedOriginsAreRejected();
 };
 
@@ -112,7 +112,7 @@ void TestLiveLimits::aFrameThatIsTooLargeIsRefusedByItsHeader() {
     WAIT_COMPARE(bench.output.progress().viewers, 0);
 }
 
-void TestLiveLimits::fragmentsWithoutAnEndAreBounded() {
+void TestLiveLimits::unterminatedFragmentsAreBounded() {
     LimitBench bench;
     RawViewer viewer(bench.port());
     QCOMPARE(viewer.upgrade(), 101);
@@ -127,7 +127,7 @@ void TestLiveLimits::fragmentsWithoutAnEndAreBounded() {
 }
 
 // The read buffer of a connection holds one frame. The next frame must still arrive.
-void TestLiveLimits::requestsOfFullSizeAreServed() {
+void TestLiveLimits::requestsOfMaximumSizeAreServed() {
     live::LiveOptions options;
     options.limits.maxRequestRate = 1 << 30;
     LimitBench bench(options);
@@ -146,7 +146,7 @@ void TestLiveLimits::requestsOfFullSizeAreServed() {
     QVERIFY(readMessages(viewer, 1, frames) >= 1);
 }
 
-void TestLiveLimits::aHeaderWithoutAnEndIsBounded() {
+void TestLiveLimits::anUnterminatedHeaderIsBounded() {
     LimitBench bench;
     RawViewer viewer(bench.port());
     const QByteArray line = "X-Header: " + QByteArray(1000, 'x') + "\r\n";
@@ -328,7 +328,7 @@ void TestLiveLimits::subscribedViewersAreLimited() {
     WAIT_VERIFY((bench.send(1), bench.output.progress().messages % 3 == 0));
 }
 
-void TestLiveLimits::foreignPagesAreRefused_data() {
+void TestLiveLimits::requestsFromOtherOriginsAreRefused_data() {
     QTest::addColumn<QByteArray>("origin");
     QTest::addColumn<bool>("allowed");
     QTest::newRow("no page") << QByteArray() << true;
@@ -351,7 +351,7 @@ void TestLiveLimits::foreignPagesAreRefused_data() {
     QTest::newRow("garbage") << QByteArray("%%%") << false;
 }
 
-void TestLiveLimits::foreignPagesAreRefused() {
+void TestLiveLimits::requestsFromOtherOriginsAreRefused() {
     QFETCH(QByteArray, origin);
     QFETCH(bool, allowed);
     live::LiveOptions options;

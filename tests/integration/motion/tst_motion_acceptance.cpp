@@ -47,10 +47,10 @@ class TestMotionAcceptance : public QObject {
 
 private Q_SLOTS:
     void aServoedCircleIsTrackedWithinTwoMillimetres();
-    void moveJLastsAsItsProfileSays_data();
-    void moveJLastsAsItsProfileSays();
-    void moveLLastsAsItsProfileSays_data();
-    void moveLLastsAsItsProfileSays();
+    void moveJTakesTheTimeOfItsProfile_data();
+    void moveJTakesTheTimeOfItsProfile();
+    void moveLTakesTheTimeOfItsProfile_data();
+    void moveLTakesTheTimeOfItsProfile();
     void aSlowSliderStretchesMovesAndKeepsThePath();
     void blendsPassWithinTheirRadius_data();
     void blendsPassWithinTheirRadius();
@@ -118,7 +118,7 @@ void TestMotionAcceptance::aServoedCircleIsTrackedWithinTwoMillimetres() {
     QVERIFY2(worst < 0.002, qPrintable(QString::number(worst)));
 }
 
-void TestMotionAcceptance::moveJLastsAsItsProfileSays_data() {
+void TestMotionAcceptance::moveJTakesTheTimeOfItsProfile_data() {
     QTest::addColumn<int>("joint");
     QTest::addColumn<double>("way");
     QTest::addColumn<double>("a");
@@ -131,7 +131,7 @@ void TestMotionAcceptance::moveJLastsAsItsProfileSays_data() {
     QTest::newRow("hair's breadth") << 2 << 0.0004 << 1.4 << 1.05;
 }
 
-void TestMotionAcceptance::moveJLastsAsItsProfileSays() {
+void TestMotionAcceptance::moveJTakesTheTimeOfItsProfile() {
     QFETCH(int, joint);
     QFETCH(double, way);
     QFETCH(double, a);
@@ -153,7 +153,7 @@ void TestMotionAcceptance::moveJLastsAsItsProfileSays() {
     }
 }
 
-void TestMotionAcceptance::moveLLastsAsItsProfileSays_data() {
+void TestMotionAcceptance::moveLTakesTheTimeOfItsProfile_data() {
     QTest::addColumn<double>("way");
     QTest::addColumn<double>("a");
     QTest::addColumn<double>("v");
@@ -163,7 +163,7 @@ void TestMotionAcceptance::moveLLastsAsItsProfileSays_data() {
     QTest::newRow("short") << 0.001 << 1.2 << 0.25;
 }
 
-void TestMotionAcceptance::moveLLastsAsItsProfileSays() {
+void TestMotionAcceptance::moveLTakesTheTimeOfItsProfile() {
     QFETCH(double, way);
     QFETCH(double, a);
     QFETCH(double, v);

@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(now().speed() < 1e-3);
     }
 
-    void aJumpingOffsetIsCaughtUpWithSmoothly() {
+    void aJumpOfTheOffsetIsFollowedSmoothly() {
         const Six start = now().targetPose;
         QVERIFY(
             robot_->execute("def jump():\n  path_offset_enable()\n  path_offset_set(p[0,0,0.05,0,0,0.1], 1)\n"
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(now().targetPose[2] - start[2] - 0.05) < 1e-5);
     }
 
-    void offsetsAreHeldToTheirLimits() {
+    void offsetsAreLimited() {
         const Six start = now().targetPose;
         QVERIFY(robot_->execute(
             "def far():\n  path_offset_set_max_offset(0.02, 0.1)\n  path_offset_enable()\n"
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(now().targetPose[2] - start[2] - 0.02) < 1e-5);
     }
 
-    void forceModeAndOffsetsExcludeEachOther() {
+    void forceModeAndOffsetsAreMutuallyExclusive() {
         QVERIFY(robot_->execute(
             "def both():\n  path_offset_enable()\n"
             "  force_mode(p[0,0,0,0,0,0],[0,0,1,0,0,0],[0,0,-10,0,0,0],2,[0.1,0.1,0.1,1,1,1])\n"
@@ -280,7 +280,7 @@ private Q_SLOTS:
         QCOMPARE(errorCodes(*robot_), std::vector<qint32>{155});
     }
 
-    void freedriveDoesNotBeginWithAWrongPayload() {
+    void freedriveDoesNotStartWithAWrongPayload() {
         robot_->robot.controller.changeWorld([](simulator::arm::Environment& world) {
             simulator::arm::Payload load;
             load.mass = 8;
@@ -307,7 +307,7 @@ private Q_SLOTS:
         QCOMPARE(now().safetyBits, 1U);
     }
 
-    void hardContactIsAProtectiveStopThatEndsTheForce() {
+    void aHardContactStopsProtectivelyAndEndsTheForce() {
         const double z = now().targetPose[2];
         robot_->robot.controller.changeWorld([z](simulator::arm::Environment& world) {
             world.addPlane({.point = {0, 0, z - 0.05}});

@@ -92,7 +92,7 @@ private Q_SLOTS:
         QCOMPARE(again.out, answer.out);
     }
 
-    void findingsFail() {
+    void findingsGiveAFailureExitCode() {
         const Answer answer =
             run({"run", path(), "--simulate", "--program", "to and fro", "--time-limit", "5"});
         QCOMPARE(answer.code, 1);
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QVERIFY(simulator_->truth().runtimeState == RuntimeState::Stopped);
     }
 
-    void otherModelsAreRefused() {
+    void programsOfOtherModelsAreRefused() {
         project::Project other = project_;
         other.robot = RobotModelId::UR10e;
         const QString file = folder_.filePath("other.tiller");
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY(later.out.contains("movel"));
     }
 
-    void wrongArguments_data() {
+    void wrongArgumentsAreReported_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<int>("code");
         QTest::addColumn<QString>("text");
@@ -194,7 +194,7 @@ private Q_SLOTS:
             << QStringList{"run", file, "--robot", "127.0.0.1", "--port-offset", "9", "--program", "short"}
             << 1 << "ConnectionRefused";
     }
-    void wrongArguments() {
+    void wrongArgumentsAreReported() {
         QFETCH(QStringList, arguments);
         QFETCH(int, code);
         QFETCH(QString, text);
@@ -203,7 +203,7 @@ private Q_SLOTS:
         QVERIFY2(answer.err.contains(text), qPrintable(answer.err));
     }
 
-    void helpIsThere() {
+    void helpIsPrinted() {
         QVERIFY(run({"run", "--help"}).out.contains("--simulate"));
         QVERIFY(run({"script", "--help"}).out.contains("--out"));
     }

@@ -172,7 +172,7 @@ private Q_SLOTS:
         QCOMPARE(answer.err.isEmpty(), code == 0);
     }
 
-    void aProjectWithoutModelNeedsOne() {
+    void aProjectWithoutAModelRequiresTheModelOption() {
         project::Project cell;
         cell.waypoints.append(waypoint("pick", 0));
         QVERIFY(project::saveProject(path("none.tiller"), cell).ok());

@@ -90,14 +90,14 @@ private Q_SLOTS:
     void everyCatalogueFieldIsAnsweredWithItsType();
     void streamsWithoutLossAt500Hz();
     void streamsWithoutLossAt125Hz();
-    void realTimeStreamAddsUp();
+    void realTimeStreamHasNoMissingSamples();
     void refusedCpusAreReported();
     void stateMatchesTheRobot();
     void recordsFiveSecondsRowByRow();
     void outputsAreSetAndConfirmed();
     void secondOwnerLearnsWhichInputsAreInUse();
-    void comesBackWhenTheControllerClosesItsClients();
-    void silentControllerIsStaleThenGivenUp();
+    void reconnectsWhenTheControllerClosesItsClients();
+    void aSilentControllerIsStaleThenDisconnected();
 };
 
 void TestReceiveSimulator::everyCatalogueFieldIsAnsweredWithItsType() {
@@ -197,7 +197,7 @@ void TestReceiveSimulator::refusedCpusAreReported() {
              qPrintable(receiver.priority().advice));
 }
 
-void TestReceiveSimulator::realTimeStreamAddsUp() {
+void TestReceiveSimulator::realTimeStreamHasNoMissingSamples() {
     simulator::Simulator robot(standingStill(simulator::Time::Real));
     QVERIFY(robot.start().ok());
     receive::ReceiverOptions to;
@@ -334,7 +334,7 @@ void TestReceiveSimulator::secondOwnerLearnsWhichInputsAreInUse() {
         [&] { return second.connect(Deadline::after(kPatience)).ok() && second.canSetSpeedSlider().ok(); }));
 }
 
-void TestReceiveSimulator::comesBackWhenTheControllerClosesItsClients() {
+void TestReceiveSimulator::reconnectsWhenTheControllerClosesItsClients() {
     Cell cell;
     QVERIFY(cell.connect());
     QVERIFY(cell.tick());
@@ -349,7 +349,7 @@ void TestReceiveSimulator::comesBackWhenTheControllerClosesItsClients() {
     QCOMPARE(cell.receiver->latest().connection, std::uint64_t(2));
 }
 
-void TestReceiveSimulator::silentControllerIsStaleThenGivenUp() {
+void TestReceiveSimulator::aSilentControllerIsStaleThenDisconnected() {
     Cell cell;
     QVERIFY(cell.connect());
     QVERIFY(cell.tick());

@@ -59,16 +59,16 @@ private Q_SLOTS:
     }
     void recordsForATimeAndDescribesTheFile();
     void namesFilesInAFolder();
-    void endsInOrderOnASignal();
-    void aKilledRecorderLosesHalfASecondAtMost();
-    void exportsAPart();
-    void findsThePushBehindAStop();
+    void endsCleanlyOnASignal();
+    void aKilledRecorderLosesAtMostHalfASecond();
+    void exportsATimeRangeAndColumns();
+    void findsThePushThatCausedAStop();
     void wrongArgumentsAreReported_data();
     void wrongArgumentsAreReported();
     void unreadableFilesAreReported();
     void missingRobotIsAFailure();
-    void helpIsThere_data();
-    void helpIsThere();
+    void helpIsPrinted_data();
+    void helpIsPrinted();
 
 private:
     QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
@@ -120,7 +120,7 @@ void TestCliRecording::namesFilesInAFolder() {
     }
 }
 
-void TestCliRecording::endsInOrderOnASignal() {
+void TestCliRecording::endsCleanlyOnASignal() {
     QProcess process;
     process.start(QStringLiteral(TILLER_CLI), {"record", address_, "--out", path("signal.mcap")});
     QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("signal.mcap")).size() > 20'000, kWaitTimeoutMs);
@@ -132,7 +132,7 @@ void TestCliRecording::endsInOrderOnASignal() {
     QVERIFY(recording->rows() > 0);
 }
 
-void TestCliRecording::aKilledRecorderLosesHalfASecondAtMost() {
+void TestCliRecording::aKilledRecorderLosesAtMostHalfASecond() {
     QProcess process;
     process.start(QStringLiteral(TILLER_CLI), {"record", address_, "--out", path("killed.mcap")});
     QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(path("killed.mcap")).size() > 100'000, kWaitTimeoutMs);
@@ -154,7 +154,7 @@ void TestCliRecording::aKilledRecorderLosesHalfASecondAtMost() {
     }
 }
 
-void TestCliRecording::exportsAPart() {
+void TestCliRecording::exportsATimeRangeAndColumns() {
     QCOMPARE(run({"record", address_, "--out", path("whole.mcap"), "--duration", "1"}).code, 0);
     const Answer text =
         run({"export", path("whole.mcap"), "--out", path("part.csv"), "--columns", "actual_q,robot_mode",
@@ -180,7 +180,7 @@ void TestCliRecording::exportsAPart() {
     QCOMPARE(openRecording(path("again.csv")).value()->rows(), whole->rows());
 }
 
-void TestCliRecording::findsThePushBehindAStop() {
+void TestCliRecording::findsThePushThatCausedAStop() {
     QProcess process;
     process.start(QStringLiteral(TILLER_CLI), {"record", address_, "--out", path("pushed.mcap")});
     const auto goesOn = [this](double seconds) {
@@ -278,14 +278,14 @@ void TestCliRecording::missingRobotIsAFailure() {
     QVERIFY(!QFileInfo::exists(path("none.csv")));
 }
 
-void TestCliRecording::helpIsThere_data() {
+void TestCliRecording::helpIsPrinted_data() {
     QTest::addColumn<QString>("command");
     for (const char* command : {"record", "info", "export", "serve", "divergence"}) {
         QTest::newRow(command) << command;
     }
 }
 
-void TestCliRecording::helpIsThere() {
+void TestCliRecording::helpIsPrinted() {
     QFETCH(QString, command);
     const Answer answer = run({command, "--help"});
     QCOMPARE(answer.code, 0);

@@ -45,11 +45,11 @@ class TestOthersRead : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void mcapByItsMakers();
-    void csvByPandas();
-    void hdf5ByH5py();
-    void csvByOctave();
-    void hdf5ByOctave();
+    void officialLibraryReadsMcap();
+    void pandasReadsCsv();
+    void h5pyReadsHdf5();
+    void octaveReadsCsv();
+    void octaveReadsHdf5();
 
 private:
     QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
@@ -59,7 +59,7 @@ private:
     QTemporaryDir folder_;
 };
 
-void TestOthersRead::mcapByItsMakers() {
+void TestOthersRead::officialLibraryReadsMcap() {
     const QString modules = QStringLiteral(TILLER_NODE_MODULES);
     const QString node = QStandardPaths::findExecutable("node");
     if (node.isEmpty() || !QFileInfo::exists(modules + "/@mcap/core") ||
@@ -124,7 +124,7 @@ void TestOthersRead::mcapByItsMakers() {
     QCOMPARE(summary["last"]["max"].toArray().size(), qsizetype(samples.layout->size() + 1));
 }
 
-void TestOthersRead::csvByPandas() {
+void TestOthersRead::pandasReadsCsv() {
     if (!hasPython("pandas")) {
         QSKIP("pandas is not installed (python3-pandas)");
     }
@@ -154,7 +154,7 @@ void TestOthersRead::csvByPandas() {
     QCOMPARE(found["unit"].toString(), QStringLiteral("rad"));
 }
 
-void TestOthersRead::hdf5ByH5py() {
+void TestOthersRead::h5pyReadsHdf5() {
     if (!hasPython("h5py")) {
         QSKIP("h5py is not installed (python3-h5py)");
     }
@@ -185,7 +185,7 @@ void TestOthersRead::hdf5ByH5py() {
     QVERIFY(std::abs(found["time"].toDouble() - (kRows - 1) * 0.002) < 1e-6);
 }
 
-void TestOthersRead::csvByOctave() {
+void TestOthersRead::octaveReadsCsv() {
     const QString octave = QStandardPaths::findExecutable(QStringLiteral("octave-cli"));
     if (octave.isEmpty()) {
         QSKIP("Octave is not installed (octave)");
@@ -209,7 +209,7 @@ void TestOthersRead::csvByOctave() {
     QCOMPARE(found["lost"].toInt(), 5);
 }
 
-void TestOthersRead::hdf5ByOctave() {
+void TestOthersRead::octaveReadsHdf5() {
     const QString octave = QStandardPaths::findExecutable(QStringLiteral("octave-cli"));
     if (octave.isEmpty()) {
         QSKIP("Octave is not installed (octave)");

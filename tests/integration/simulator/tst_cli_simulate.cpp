@@ -87,12 +87,12 @@ private Q_SLOTS:
 
     // Behaviour of a robot of this series. The fault "remote off" alone does not reject any command, as in
     // the vendor's simulator.
-    void localRefusesWhatARobotRefuses_data() {
+    void localControlRefusesTheSameAsARobot_data() {
         QTest::addColumn<bool>("local");
         QTest::newRow("--local") << true;
         QTest::newRow("--fault \"remote off\"") << false;
     }
-    void localRefusesWhatARobotRefuses() {
+    void localControlRefusesTheSameAsARobot() {
         QFETCH(bool, local);
         QStringList arguments{"simulate", "--listen", ownAddress()};
         arguments << (local ? QStringList{"--local"} : QStringList{"--headless", "--fault", "remote off"});
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(isObeyed(ownAddress()), std::optional(!local));
     }
 
-    void polyScopeXHasNoDashboardButARobotApi() {
+    void polyScopeXHasARobotApiInsteadOfADashboard() {
         Cli cli({"simulate", "--listen", ownAddress(), "--software", "10.12"});
         const QByteArray ready = cli.readyLine();
         QVERIFY2(ready.contains(" robot-api="), ready);
@@ -169,7 +169,7 @@ private Q_SLOTS:
         QVERIFY(nobody.process.readAllStandardError().contains("no simulated controller"));
     }
 
-    void secondSimulatorOnTheSameAddressSuggestsASolution() {
+    void aSecondSimulatorOnTheSameAddressGetsASuggestion() {
         Cli first({"simulate", "--listen", ownAddress()});
         QVERIFY(first.readyLine().startsWith("ready"));
         Cli second({"simulate", "--listen", ownAddress()});
@@ -225,7 +225,7 @@ private Q_SLOTS:
         QVERIFY2(words.contains(hint), words);
     }
 
-    void helpAndVersionAreAnsweredWithSuccess_data() {
+    void helpAndVersionExitWithSuccess_data() {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QByteArray>("contains");
         QTest::newRow("help") << QStringList{"--help"} << QByteArray("simulate");
@@ -240,7 +240,7 @@ private Q_SLOTS:
             << QByteArray("hold-registers");
         QTest::newRow("version") << QStringList{"--version"} << QByteArray("tiller-cli ");
     }
-    void helpAndVersionAreAnsweredWithSuccess() {
+    void helpAndVersionExitWithSuccess() {
         QFETCH(QStringList, arguments);
         QFETCH(QByteArray, contains);
         Cli cli(arguments);

@@ -106,7 +106,7 @@ private Q_SLOTS:
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
     }
 
-    void playFollowsStopAndLoadAtOnce() {
+    void playWorksImmediatelyAfterStopAndLoad() {
         Played cell;
         QCOMPARE(cell.dashboard.ask("play"), QByteArray("Starting program\n"));
         cell.robot.controller.step(5);
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().digitalOutputs, (quint64(1) << 2) | (quint64(1) << 5));
     }
 
-    void anInstallationIsLoadedAndTakesThePower() {
+    void loadingAnInstallationPowersOffTheArm() {
         Played cell;
         QFile file(cell.folder.filePath("cell.installation"));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -277,7 +277,7 @@ private Q_SLOTS:
     }
 
     // A file that is inside the folder when it is loaded may later be replaced by a link.
-    void aLoadedProgramThatTurnsIntoALinkIsNotPlayed() {
+    void aLoadedProgramReplacedByALinkIsNotPlayed() {
         QTemporaryDir elsewhere;
         QFile secret(elsewhere.filePath("secret.script"));
         QVERIFY(secret.open(QIODevice::WriteOnly));
@@ -300,7 +300,7 @@ private Q_SLOTS:
         QCOMPARE(cell.robot.controller.truth().digitalOutputs, quint64(0));
     }
 
-    void remoteControlTurnedOffRefusesNothingWhereItIsNotGated() {
+    void localControlRefusesNothingOnAnUngatedRobot() {
         Played cell;
         QVERIFY(cell.robot.controller.inject("remote off").ok());
         QCOMPARE(cell.dashboard.ask("is in remote control"), QByteArray("false\n"));

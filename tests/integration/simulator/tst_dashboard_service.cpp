@@ -59,7 +59,7 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask(command), reply + '\n');
     }
 
-    void cb3KnowsUserRolesAndNoRemoteControl() {
+    void cb3HasUserRolesButNoRemoteControl() {
         auto options = VirtualRobot::options();
         options.model = RobotModelId::UR5;
         options.software = {3, 15, 8, 106339};
@@ -71,7 +71,7 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("PolyscopeVersion"), QByteArray("URSoftware 3.15.8.106339 (Jun 20 2022)\n"));
     }
 
-    void thePowerCycleOfTheClientLibrarysTests() {
+    void thePowerCycleOfTheClientLibraryTestsWorks() {
         VirtualRobot robot(VirtualRobot::poweredOff());
         RawDashboard dashboard = robot.dashboard();
         QCOMPARE(dashboard.ask("power off"), QByteArray("Powering off\n"));
@@ -91,7 +91,7 @@ private Q_SLOTS:
         QVERIFY(robot.untilMode(dashboard, "RUNNING"));
     }
 
-    void aProtectiveStopIsUnlockedAfterFiveSecondsAndNotBefore() {
+    void aProtectiveStopCanBeUnlockedOnlyAfterFiveSeconds() {
         VirtualRobot robot;
         RawDashboard dashboard = robot.dashboard();
         RawPrimary primary = robot.primary();
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("get operational mode"), QByteArray("NONE\n"));
     }
 
-    void violationAndFaultEndWithARestartOfTheSafetySystem() {
+    void restartingTheSafetySystemClearsViolationAndFault() {
         VirtualRobot robot;
         RawDashboard dashboard = robot.dashboard();
         robot.controller.fault();
@@ -207,7 +207,7 @@ private Q_SLOTS:
         QVERIFY(robot.untilMode(dashboard, "RUNNING"));
     }
 
-    void localControlIsRefusedWhereItIsGated() {
+    void commandsInLocalControlAreRefusedOnAGatedRobot() {
         auto options = VirtualRobot::options();
         options.remoteControl = false;
         options.gateLocalControl = true;
@@ -243,7 +243,7 @@ private Q_SLOTS:
         QCOMPARE(robot.dashboard().ask("power on"), QByteArray("Powering on\n"));
     }
 
-    void quitEndsThisConnectionAndNoOther() {
+    void quitClosesOnlyItsOwnConnection() {
         VirtualRobot robot;
         RawDashboard leaving = robot.dashboard();
         RawDashboard staying = robot.dashboard();
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QVERIFY(rtde.waitClosed());
     }
 
-    void aLineWithoutEndIsNotKeptForEver() {
+    void anUnterminatedLineIsDiscarded() {
         VirtualRobot robot;
         RawDashboard dashboard = robot.dashboard();
         dashboard.send(QByteArray(100'000, 'x'));

@@ -35,7 +35,7 @@ class TestFaults : public QObject {
     }
 
 private Q_SLOTS:
-    void wrongWordsAreExplainedWithoutEffect_data() {
+    void invalidFaultsAreExplainedAndHaveNoEffect_data() {
         QTest::addColumn<QString>("words");
         QTest::addColumn<QString>("hint");
         QTest::newRow("nothing") << ""
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QTest::newRow("no such register") << "hold-registers input_int_register_99"
                                           << "exist";
     }
-    void wrongWordsAreExplainedWithoutEffect() {
+    void invalidFaultsAreExplainedAndHaveNoEffect() {
         QFETCH(QString, words);
         QFETCH(QString, hint);
         VirtualRobot robot;
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(primary.messages(0).back(), QByteArray("3Truethe left one0.5"));
     }
 
-    void theWorldIsBuiltWithWords() {
+    void theWorldIsBuiltByFaultCommands() {
         VirtualRobot robot;
         const auto force = [&] {
             robot.controller.step(20);
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY(!robot.controller.inject("load").ok());
     }
 
-    void faultPortAcceptsTheSameWords() {
+    void faultPortAcceptsTheSameCommands() {
         VirtualRobot robot;
         RawClient console(robot.host(), robot.controller.ports().faults);
         console.send("protective-stop\n");
@@ -152,7 +152,7 @@ private Q_SLOTS:
         QVERIFY(!simulator::Simulator().inject("status").ok());
     }
 
-    void aDelayHoldsEveryPackageForItsTime() {
+    void everyPackageIsDelayedByTheSetTime() {
         VirtualRobot robot;
         Stream stream(robot);
         QVERIFY(stream.started);
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(sizes[1], 10 * 12);
     }
 
-    void aLostLinkLosesNoConnectionAndNoByte() {
+    void aLostLinkKeepsTheConnectionAndEveryByte() {
         VirtualRobot robot;
         Stream stream(robot);
         inject(robot, "link lost");
@@ -251,7 +251,7 @@ private Q_SLOTS:
         QCOMPARE(stream.rtde.packages().size(), std::size_t(101));
     }
 
-    void clientDroppedDuringALostLinkLearnsOfItAfterwards() {
+    void aClientDroppedDuringALostLinkIsNotifiedLater() {
         VirtualRobot robot;
         Stream stream(robot);
         stream.rtde.setupInputs("input_int_register_0");
@@ -265,7 +265,7 @@ private Q_SLOTS:
         QVERIFY(stream.rtde.waitClosed());
     }
 
-    void aHalfOpenConnectionIsForgottenByTheControllerOnly() {
+    void onlyTheControllerDropsAHalfOpenConnection() {
         VirtualRobot robot;
         Stream stream(robot);
         QCOMPARE(stream.rtde.setupInputs("input_int_register_3"), QByteArray("\x01INT32"));
@@ -375,7 +375,7 @@ private Q_SLOTS:
         QCOMPARE(intAt(codes[1], 8), 4);  // 4: a fault
     }
 
-    void aSlowBootGoesThroughItsModesAndRestartsTheServicesOnce() {
+    void aSlowBootPassesAllModesAndRestartsServicesOnce() {
         auto options = VirtualRobot::poweredOff();
         options.bootTime = 4;
         VirtualRobot robot(options);
@@ -439,7 +439,7 @@ private Q_SLOTS:
         QVERIFY(robot.controller.truth().q[5] <= kJointPositionLimit + 1e-6);
     }
 
-    void aWrongCalibrationIsReportedAgainAndTheArmStaysAsItWas() {
+    void aWrongCalibrationIsReportedWithoutChangingTheArm() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         robot.controller.stepSeconds(0.3);

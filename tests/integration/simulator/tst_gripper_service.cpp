@@ -73,7 +73,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.socket().readAll(), QByteArray("ACT 0\nSTA 0\nFLT 0\n"));
     }
 
-    void theMakersScriptAsksWithoutALineEnd() {
+    void theVendorScriptRequestsWithoutALineEnd() {
         VirtualRobot robot;
         GripperClient gripper(robot);
         const auto ask = [&](const QByteArray& name, int bytes) {

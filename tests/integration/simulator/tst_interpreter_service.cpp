@@ -63,7 +63,7 @@ private Q_SLOTS:
         QCOMPARE(i.ask("global g = 1"),
                  QByteArray("discard: new globals cannot be created in interpreter mode: global g = 1\n"));
     }
-    void severalLinesMayComeAtOnceAndInPieces() {
+    void linesMayArriveTogetherOrInPieces() {
         Interpreting i;
         i.client.send("x = 1\n\n   \nx = x + 1\nset_standard_digital_o");
         QCOMPARE(i.client.line(), QByteArray("ack: 1: x = 1\n"));
@@ -99,7 +99,7 @@ private Q_SLOTS:
         i.robot.controller.stepSeconds(0.3);
         QCOMPARE(i.robot.controller.truth().digitalOutputs, 0ULL);
     }
-    void statementsBehindAClearWaitForIt() {
+    void statementsAfterAClearWaitForIt() {
         Interpreting i;
         i.client.send("a = 1\nclear_interpreter()\nb = 2\nb = a\n");
         QCOMPARE(i.client.line(), QByteArray("ack: 1: a = 1\n"));
@@ -178,7 +178,7 @@ private Q_SLOTS:
         QVERIFY(i.client.line().startsWith("discard: line is too long: aaaa"));
         QCOMPARE(i.ask("\nb = 1"), QByteArray("ack: 1: b = 1\n"));
     }
-    void inLocalControlAGatedRobotTakesNoStatements() {
+    void aGatedRobotRefusesStatementsInLocalControl() {
         simulator::SimulatorOptions options = VirtualRobot::options();
         options.remoteControl = false;
         options.gateLocalControl = true;
@@ -187,7 +187,7 @@ private Q_SLOTS:
         client.send("a = 1\n");
         QCOMPARE(client.line(), QByteArray("discard: the robot is in local control: a = 1\n"));
     }
-    void softwareWithoutTheModeHasNoSuchPort() {
+    void softwareWithoutTheModeHasNoInterpreterPort() {
         simulator::SimulatorOptions options = VirtualRobot::options();
         options.software = {5, 9, 4, 0};
         VirtualRobot robot(options);

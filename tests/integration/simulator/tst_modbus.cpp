@@ -71,7 +71,7 @@ private Q_SLOTS:
         QCOMPARE(cell.error, QByteArray());
     }
 
-    void twentyFourRegistersAreAListOfTwentyFour() {
+    void aSignalOf24RegistersIsAListOf24Values() {
         Cell cell;
         QCOMPARE(
             cell.told(kAdd + "0, 2, \"many\", False, 24)\nl = modbus_get_signal_status(\"many\", False)\n"
@@ -99,7 +99,7 @@ private Q_SLOTS:
         QCOMPARE(cell.error, QByteArray("Modbus signal 'one' does not exist"));
     }
 
-    void aSignalMayReadHereAndWriteThere() {
+    void aSignalMayReadAndWriteDifferentAddresses() {
         Cell cell;
         QCOMPARE(cell.fault("modbus-memory register 5 1 2 3"), QString());
         QCOMPARE(cell.told("modbus_add_rw_signal(\"192.168.0.5\", 255, 5, 3, 15, 2, \"rw\")\n"
@@ -129,7 +129,7 @@ private Q_SLOTS:
     }
 
     // Within the watchdog time, the last valid value is returned. Afterwards, an error is returned.
-    void aSignalThatIsNotAnsweredKeepsItsValueForAWhile() {
+    void anUnansweredSignalKeepsItsValueTemporarily() {
         Cell cell;
         QVERIFY(cell.told(kAdd + "1, 2, \"s\")\nmodbus_set_signal_watchdog(\"s\", 3)").isEmpty());
         QCOMPARE(cell.fault("modbus-signal s 7"), QString());
@@ -163,7 +163,7 @@ private Q_SLOTS:
         QCOMPARE(Heard(cell.primary).texts, QByteArrayList{"back"});
     }
 
-    void anInputMayBeAFreedriveButtonAndAnOutputFollowTheProgram() {
+    void signalsActAsFreedriveInputAndProgramOutput() {
         Cell cell;
         QVERIFY(cell.told(kAdd +
                           "1, 0, \"button\")\nmodbus_set_digital_input_action(\"button\", \"freedrive\")\n" +

@@ -47,7 +47,7 @@ class TestModeTransitions : public QObject {
     }
 
 private Q_SLOTS:
-    void everyTransitionIsSeenAlikeOnAllInterfaces_data() {
+    void everyTransitionIsConsistentOnAllInterfaces_data() {
         QTest::addColumn<bool>("powered");
         QTest::addColumn<QList<QByteArray>>("before");
         QTest::addColumn<QList<QByteArray>>("event");
@@ -197,7 +197,7 @@ private Q_SLOTS:
         row("speed slider 0", true, {kMoving, "t:0.7"}, {"f:speed 0"}, running, {Playing});
         row("no program in a safeguard stop", true, {"f:safeguard on"}, {kEndless}, running, stopped, 5);
     }
-    void everyTransitionIsSeenAlikeOnAllInterfaces() {
+    void everyTransitionIsConsistentOnAllInterfaces() {
         QFETCH(bool, powered);
         QFETCH(QList<QByteArray>, before);
         QFETCH(QList<QByteArray>, event);
@@ -242,7 +242,7 @@ private Q_SLOTS:
 
     // Starting the controller closes all connections, so new clients connect to observe each mode of the
     // start.
-    void theStartOfAControllerIsSeenAlikeOnAllInterfaces() {
+    void controllerStartIsConsistentOnAllInterfaces() {
         VirtualRobot robot;
         {
             ModeObserver observer(robot);

@@ -103,7 +103,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(seen(), 20'000);
     }
 
-    void aProgramUsesADeviceWithLines() {
+    void aProgramUsesALineBasedDevice() {
         Cell cell("protocol lines\naddress 127.0.0.1:8500\nTRIGGER | | OK\nGET | POS | (1.5, 2.5)\n");
         QVERIFY(
             cell.play("if socket_open(\"127.0.0.1\", 8500, \"cam\"):\n"
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QCOMPARE(cell.texts, (QList<QByteArray>{"OK", "[2,1.5,2.5]"}));
     }
 
-    void anAbsentDeviceRefusesOrIsSilent() {
+    void anAbsentDeviceRefusesOrDoesNotReply() {
         Cell cell("protocol lines\naddress 192.168.77.20:8500\nGET | | 1\n");
         const QByteArray ask =
             "textmsg(socket_open(\"192.168.77.20\", 8500, \"cam\"))\nsocket_send_line(\"GET\", \"cam\")\n"

@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(dashboard.ask("get serial number"), robot.controller.options().serialNumber.toUtf8() + '\n');
     }
 
-    void everyModelHasASerialNumberOfItsOwn() {
+    void everyModelHasItsOwnSerialNumber() {
         QSet<QString> seen;
         for (const RobotModel& model : robotModels()) {
             const QString serial = simulator::serialNumber(model.id, simulator::defaultSoftware(model.id));

@@ -41,7 +41,7 @@ class TestPrimaryData : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theVersionComesFirst() {
+    void theVersionIsSentFirst() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         const QByteArray message = primary.next();
@@ -56,7 +56,7 @@ private Q_SLOTS:
         QCOMPARE(intAt(message, 27), 1);
     }
 
-    void theFirstStateDescribesTheArmAndLaterOnesDoNot() {
+    void onlyTheFirstStateDescribesTheArm() {
         auto options = VirtualRobot::options();
         options.software = {5, 8, 0, 0};  // software version of the recorded data
         VirtualRobot robot(options);
@@ -96,7 +96,7 @@ private Q_SLOTS:
         QCOMPARE(primary.next().size(), 716);
     }
 
-    void statesComeTenTimesASecond() {
+    void statesAreSentTenTimesPerSecond() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         primary.next();
@@ -172,7 +172,7 @@ private Q_SLOTS:
         QVERIFY(variablesOf(primary).isEmpty());
     }
 
-    void olderSoftwareHasOtherNumbersForTheTypesOfVariables() {
+    void olderSoftwareUsesOtherVariableTypeNumbers() {
         auto options = VirtualRobot::options();
         options.model = RobotModelId::UR5;
         options.software = {3, 13, 0, 0};
@@ -193,7 +193,7 @@ private Q_SLOTS:
         QCOMPARE(told.back(), expected);
     }
 
-    void aValueThatIsTooLongForAPackageIsCutWhole() {
+    void aValueTooLongForAPackageIsTruncatedCleanly() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         primary.send(

@@ -46,7 +46,7 @@ private Q_SLOTS:
         QVERIFY(heard.exceptions.empty());
     }
 
-    void theSpeedSliderIsSetByWords() {
+    void theSpeedSliderIsSetByCommand() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         for (const char* words :
@@ -58,7 +58,7 @@ private Q_SLOTS:
         }
     }
 
-    void scriptsRunFromAllThreePortsAndNotFromTheReadOnlyOnes_data() {
+    void scriptsRunFromAllPortsExceptReadOnlyOnes_data() {
         QTest::addColumn<int>("port");
         QTest::addColumn<bool>("runs");
         QTest::newRow("primary") << 30001 << true;
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QTest::newRow("read-only secondary") << 30012 << false;
         QTest::newRow("read-only realtime") << 30013 << false;
     }
-    void scriptsRunFromAllThreePortsAndNotFromTheReadOnlyOnes() {
+    void scriptsRunFromAllPortsExceptReadOnlyOnes() {
         QFETCH(int, port);
         QFETCH(bool, runs);
         VirtualRobot robot;
@@ -83,7 +83,7 @@ private Q_SLOTS:
         QCOMPARE(robot.controller.truth().digitalOutputs, runs ? 8ULL : 0ULL);
     }
 
-    void anErrorInAScriptIsShownWithItsPlaceAndLeavesTheRunningProgramAlone() {
+    void aScriptErrorHasItsPositionAndKeepsTheProgramRunning() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         run(robot, primary, "def first():\n  while True:\n    sync()\n  end\nend\n", 0.1);
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(robot.programState(), RuntimeState::Playing);
     }
 
-    void aProgramMovesTheArmAndIsRunningMeanwhile() {
+    void aProgramIsReportedRunningWhileItMovesTheArm() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         primary.send("movej([-1.5, -1.7, -2.0, -0.8, 1.6, 0.1], a=1.4, v=1.05)\n");
@@ -175,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(robot.stepUntil([&] { return robot.programState() == RuntimeState::Stopped; }, 2));
     }
 
-    void commandWordsPowerTheArm() {
+    void powerCommandsPowerTheArm() {
         VirtualRobot robot(VirtualRobot::poweredOff());
         RawPrimary primary = robot.primary();
         const auto send = [&](const char* words) {
@@ -236,7 +236,7 @@ private Q_SLOTS:
         QCOMPARE(heard.exceptions.size(), std::size_t(1));
     }
 
-    void aProtectiveStopAskedForByAProgramIsReportedOnce() {
+    void aProtectiveStopRequestedByAProgramIsReportedOnce() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         const Heard heard = run(robot, primary, "def p():\n  protective_stop()\nend\n", 0.5);
@@ -309,7 +309,7 @@ private Q_SLOTS:
     }
 
     // Changes during a pause are reported only once, with the current value.
-    void lastSafetyModeIsReportedAfterASilence() {
+    void lastSafetyModeIsReportedAfterAPause() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         robot.controller.drainSockets();
@@ -336,7 +336,7 @@ private Q_SLOTS:
         QCOMPARE(told, QList<int>{3});
     }
 
-    void aLineOutOfReachIsAProtectiveStopAndTheArmMovesAgainAfterwards() {
+    void theArmMovesAgainAfterAnUnreachableLineStoppedIt() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         const Heard heard = run(robot, primary, "def p():\n  movel(p[10,0,0,0,0,0])\nend\n", 15.0);

@@ -708,7 +708,7 @@ private Q_SLOTS:
         QCOMPARE(labels, (QByteArrayList{"1 Robot Program", "2 pick", "3 Wait: 0.1", "5 Halt"}));
     }
 
-    void aNodeOfAUrcapRunsItsStandInOrWhatIsChosen_data() {
+    void aUrcapNodeRunsItsStandInOrTheChosenOption_data() {
         QTest::addColumn<QString>("nodeClass");
         QTest::addColumn<QString>("assumption");
         QTest::addColumn<QByteArray>("texts");
@@ -720,7 +720,7 @@ private Q_SLOTS:
         QTest::newRow("ask") << "com.example.Other"
                              << "unknown-urcap=ask" << QByteArray("end");
     }
-    void aNodeOfAUrcapRunsItsStandInOrWhatIsChosen() {
+    void aUrcapNodeRunsItsStandInOrTheChosenOption() {
         QFETCH(QString, nodeClass);
         QFETCH(QString, assumption);
         QFETCH(QByteArray, texts);
@@ -776,7 +776,7 @@ private Q_SLOTS:
     }
 
     // The file may be damaged between load and play.
-    void playSaysWhyTheProgramIsNoMore() {
+    void playReportsWhyTheProgramNoLongerLoads() {
         Loaded cell(program(mainProgram(line("sync()"))));
         RawPrimary primary = cell.robot.primary();
         cell.write("p.urp", program(mainProgram("<Palletizing/>")));

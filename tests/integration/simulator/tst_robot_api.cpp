@@ -96,7 +96,7 @@ private Q_SLOTS:
     }
 
     // The server must not read or write through the link.
-    void aLinkOutOfTheProgramsFolderIsNoProgram() {
+    void aLinkOutsideTheProgramsFolderIsNotAProgram() {
         QTemporaryDir place;
         const QDir outside(place.path());
         QVERIFY(outside.mkpath("programs"));
@@ -171,7 +171,7 @@ private Q_SLOTS:
     }
 
     // The layout is that of programs saved by the vendor's pendant.
-    void aProgramInTheVendorsLayoutIsUnderstood() {
+    void aProgramInTheVendorLayoutIsParsed() {
         VirtualRobot robot(polyScopeX());
         Web web(robot);
         const auto part = [](const char* script) {
@@ -212,7 +212,7 @@ private Q_SLOTS:
         QCOMPARE(web.ask("GET", "/program/v1/state").json()["state"].toString(), QStringLiteral("STOPPED"));
     }
 
-    void aSlashAtTheEndChangesNothing() {
+    void aTrailingSlashIsIgnored() {
         VirtualRobot robot(polyScopeX());
         Web web(robot);
         for (const char* path : {"/robotstate/v1/robotmode", "/program/v1/state", "/programs/v1"}) {
@@ -296,7 +296,7 @@ private Q_SLOTS:
                  QStringLiteral("REMOTE"));
     }
 
-    void requestsComeInAnyFormHttpAllows() {
+    void requestsMayHaveAnyFormAllowedByHttp() {
         VirtualRobot robot(polyScopeX());
         Web web(robot);
         const QByteArray path = "/universal-robots/robot-api/robotstate/v1/robotmode";

@@ -80,7 +80,7 @@ private Q_SLOTS:
         QCOMPARE(intAt(last, 17), 255);  // echo
     }
 
-    void noDataComesBeforeTheReplyToStart() {
+    void noDataAreSentBeforeTheReplyToStart() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());

@@ -50,7 +50,7 @@ private Q_SLOTS:
         QCOMPARE(none.controller.ports().rtde, std::uint16_t(0));
     }
 
-    void packagesComeEveryNthPeriod_data() {
+    void packagesAreSentEveryNthPeriod_data() {
         QTest::addColumn<double>("frequency");
         QTest::addColumn<int>("periods");
         QTest::newRow("500") << 500.0 << 1;
@@ -63,7 +63,7 @@ private Q_SLOTS:
         QTest::newRow("not a number means the most") << qQNaN() << 1;
         QTest::newRow("negative means the most") << -3.0 << 1;
     }
-    void packagesComeEveryNthPeriod() {
+    void packagesAreSentEveryNthPeriod() {
         QFETCH(double, frequency);
         QFETCH(int, periods);
         VirtualRobot robot;
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(rtde.request('v').type, 'v');  // the next reply belongs to the next request
     }
 
-    void versionThreeHasRoomForMoreConfigurableOutputs() {
+    void versionThreeSupportsMoreConfigurableOutputs() {
         auto options = VirtualRobot::options();
         options.software = {5, 26, 0, 0};
         VirtualRobot robot(options);
@@ -332,12 +332,12 @@ private Q_SLOTS:
         }
     }
 
-    void aSizeThatCannotBeEndsTheConnection_data() {
+    void anInvalidSizeEndsTheConnection_data() {
         QTest::addColumn<QByteArray>("bytes");
         QTest::newRow("0") << QByteArray("\0\0V", 3);
         QTest::newRow("2") << QByteArray("\0\2V", 3);
     }
-    void aSizeThatCannotBeEndsTheConnection() {
+    void anInvalidSizeEndsTheConnection() {
         QFETCH(QByteArray, bytes);
         VirtualRobot robot;
         RawRtde broken = robot.rtde();
@@ -347,7 +347,7 @@ private Q_SLOTS:
         QCOMPARE(sound.request('v').type, 'v');
     }
 
-    void nonsenseIsRefusedInTheReplyOrIgnored() {
+    void invalidRequestsAreRefusedInTheReplyOrIgnored() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
         QCOMPARE(rtde.request('V', "x").payload, QByteArray(1, '\0'));
@@ -412,7 +412,7 @@ private Q_SLOTS:
         QCOMPARE(wordAt(payload, 17) & 0xCU, 8U);
     }
 
-    void inputRegistersAreReadBackAndSurviveTheirWriter() {
+    void inputRegistersKeepTheirValueAfterTheWriterLeaves() {
         VirtualRobot robot;
         RawRtde reader = robot.rtde();
         QVERIFY(reader.useVersion());
@@ -441,7 +441,7 @@ private Q_SLOTS:
         QCOMPARE(wordAt(payload, 14), 0x80000001U);
     }
 
-    void aClientThatDoesNotReadIsClosedAndTheOthersGoOn() {
+    void aClientThatDoesNotReadIsClosedAndOthersContinue() {
         VirtualRobot robot;
         RawRtde slow = robot.rtde();
         RawRtde quick = robot.rtde();
@@ -467,7 +467,7 @@ private Q_SLOTS:
         QCOMPARE(received, stepped);
     }
 
-    void silenceKeepsTheConnection() {
+    void anIdleClientKeepsItsConnection() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());
@@ -484,7 +484,7 @@ private Q_SLOTS:
         QVERIFY(doubleAt(packages[0].payload, 1) > 60.02);  // time has advanced in the meantime
     }
 
-    void closedClientsMayComeBack() {
+    void closedClientsMayReconnect() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
         QCOMPARE(rtde.setupInputs("input_int_register_24"), QByteArray("\x01INT32"));

@@ -84,7 +84,7 @@ private Q_SLOTS:
     }
 
     // While the client writes, time does not advance for the program, and TCP blocks the client.
-    void unreadDataStayAtTheClient() {
+    void unreadDataRemainAtTheClient() {
         Cell cell;
         QTcpSocket* const client = cell.client();
         QVERIFY(client != nullptr);
@@ -143,7 +143,7 @@ private Q_SLOTS:
     }
 
     // A text that is longer than the receive buffer arrives completely.
-    void aLongTextArrivesWhole() {
+    void aLongTextArrivesComplete() {
         Cell cell;
         cell.primary.send("stop program\n");
         cell.robot.controller.drainSockets();

@@ -137,7 +137,7 @@ private Q_SLOTS:
         qInfo("%d inputs over %d connections", inputCount, connections);
     }
 
-    void clientsComeAndGo() {
+    void clientsConnectAndDisconnectRepeatedly() {
         VirtualRobot robot;
         QVERIFY(servesAsBefore(robot));
         const int descriptors = openDescriptors();

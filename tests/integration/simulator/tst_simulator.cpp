@@ -31,7 +31,7 @@ class TestSimulator : public QObject {
     }
 
 private Q_SLOTS:
-    void severalControllersStandSideBySideOnTheStandardPorts() {
+    void severalControllersShareTheStandardPorts() {
         std::vector<std::unique_ptr<simulator::Simulator>> controllers;
         for (int i = 1; i <= 3; ++i) {
             auto options = VirtualRobot::options();
@@ -92,7 +92,7 @@ private Q_SLOTS:
         QVERIFY(RawRtde(ownAddress(20), 31004).useVersion());
     }
 
-    void virtualTimeStandsStillBetweenSteps() {
+    void virtualTimeDoesNotAdvanceBetweenSteps() {
         VirtualRobot robot;
         const double before = robot.controller.truth().timestamp;
         RawRtde rtde = robot.rtde();
@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.controller.truth().timestamp - before - 1.0) < 1e-9);
     }
 
-    void realTimePassesByItself() {
+    void realTimeAdvancesWithoutSteps() {
         auto options = VirtualRobot::options();
         options.time = simulator::Time::Real;
         simulator::Simulator controller(options);
@@ -157,7 +157,7 @@ private Q_SLOTS:
         QCOMPARE(first.qd.array(), second.qd.array());
     }
 
-    void anEmergencyStopBrakesTheArmAndTakesThePower() {
+    void anEmergencyStopBrakesTheArmAndPowersItOff() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         send(robot, primary, "def p():\n  speedj([1,0,0,0,0,0], 5, 10)\nend\n");
@@ -202,7 +202,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(robot.controller.truth().q[0] - 0.5) < 1e-3);
     }
 
-    void aProtectiveStopHaltsTheArmAndTheProgramDoesNotGoOnByItself() {
+    void aProtectiveStopPausesTheProgramUntilItIsResumed() {
         VirtualRobot robot;
         RawPrimary primary = robot.primary();
         send(robot, primary, "def p():\n  movej([0.5,-1.7,-2.2,-0.8,1.6,0], a=1.4, v=0.5)\nend\n");
@@ -248,7 +248,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(half / full - 2.0) < 0.15, qPrintable(QString::number(half / full)));
     }
 
-    void aWatchdogStopsAProgramWhoseInputFallsSilent() {
+    void aWatchdogStopsAProgramWithoutInput() {
         VirtualRobot robot;
         RawRtde rtde = robot.rtde();
         QVERIFY(rtde.useVersion());
@@ -269,7 +269,7 @@ private Q_SLOTS:
         QCOMPARE(robot.programState(), RuntimeState::Stopped);
     }
 
-    void aProgramTalksToAServerAndItsSocketsCloseWithIt() {
+    void socketsOfAProgramAreClosedAtItsEnd() {
         QTcpServer server;
         QVERIFY(server.listen(QHostAddress::LocalHost));
         VirtualRobot robot;

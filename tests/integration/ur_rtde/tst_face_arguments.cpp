@@ -254,7 +254,7 @@ private Q_SLOTS:
         QVERIFY(status.equals(control_->getAsyncOperationProgressEx()));
     }
 
-    void otherInterfacesCheckToo() {
+    void otherInterfacesAlsoCheckArguments() {
         RTDEIOInterface io(cell_->host());
         QVERIFY_EXCEPTION_THROWN(io.setStandardDigitalOut(8, true), std::range_error);
         QVERIFY_EXCEPTION_THROWN(io.setConfigurableDigitalOut(8, true), std::range_error);
@@ -296,7 +296,7 @@ private Q_SLOTS:
     // The robot hangs during all activities: connections remain open, and no data arrive. Robot time does not
     // advance, so waiting for it would make the test hang. tests/benchmarks/backend_performance measures the
     // duration.
-    void endsAreQuickWithARobotThatHangs() {
+    void closingIsQuickWithAHangingRobot() {
         test::FaceCell hanging([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         auto control = std::make_unique<RTDEControlInterface>(hanging.host());
         auto receive = std::make_unique<RTDEReceiveInterface>(hanging.host());
@@ -320,7 +320,7 @@ private Q_SLOTS:
         hanging.freeze(false);
     }
 
-    void mutePeersAreGivenUp() {
+    void silentPeersCauseATimeout() {
         const std::string host = test::ownAddress(3).toStdString();
         const MuteServer dashboardPort(29999);
         const MuteServer gripperPort(63352);

@@ -97,7 +97,7 @@ private Q_SLOTS:
         QVERIFY(robot->until([&](const simulator::SimulatedState&) { return !dashboard.running(); }));
     }
 
-    void dashboardBringsTheRobotUpAndDown() {
+    void dashboardPowersTheRobotOnAndOff() {
         const auto robot = cell([](simulator::SimulatorOptions& o) { o.poweredOn = false; });
         DashboardClient dashboard(robot->host());
         dashboard.connect();
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(!dashboard.isConnected());
     }
 
-    void userRolesAreForCb3() {
+    void userRolesExistOnlyOnCb3() {
         const auto robot = cell([](simulator::SimulatorOptions& options) {
             options.model = RobotModelId::UR5;
             options.software = {3, 15, 8, 0};
@@ -286,7 +286,7 @@ private Q_SLOTS:
         QCOMPARE(RTDEUtility::isRealtimeKernelAvailable(), said);
     }
 
-    void pathsBecomeCode() {
+    void pathsAreConvertedToScript() {
         Path path;
         path.appendMovejPath({{0, -1.5, 1, 0, 0.5, 0, 1.05, 1.4, 0.02}});
         path.appendMovelPath({{0.1, 0.2, 0.3, 0, 3.14, 0, 0.25, 1.2, 0}});

@@ -29,7 +29,7 @@ private Q_SLOTS:
         QVERIFY(!control_->serial_number().empty());
     }
 
-    void aNumberIsAStatus() {
+    void aNumberIsDecodedAsAStatus() {
         const AsyncOperationStatus none;
         QCOMPARE(none.value(), 0U);
         QCOMPARE(none.progress(), -1);
@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(status.progress(), -1);
     }
 
-    void finishedOperationsTakeTurnsInTheirNumbers() {
+    void finishedOperationsAlternateTheirNumbers() {
         std::vector<int> ended;
         for (const double turn : {0.05, -0.05, 0.05}) {
             auto q = cell_->robot.truth().q.array();
@@ -120,7 +120,7 @@ private Q_SLOTS:
         QVERIFY2(told.contains(word), told.constData());
     }
 
-    void duringAProtectiveStopTheProgramIsHandedOver() {
+    void theProgramIsUploadedDuringAProtectiveStop() {
         QVERIFY(control_->triggerProtectiveStop());
         QVERIFY(control_->reuploadScript());
         QVERIFY_EXCEPTION_THROWN(control_->unlockProtectiveStop(), std::logic_error);  // rejected for 5 s
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(List(q.begin(), q.end())));
     }
 
-    void contactAtTheStartCounts() {
+    void contactAtTheStartIsDetected() {
         cell_->robot.pressHand(Wrench::fromVector((Vector6() << 0, 0, 150, 0, 0, 0).finished()));
         QVERIFY(until([&] { return control_->toolContact(List(6, 0.0)) > 0; }));
         const double z = cell_->robot.truth().tcpPose.position.z();

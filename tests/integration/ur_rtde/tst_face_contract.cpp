@@ -94,7 +94,7 @@ class TestFaceContract : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whateverEndsItTheArmStands_data() {
+    void everyEndLeavesTheArmAtStandstill_data() {
         QTest::addColumn<int>("way");
         QTest::addColumn<QByteArray>("end");
         QTest::addColumn<QString>("assumption");
@@ -125,7 +125,7 @@ private Q_SLOTS:
             }
         }
     }
-    void whateverEndsItTheArmStands() {
+    void everyEndLeavesTheArmAtStandstill() {
         QFETCH(int, way);
         QFETCH(QByteArray, end);
         QFETCH(QString, assumption);

@@ -69,7 +69,7 @@ private Q_SLOTS:
         QVERIFY(second.moveJ(with(kStart, 5, 0.1)));
     }
 
-    void keepsTime() {
+    void waitPeriodKeepsThePeriod() {
         const auto begin = control_->initPeriod();
         control_->waitPeriod(begin);
         QVERIFY(std::chrono::steady_clock::now() - begin >= std::chrono::microseconds(1999));
@@ -77,7 +77,7 @@ private Q_SLOTS:
 
     // ---- user programs ----------------------------------------------------------------------------------
 
-    void customScriptsRunInBetween() {
+    void customScriptsRunBetweenCommands() {
         QVERIFY(control_->sendCustomScriptFunction("mine", "set_standard_digital_out(1, True)\nsync()"));
         QVERIFY((cell_->robot.truth().digitalOutputs & 2U) != 0);
         QVERIFY(
@@ -92,7 +92,7 @@ private Q_SLOTS:
     }
 
     // The script may start and end between two checks of the waiting thread.
-    void aShortScriptCountsHoweverLateTheThreadLooks() {
+    void aShortScriptIsNotMissedByALatePoll() {
         urrtde::setInterruptCheck([] {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             return false;
@@ -172,7 +172,7 @@ $6.0   P = 6
         QVERIFY(near(joints(), kStart));
     }
 
-    void aPoseOutOfReachIsRefusedAndTheProgramLives() {
+    void anUnreachablePoseIsRefusedAndTheProgramContinues() {
         QVERIFY(!control_->moveJ_IK({2.5, 0, 0.3, 0, 3.1, 0}));
         QVERIFY(control_->getInverseKinematics({2.5, 0, 0.3, 0, 3.1, 0}).empty());
         QVERIFY(!control_->getInverseKinematicsHasSolution({2.5, 0, 0.3, 0, 3.1, 0}));
@@ -182,7 +182,7 @@ $6.0   P = 6
         QVERIFY(control_->moveJ(kStart));
     }
 
-    void movesOfManyWaypointsBlend() {
+    void movesThroughManyWaypointsBlend() {
         const List a = with(pose(), 2, 0.05);
         const List b = with(a, 0, 0.05);
         const auto row = [](List position, double speed, double acceleration, double blend) {
@@ -245,7 +245,7 @@ $6.0   P = 6
 
     // ---- streams ----------------------------------------------------------------------------------------
 
-    void speedsAreHeldUntilStopped() {
+    void speedsAreKeptUntilStopped() {
         QVERIFY(control_->speedJ({0, 0, 0, 0, 0, 0.3}, 2.0));
         QVERIFY(untilMoving());
         QVERIFY(cell_->pass(0.5));
@@ -260,7 +260,7 @@ $6.0   P = 6
         QVERIFY(untilStanding());
     }
 
-    void servoFollowsAndAMoveMayFollowAtOnce() {
+    void aMoveMayFollowAServoImmediately() {
         const List target = with(kStart, 5, 0.2);
         QVERIFY(cell_->until([&](const simulator::SimulatedState& t) {
             return !control_->servoJ(target, 0.5, 0.5, 0.002, 0.1, 300) || near(jointsOf(t), target, 5e-3);
@@ -303,7 +303,7 @@ $6.0   P = 6
     }
 
     // Motions without a target must end if their client stops sending.
-    void streamsEndWhenTheClientFallsSilent() {
+    void streamsEndWhenTheClientStopsSending() {
         QVERIFY(control_->speedJ({0, 0, 0, 0, 0, 0.2}, 2.0));
         QVERIFY(untilMoving());
         control_->disconnect();
@@ -317,7 +317,7 @@ $6.0   P = 6
 
     // ---- force mode, freedrive, contact -------------------------------------------------------------------
 
-    void forceModeBeginsAndEnds() {
+    void forceModeStartsAndEnds() {
         QVERIFY(control_->zeroFtSensor());
         QVERIFY(control_->forceModeSetDamping(0.1));
         QVERIFY(control_->forceModeSetGainScaling(0.5));
@@ -334,7 +334,7 @@ $6.0   P = 6
         QVERIFY(control_->moveJ(kStart));
     }
 
-    void forceModeIsAsCalmAsProgramsExpect() {
+    void forceModeUsesTheDefaultDampingAndGain() {
         ur_rtde::ScriptClient asking(cell_->host(), 5, 22, 30002);
         asking.connect();
         QVERIFY(
@@ -364,7 +364,7 @@ $6.0   P = 6
         QVERIFY(joints()[0] < kStart[0] + 0.9);
     }
 
-    void handsGuideTheArm() {
+    void theArmIsGuidedByHand() {
         QVERIFY(control_->freedriveMode());
         QCOMPARE(control_->getFreedriveStatus(), 0);
         QVERIFY(control_->freedriveMode({1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}));
@@ -379,7 +379,7 @@ $6.0   P = 6
         QVERIFY(control_->moveJ(kStart));  // the interface accepts commands again
     }
 
-    void contactsAreSeen() {
+    void contactsAreDetected() {
         QCOMPARE(control_->toolContact({0, 0, 0, 0, 0, 0}), 0);
         QVERIFY(control_->startContactDetection());
         QVERIFY(!control_->readContactDetection());

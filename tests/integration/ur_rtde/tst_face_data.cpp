@@ -77,7 +77,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(receive.isConnected(), 30'000);
     }
 
-    void everyValueIsThereAndRight() {
+    void everyValueIsPresentAndCorrect() {
         const simulator::SimulatedState truth = cell_->robot.truth();
         const auto q = truth.q.array();
         const auto pose = truth.tcpPose.array();
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(!receive_->isEmergencyStopped());
     }
 
-    void inputsAreSeen() {
+    void inputsAreReported() {
         cell_->robot.setDigitalInput(3, true);
         cell_->robot.setAnalogInput(0, 4.5);
         QVERIFY(until([&] { return receive_->getDigitalInState(3); }));
@@ -138,7 +138,7 @@ private Q_SLOTS:
         cell_->robot.setDigitalInput(3, false);
     }
 
-    void stopsAreSeen() {
+    void stopsAreReported() {
         test::FaceCell other([](simulator::SimulatorOptions& o) { o.listenAddress = test::ownAddress(2); });
         RTDEReceiveInterface receive(other.host(), 125.0, {"safety_status_bits", "runtime_state"});
         other.robot.protectiveStop();
@@ -258,7 +258,7 @@ private Q_SLOTS:
     }
 
     // If another client uses an output, only that output cannot be set.
-    void anOwnedInputIsRefusedAlone() {
+    void anInputOwnedByAnotherClientIsRefused() {
         RTDEIOInterface first(cell_->host());
         RTDEIOInterface second(cell_->host());
         QVERIFY(first.setInputIntRegister(20, 1));

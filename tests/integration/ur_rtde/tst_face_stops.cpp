@@ -42,7 +42,7 @@ private Q_SLOTS:
 
     // Like Ctrl-C in Python while the connection is blocked. The program does not receive "none" between the
     // move and its stop.
-    void aStopIsObeyedEvenWhenItFollowsTheMoveAtOnce() {
+    void aStopImmediatelyAfterAMoveIsObeyed() {
         static std::atomic<bool> impatient;
         impatient = false;
         urrtde::setInterruptCheck([] { return impatient.load(); });
@@ -63,7 +63,7 @@ private Q_SLOTS:
 
     // The move starts only after the previous move has been stopped. Its reply must not be taken for the
     // reply to the stop.
-    void aStopBehindAChangeOfCourseIsNotLost() {
+    void aStopAfterAReplacedMoveIsNotLost() {
         static std::atomic<bool> impatient;
         for (const bool interrupted : {false, true}) {
             impatient = false;
@@ -117,7 +117,7 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    void aPausedProgramObeysAStopWhenItGoesOn() {
+    void aPausedProgramObeysAStopWhenItResumes() {
         ur_rtde::DashboardClient pendant(cell_->host());
         pendant.connect();
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    void aStopIsFollowedByTheProgramsEndAtOnce() {
+    void aProgramStopMayFollowAStopImmediately() {
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.5, 1.4, true));
         QVERIFY(untilMoving());
         control_->stopJ(1.0, true);
@@ -187,7 +187,7 @@ private Q_SLOTS:
         QVERIFY(control_->moveJ(kStart));
     }
 
-    void stopsOvertakeACustomScript() {
+    void aStopInterruptsACustomScript() {
         const auto slow = [&] {
             return std::async(std::launch::async, [&] {
                 return control_->sendCustomScript(
@@ -265,13 +265,13 @@ private Q_SLOTS:
     }
 
     // A loop that reads the progress of an asynchronous motion must end when the motion ends for any reason.
-    void theProgressEndsWithTheProgramAndTheLink_data() {
+    void theProgressEndsWithTheProgramOrTheLink_data() {
         QTest::addColumn<int>("end");
         QTest::newRow("protective stop") << 0;
         QTest::newRow("dashboard stop") << 1;
         QTest::newRow("link") << 2;
     }
-    void theProgressEndsWithTheProgramAndTheLink() {
+    void theProgressEndsWithTheProgramOrTheLink() {
         QFETCH(int, end);
         QVERIFY(control_->moveJ(with(kStart, 0, 1.0), 0.05, 1.4, true));
         QVERIFY(untilMoving());

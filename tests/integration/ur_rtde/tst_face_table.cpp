@@ -144,7 +144,7 @@ class TestFaceTable : public QObject {
 
 private Q_SLOTS:
     // All names on the page must exist.
-    void thePageNamesNoMethodThatIsNotThere() {
+    void thePageListsOnlyExistingMethods() {
         QSet<QString> known;
         for (const Method& method : methodsIn("tests/data/ur_rtde/methods.txt")) {
             known.insert(method.owner + ' ' + method.name);

@@ -110,7 +110,7 @@ private Q_SLOTS:
         QVERIFY2(read.error().context.contains("Update Tiller"), qPrintable(read.error().context));
     }
 
-    void brokenFilesAreRefusedWithASentence_data() {
+    void brokenFilesAreRefusedWithAReason_data() {
         QTest::addColumn<QByteArray>("bytes");
         const auto row = [](const char* name, const QByteArray& bytes) { QTest::newRow(name) << bytes; };
         row("empty", {});
@@ -149,14 +149,14 @@ private Q_SLOTS:
         }
         row("many", withValues(many + "}"));
     }
-    void brokenFilesAreRefusedWithASentence() {
+    void brokenFilesAreRefusedWithAReason() {
         QFETCH(QByteArray, bytes);
         const Result<SettingsBundle> read = settingsFromJson(bytes);
         QCOMPARE(read.error().code, ErrorCode::FileCorrupt);
         QVERIFY2(read.error().context.size() > 10, "it says what is wrong");
     }
 
-    void everyBeginningOfAFileIsRefused() {
+    void everyTruncatedFileIsRefused() {
         const QByteArray whole = settingsToJson(example()).trimmed();
         for (qsizetype length = 0; length < whole.size(); ++length) {
             const Result<SettingsBundle> read = settingsFromJson(whole.left(length));
@@ -209,7 +209,7 @@ private Q_SLOTS:
         QVERIFY2(accepted > 0 && accepted < 5000, "some of the changes do no harm, some do");
     }
 
-    void importReplacesWholePartsAndKeepsACopy() {
+    void importReplacesWholeSectionsAndKeepsACopy() {
         QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini");
         Settings settings(file);
@@ -303,7 +303,7 @@ private Q_SLOTS:
         QVERIFY(next.preferences() == chosen);
     }
 
-    void brokenFilesLeaveTheSettingsAsTheyAre() {
+    void brokenFilesDoNotChangeTheSettings() {
         QTemporaryDir folder;
         const QString file = folder.filePath("settings.ini");
         {

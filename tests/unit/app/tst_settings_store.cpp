@@ -63,7 +63,7 @@ private Q_SLOTS:
         file_ = directory_->filePath("settings.ini");
     }
 
-    void writtenValuesAreReadBackAlsoByQSettings() {
+    void writtenValuesAreAlsoReadByQSettings() {
         const SettingsMap values = difficult();
         const SettingsMap read = settingsFromIni(settingsToIni(values));
         QCOMPARE(read.keys(), values.keys());

@@ -484,7 +484,7 @@ private Q_SLOTS:
 
     // Headers in detail/ are not installed, so a public header that includes one would not compile for a
     // user.
-    void publicHeadersDoWithoutDetails() {
+    void publicHeadersDoNotIncludeDetails() {
         QStringList violations;
         int headers = 0;
         for (const QString& file : sourceFiles()) {
@@ -546,7 +546,7 @@ private Q_SLOTS:
     }
 
     // The default of Qt Test, five seconds, is too short for a busy machine.
-    void testsThatWaitGiveTheirTimeout() {
+    void waitingTestsSpecifyTheirTimeout() {
         static const QRegularExpression withoutTimeout(QStringLiteral("\\bQTRY_(VERIFY|VERIFY2|COMPARE)\\("));
         QStringList found;
         for (const QString& file : sourceFiles()) {

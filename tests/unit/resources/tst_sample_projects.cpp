@@ -59,7 +59,7 @@ private:
 private Q_SLOTS:
     void initTestCase() { initResources(); }
 
-    void thereAreThree() {
+    void thereAreThreeSamples() {
         QCOMPARE(QDir(kFolder).entryList({"*.tiller"}, QDir::Files, QDir::Name),
                  (QStringList{"gluing.tiller", "measuring-round.tiller", "pick-and-place.tiller"}));
     }
@@ -136,8 +136,8 @@ private Q_SLOTS:
         }
     }
 
-    void oneLeadsToTheNextFromWhereTheSimulatedArmBegins_data() { everySample(); }
-    void oneLeadsToTheNextFromWhereTheSimulatedArmBegins() {
+    void waypointsAreReachableInOrderFromTheStartPose_data() { everySample(); }
+    void waypointsAreReachableInOrderFromTheStartPose() {
         QFETCH(QString, name);
         const project::Project sample = load(name);
         JointPositions at = kStart;
@@ -152,8 +152,8 @@ private Q_SLOTS:
         }
     }
 
-    void roundingACornerLeavesRoomForTheNext_data() { everySample(); }
-    void roundingACornerLeavesRoomForTheNext() {
+    void adjacentBlendsDoNotOverlap_data() { everySample(); }
+    void adjacentBlendsDoNotOverlap() {
         QFETCH(QString, name);
         const project::Project sample = load(name);
         for (int i = 1; i + 1 < sample.waypoints.size(); ++i) {

@@ -159,13 +159,13 @@ class TestCollisionCheck : public QObject {
 private Q_SLOTS:
     // The floor may be at any height below the shoulder, because the shoulder housing cannot get any closer
     // to it.
-    void whatNoJointMovesTowardsTheFloorIsNotMeasured_data() {
+    void bodiesThatCannotApproachTheFloorAreNotChecked_data() {
         QTest::addColumn<RobotModelId>("id");
         for (const RobotModel& model : robotModels()) {
             QTest::newRow(model.name) << model.id;
         }
     }
-    void whatNoJointMovesTowardsTheFloorIsNotMeasured() {
+    void bodiesThatCannotApproachTheFloorAreNotChecked() {
         QFETCH(const RobotModelId, id);
         const RobotModel model = robotModel(id);
         const double height = model.dh.d[0] - 0.05;
@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY2(contact && contact->with == Contact::With::Border && contact->link == 2,
                  "the upper arm still meets the floor");
     }
-    void ordinaryStancesAreFree() {
+    void ordinaryPosturesAreCollisionFree() {
         for (const RobotModel& model : robotModels()) {
             const CollisionCheck check(model, {}, {{}, {floorAt(0)}});
             for (const JointPositions& q : {kStance, JointPositions(0, -kPi / 2, 0, -kPi / 2, 0, 0),
@@ -202,7 +202,7 @@ private Q_SLOTS:
         }
     }
 
-    void theForearmMeetsTheBase() {
+    void theForearmCollidesWithTheBase() {
         for (const RobotModel& model : robotModels()) {
             const CollisionCheck check(model, {}, {});
             const std::vector<JointPositions> way = {JointPositions(0, -kPi / 2, 1.2, -kPi / 2, 0, 0),
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QCOMPARE(down->link, kToolLink);
     }
 
-    void alreadyInContactIsAtTheBeginning() {
+    void anInitialContactIsReportedAtTheStart() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         const CollisionCheck check(model, {}, {{}, {{"wall", Pose(0, 0, 5, 0, 0, 0)}}});
         const auto contact = check.along(std::vector{kStance, JointPositions(0, -1, 1, 0, 1, 0)});
@@ -283,7 +283,7 @@ private Q_SLOTS:
 
     // Pairs of bodies that no motion can bring together have no safety distance that could stop a motion. A
     // cache shared by several cells, arms and tools must find the same pairs as a check without a cache.
-    void whatNeverMeetsIsRememberedForTheSameArmOnly() {
+    void nonCollidingPairsAreCachedPerArm() {
         NeverMeeting known;
         const Surroundings cell{{{"box", Pose(0.5, 0, 0.2, 0, 0, 0), {0.1, 0.1, 0.1}}}, {floorAt(-0.1)}};
         const ToolBody tools[] = {{}, {Pose(0, 0, 0.25, 0, 0, 0), 0.06}};
@@ -308,7 +308,7 @@ private Q_SLOTS:
     }
 
     // A path that the arm cannot follow does not count as free of collisions.
-    void aPathWithNumbersThatAreNoneIsObstructed() {
+    void aPathWithNonFiniteValuesIsObstructed() {
         const CollisionCheck check(robotModel(RobotModelId::UR5e), {}, {});
         const JointPositions good(0, -1.57, 0.8, -1.57, -1.57, 0);
         QVERIFY(!check.obstruction(std::array{good, good}));
@@ -326,7 +326,7 @@ private Q_SLOTS:
         }
     }
 
-    void largeSafetyDistancesLeaveTheWristFree() {
+    void largeSafetyDistancesDoNotBlockTheWrist() {
         for (const RobotModel& model : robotModels()) {
             const CollisionCheck check(model, {}, {}, 0.03);
             const JointPositions from(0, -1.57, 1.57, -1.57, -1.57, 0);

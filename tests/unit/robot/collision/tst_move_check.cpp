@@ -46,7 +46,7 @@ private Q_SLOTS:
         QVERIFY((report.places.back() - kinematics::forwardTcp(ur5e().dh, to).position).norm() < 1e-12);
     }
 
-    void aLineGoesStraight() {
+    void aLineIsStraight() {
         const JointPositions to = shifted(kStance, {0.1, -0.1, 0.1});
         const MoveReport report = examined({kStance, to, true, 0.25, 1.2});
         QVERIFY(!report.limit);
@@ -62,7 +62,7 @@ private Q_SLOTS:
     }
 
     // Start and end are reachable. Between them is the cylinder around axis 1, which the wrist cannot reach.
-    void aLineThroughTheColumnEndsBeforeIt() {
+    void aLineThroughTheColumnEndsBeforeTheColumn() {
         Pose pose = kinematics::forwardTcp(ur5e().dh, kStance);
         pose.position.head<2>() *= -1;
         const auto to = kinematics::inverseNearest(ur5e().dh, pose, {}, kStance);
@@ -113,7 +113,7 @@ private Q_SLOTS:
     }
 
     // A slow-down does not hide a later collision.
-    void aCollisionComesBeforeAWarning() {
+    void aCollisionHasPriorityOverAWarning() {
         const JointPositions from(0.2, -1.4, 1.6, -1.2, 0.25, 0.1);
         JointPositions to = from;
         to[4] = 0.02;

@@ -69,7 +69,7 @@ private Q_SLOTS:
     }
 
     // The register keeps its value after the program has ended.
-    void aNumberThatRemainsIsNoProof() {
+    void anUnchangedNumberIsNotEvidence() {
         Robot robot;
         robot.alone = 0.7;
         robot.isUpdated = false;
@@ -89,7 +89,7 @@ private Q_SLOTS:
         }
     }
 
-    void aNumberOfAnotherProgramIsNoProof() {
+    void aNumberOfAnotherProgramIsNotEvidence() {
         for (const double pace : {-1.0, 0.0, 0.3, 2.0, 10.0}) {
             Robot robot;
             robot.alone = 3;
@@ -103,7 +103,7 @@ private Q_SLOTS:
 
     // At this pace, the delay between two packages is permitted, but the accumulated delay since the first
     // package is not.
-    void aNumberThatFallsBehindIsNoProofForLong() {
+    void aLaggingNumberIsAcceptedOnlyBriefly() {
         Robot robot;
         robot.alone = 1;
         robot.pace = 0.6;
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QVERIFY2(running < kPackages / 2, qPrintable(QString::number(running)));
     }
 
-    void aClientThatReturnsIsNoticedAtOnce() {
+    void aReturningClientIsDetectedImmediately() {
         Robot robot;
         robot.alone = 0.6;
         robot.go(1);
@@ -137,7 +137,7 @@ private Q_SLOTS:
         }
     }
 
-    void lostPackagesAndARestartOfTheRobot() {
+    void lostPackagesAreToleratedAndARestartIsDetected() {
         Robot robot;
         robot.alone = 0.6;
         robot.go(1);
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QVERIFY(!robot.program.isRunning());
     }
 
-    void registersThatAreMissingProveNothing() {
+    void missingRegistersAreNotEvidence() {
         AbandonedProgram program;
         for (int i = 0; i < 1000; ++i) {
             program.add(i * 0.002, RuntimeState::Playing, {kAbsent, kAbsent});

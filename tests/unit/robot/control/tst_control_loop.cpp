@@ -18,7 +18,7 @@ class TestControlLoop : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void controlIsProvedByAnEchoOfThisSession() {
+    void controlIsConfirmedByAnEchoOfThisSession() {
         Bench bench;
         bench.answering = false;
         bench.data.echo = {17,           3, ScriptState::Ready,
@@ -33,7 +33,7 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().loss, ControlLoss::None);
     }
 
-    void aProgramThatDoesNotRunIsNoControl() {
+    void aStoppedProgramGivesNoControl() {
         Bench bench;
         bench.data.runtimeState = RuntimeState::Stopped;
         bench.tick(5);
@@ -91,7 +91,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tick(10).kind, ScriptCommand::Idle);
     }
 
-    void aRefreshedJogGoesOn() {
+    void aRefreshedJogContinues() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startJog(0.05);
@@ -163,7 +163,7 @@ private Q_SLOTS:
         }
     }
 
-    void aProgramThatAnswersNoMoreEndsTheMotionThenTheControl() {
+    void anUnresponsiveProgramEndsTheMotionThenControl() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startMove(false);
@@ -240,7 +240,7 @@ private Q_SLOTS:
     }
 
     // Applies to a jog, to force mode alone, and to a stream that has just sent a set point.
-    void aStopGoesOutBetweenTwoPackages() {
+    void aStopIsSentBetweenTwoPackages() {
         LoopBench bench;
         bench.takeControl();
         Command command;
@@ -271,7 +271,7 @@ private Q_SLOTS:
         QVERIFY(command.kind == ScriptCommand::Idle);
     }
 
-    void aHungHolderIsFoundOutEvenWhenTheStreamStalls() {
+    void aHungHolderIsDetectedWhileTheStreamStalls() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startJog(0.05);

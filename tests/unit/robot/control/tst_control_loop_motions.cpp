@@ -38,7 +38,7 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().lastCause, StopCause::Completed);
     }
 
-    void aJogUntilContactEndsWhenTheForceChangesAndNotForOneNoisyPackage() {
+    void aJogUntilContactIgnoresASingleNoisyPackage() {
         Bench bench;
         bench.data.tcpForce = Eigen::Vector3d(0, 0, 30);  // a permanent load at the tool does not count
         bench.takeControl();
@@ -67,7 +67,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(jog), StopCause::Contact);
     }
 
-    void doneOfAnOlderEpochIsNotDone() {
+    void completionOfAnOlderEpochIsIgnored() {
         Bench bench;
         bench.takeControl();
         const MotionId move = bench.startMove(false);
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(move), StopCause::LinkLost);
     }
 
-    void aHeldMoveEndsWithoutItsHolder() {
+    void aHeldMoveEndsWithoutRefresh() {
         Bench bench;
         bench.takeControl();
         const MotionId move = bench.startMove(true);
@@ -99,7 +99,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(move), StopCause::EventLoopStalled);
     }
 
-    void aJogIntoALimitEndsAndNamesIt() {
+    void aJogIntoALimitEndsAndReportsIt() {
         Bench bench;
         bench.takeControl();
         bench.data.q[3] = kJointPositionLimit - 0.005;
@@ -181,7 +181,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(jog), StopCause::SelectionChanged);
     }
 
-    void fasterThanAskedBrakesBriskly() {
+    void aJogBrakesHardWhenFasterThanRequested() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startJog(0.2);
@@ -195,7 +195,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tick().acceleration, bench.limits.jogAcceleration);
     }
 
-    void theStopIsMeasuredFromTheMomentItWasAskedFor() {
+    void theStopIsMeasuredFromItsRequest() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startJog(0.1);
@@ -354,7 +354,7 @@ private Q_SLOTS:
     }
 
     // With a round trip of more than 100 ms, a stop would be delayed by the same time.
-    void aLateLinkEndsTheMotionAndLetsNoneBegin() {
+    void aLateLinkEndsTheMotionAndPreventsNewOnes() {
         Bench bench;
         bench.takeControl();
         const MotionId jog = bench.startJog(0.1);
@@ -401,7 +401,7 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.status().lastStop.count, 1U);
     }
 
-    void requestsTravelWithEveryPackageUntilTheNextOne() {
+    void requestsAreRepeatedUntilTheNextOne() {
         Bench bench;
         bench.takeControl();
         Request request;
@@ -426,7 +426,7 @@ private Q_SLOTS:
         QCOMPARE(bench.loop.answer().whole, 7);
     }
 
-    void aStopMayChooseItsBrakeAndTheNextOneDoesNotInheritIt() {
+    void theDecelerationOfAStopIsNotInherited() {
         Bench bench;
         bench.takeControl();
         bench.startStream();
@@ -442,7 +442,7 @@ private Q_SLOTS:
         QCOMPARE(bench.command.choice, 0);
     }
 
-    void forceModeIsPermittedOnlyWhileAllIsWell() {
+    void forceModeIsPermittedOnlyInNormalOperation() {
         Bench bench;
         bench.takeControl();
         QVERIFY(!bench.tick().forcePermitted);
@@ -454,7 +454,7 @@ private Q_SLOTS:
         QVERIFY(!bench.tick().forcePermitted);
     }
 
-    void aSilentHolderTakesForceModeWithIt() {
+    void forceModeEndsWithoutRefreshOfItsHolder() {
         Bench bench;
         bench.takeControl();
         bench.startMove(true);

@@ -41,14 +41,14 @@ private Q_SLOTS:
     }
 
     // Functions that the controller does not support are omitted, together with the features that need them.
-    void compilesWithoutWhatItCanDoWithout_data() {
+    void compilesWithoutOptionalFunctions_data() {
         QTest::addColumn<QString>("name");
         for (const char* name : {"teach_mode", "servoc", "is_within_safety_limits",
                                  "enable_external_ft_sensor", "time", "direct_torque", "get_mass_matrix"}) {
             QTest::newRow(name) << QString::fromLatin1(name);
         }
     }
-    void compilesWithoutWhatItCanDoWithout() {
+    void compilesWithoutOptionalFunctions() {
         QFETCH(QString, name);
         urscript::CompileOptions options;
         options.version = SoftwareVersion{5, 25, 1, 0};
@@ -62,21 +62,21 @@ private Q_SLOTS:
             options);
         QVERIFY2(bool(without), without.error.text.c_str());
     }
-    void whatItCannotDoWithoutIsNotLeftOut() {
+    void requiredFunctionsAreNotLeftOut() {
         QCOMPARE(refusedName(QStringLiteral("compile_error_name_not_found:speedl:")), QString());
         QCOMPARE(refusedName(QStringLiteral("syntax_error_on_line:3:teach_mode():")), QString());
     }
 
     // A controller may take two periods to transfer a package. Each period then contains a mixture of the two
     // newest packages.
-    void halfAPackageMovesNothing_data() {
+    void aPartialPackageMovesNothing_data() {
         QTest::addColumn<int>("pattern");
         QTest::newRow("first half first") << 0;
         QTest::newRow("last half first") << 1;
         QTest::newRow("every other") << 2;
         QTest::newRow("the others") << 3;
     }
-    void halfAPackageMovesNothing() {
+    void aPartialPackageMovesNothing() {
         QFETCH(int, pattern);
         Bench bench;
         bench.comesLate = [pattern](std::size_t i) {
@@ -136,7 +136,7 @@ private Q_SLOTS:
     }
 
     // The script's own period counter does not advance during a pause, but the clock does.
-    void whatWasToldBeforeAPauseIsOver() {
+    void commandsFromBeforeAPauseAreExpired() {
         for (const bool isMove : {false, true}) {
             Bench bench;
             bench.host.moveFrames = 1000;
@@ -180,7 +180,7 @@ private Q_SLOTS:
         }
     }
 
-    void aMotionWithoutAHeartbeatIsNotCountedBeforeItEnds() {
+    void aMotionMayFinishWithoutAHeartbeat() {
         Bench bench;
         bench.mayFinish = true;
         bench.host.moveFrames = 1000;
@@ -193,7 +193,7 @@ private Q_SLOTS:
     }
 
     // The arm is at standstill, but program time may resume at the previous speed.
-    void theArmIsStoppedHardBehindAPause() {
+    void theArmIsStoppedHardAfterAPause() {
         for (const bool moves : {false, true}) {
             for (const auto kind : {ScriptCommand::JogJoints, ScriptCommand::JogCartesian}) {
                 Bench bench;
@@ -214,14 +214,14 @@ private Q_SLOTS:
         }
     }
 
-    void aPauseShowsWithoutAClock_data() {
+    void aPauseIsDetectedWithoutAClock_data() {
         QTest::addColumn<int>("major");
         QTest::addColumn<int>("minor");
         QTest::newRow("5.16") << 5 << 16;
         QTest::newRow("5.0") << 5 << 0;
         QTest::newRow("CB3 3.15") << 3 << 15;
     }
-    void aPauseShowsWithoutAClock() {
+    void aPauseIsDetectedWithoutAClock() {
         QFETCH(int, major);
         QFETCH(int, minor);
         constexpr double kSpeed = 0.1;
@@ -258,7 +258,7 @@ private Q_SLOTS:
         }
     }
 
-    void nothingIsLeftUnfilled() {
+    void noPlaceholderIsLeftInTheScript() {
         const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kArm);
         QVERIFY(!script.text.contains(QLatin1String("{{")));
         QVERIFY(script.text.startsWith(QLatin1String("def ")));
@@ -295,7 +295,7 @@ private Q_SLOTS:
         QVERIFY(bench.host.motions.empty());
     }
 
-    void packagesOfAnotherSessionAreNotHeard() {
+    void packagesOfAnotherSessionAreIgnored() {
         Bench bench;
         for (int i = 0; i < 20; ++i) {
             Command other;
@@ -329,7 +329,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::StopL>(), 0);
     }
 
-    void toolAndCustomFramesAreTurnedIntoTheBase() {
+    void toolAndCustomFramesAreTransformedToTheBase() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         Command jog;
@@ -392,7 +392,7 @@ private Q_SLOTS:
         QCOMPARE(bench.host.motions.size(), before);
     }
 
-    void theAnswerGoesOnWhileTheArmBrakes() {
+    void repliesContinueWhileTheArmBrakes() {
         Bench bench;
         bench.host.moveFrames = 200;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -405,8 +405,8 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Braking);
     }
 
-    void silenceEndsEveryMotion_data() { aStopBrakesInTheSameFrame_data(); }
-    void silenceEndsEveryMotion() {
+    void missingHeartbeatEndsEveryMotion_data() { aStopBrakesInTheSameFrame_data(); }
+    void missingHeartbeatEndsEveryMotion() {
         QFETCH(int, kind);
         const auto command = static_cast<ScriptCommand>(kind);
         Bench bench;
@@ -521,7 +521,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::StopJ>(), 2);
     }
 
-    void theTimeToLiveIs100MsOnOldControllersToo() {
+    void theTimeToLiveIsAlso100MsOnOldControllers() {
         Bench bench(RegisterRange::Lower, {3, 15, 0, 0});
         bench.host.moveFrames = 1000;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -567,7 +567,7 @@ private Q_SLOTS:
         QCOMPARE(std::get<Pose>(move.target).rotation.z(), 0.6);
     }
 
-    void aMoveKeepsItsTargetWhateverComesUnderItsNumber() {
+    void aMoveKeepsItsTargetForTheSameEpoch() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.hold(ScriptCommand::MoveJ, 2, 3, {1, 1, 1, 1, 1, 1});
@@ -623,7 +623,7 @@ private Q_SLOTS:
         QVERIFY(bench.running());
     }
 
-    void endStopsAndLeaves() {
+    void endStopsTheArmAndTheProgram() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.hold(ScriptCommand::JogCartesian, 2, 5, {0.1, 0, 0, 0, 0, 0});
@@ -634,7 +634,7 @@ private Q_SLOTS:
         QVERIFY(!bench.running());
     }
 
-    void aProgramNobodyTalksToEndsByItself() {
+    void aProgramWithoutAClientEnds() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.frame(2490);
@@ -644,7 +644,7 @@ private Q_SLOTS:
     }
 
     // A rotation keeps the TCP at its initial position, and deviations are corrected.
-    void aRotationLeadsTheTcpBack() {
+    void aRotationKeepsTheTcpInPlace() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.hold(ScriptCommand::JogCartesian, 2, 2, {0, 0, 0, 0, 0, 0.5});

@@ -92,7 +92,7 @@ class TestControlScriptCommands : public QObject {
 
 private Q_SLOTS:
     // Standard output 2, configurable output 1 and tool output 0 in one command; the robot measures the time.
-    void pulsedOutputsGoBackAfterTheirTime() {
+    void pulsedOutputsReturnAfterTheirDuration() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.host.pins[16] = true;
@@ -113,7 +113,7 @@ private Q_SLOTS:
     }
 
     // Without a heartbeat, a Held pulse ends like a motion. Other pulses end after their duration.
-    void aSilentComputerEndsHeldPulsesOnly() {
+    void aMissingHeartbeatEndsOnlyHeldPulses() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.ask(RequestKind::BeginPulses, 1 << 1, {0.5, 1 << 1, 1, 0, 0, 0});
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(bench.running());
     }
 
-    void aPulseThatIsEndedGoesBackAtOnce() {
+    void aCancelledPulseReturnsImmediately() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.ask(RequestKind::BeginPulses, 1 << 3, {60, 1 << 3, 0, 0, 0, 0});
@@ -141,7 +141,7 @@ private Q_SLOTS:
 
     // All pulses end with the program, whether it ends on request or because it received no data for five
     // seconds.
-    void aProgramThatEndsEndsItsPulses() {
+    void theEndOfTheProgramEndsItsPulses() {
         for (const bool asked : {true, false}) {
             Bench bench;
             bench.hold(ScriptCommand::Idle, 1, 2);
@@ -156,7 +156,7 @@ private Q_SLOTS:
         }
     }
 
-    void aServoHoldsItsPlaceThenFollows() {
+    void aServoHoldsPositionThenFollows() {
         Bench bench;
         bench.host.q = JointPositions(0.19, -1, 1, -1, -1, 0);
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -217,7 +217,7 @@ private Q_SLOTS:
         }
     }
 
-    void aPoseOutOfReachEndsTheServoNotTheProgram() {
+    void anUnreachablePoseEndsTheServoNotTheProgram() {
         Bench bench;
         bench.host.reachable = false;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -233,7 +233,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::Move>(), 0);
     }
 
-    void speedStreamsGoOnWithTheNewestValues() {
+    void speedStreamsUseTheNewestValues() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.hold(ScriptCommand::SpeedL, 2, 5, {0, 0, 0.1, 0, 0, 0});
@@ -244,7 +244,7 @@ private Q_SLOTS:
         QCOMPARE(bench.last<urscript::SpeedJ>()->qd[5], 0.3);
     }
 
-    void aStopBrakesAsItWasAskedTo() {
+    void aStopUsesTheRequestedDeceleration() {
         Bench bench;
         moveInEpoch2(bench);
         bench.send(stopJ(3, 0.7));
@@ -257,7 +257,7 @@ private Q_SLOTS:
         QCOMPARE(bench.count<urscript::StopJ>(), 2);
     }
 
-    void aSectionRunsOnceAndKeepsItsHandsOffTheProgram() {
+    void aSectionRunsOnceAndCannotChangeTheProgram() {
         Bench bench(RegisterRange::Upper, {5, 22, 0, 0},
                     QStringLiteral("speed = 77\nvalues = 1\ntiller_waypoint = 2\n"
                                    "movej([0,0,0,0,0,0], a=1, v=speed)"));
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QCOMPARE(move.velocity, 0.5);
     }
 
-    void linesOfASectionAreFoundAgain() {
+    void errorLinesAreMappedToTheSection() {
         const ControlScript plain = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kArm);
         const ControlScript script = controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kArm,
                                                    QStringLiteral("a = 1\nb = 2\nc = 3"));
@@ -302,7 +302,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatASectionDoesNotUseIsNotInItsProgram() {
+    void functionsUnusedByASectionAreLeftOut() {
         const auto text = [](const char* section) {
             return controlScript({5, 22, 0, 0}, RegisterRange::Upper, 1, {}, kArm,
                                  QString::fromLatin1(section))
@@ -315,7 +315,7 @@ private Q_SLOTS:
         QVERIFY(text("path_offset_enable()").contains(QLatin1String("path_offset_disable(")));
     }
 
-    void contactEndsTheMoveAndGoesBackToWhereItBegan() {
+    void contactEndsTheMoveAndReturnsToTheContactPoint() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         bench.hold(ScriptCommand::UntilContact, 2, 10, {0, 0, -0.05, 0, 0, 0});
@@ -329,7 +329,7 @@ private Q_SLOTS:
         QCOMPARE(std::get<JointPositions>(back.target)[0], bench.host.q[0] - 7);
     }
 
-    void watchedContactEndsWhateverMoves() {
+    void watchedContactEndsAnyMotion() {
         Bench bench;
         bench.host.moveFrames = 1000;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -345,12 +345,12 @@ private Q_SLOTS:
     }
 
     // The motion back from the contact is part of the watched motion, so a stop ends it too.
-    void aWatchedContactMayLeadBackAndAStopEndsThat_data() {
+    void aStopEndsTheReturnAfterAWatchedContact_data() {
         QTest::addColumn<bool>("stopped");
         QTest::newRow("to the end") << false;
         QTest::newRow("stopped") << true;
     }
-    void aWatchedContactMayLeadBackAndAStopEndsThat() {
+    void aStopEndsTheReturnAfterAWatchedContact() {
         QFETCH(bool, stopped);
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -374,7 +374,7 @@ private Q_SLOTS:
         QVERIFY(bench.last<urscript::SpeedL>() == nullptr);
     }
 
-    void whatTouchesWhenTheWatchBeginsIsNoContact() {
+    void anInitialForceIsNotAContact() {
         Bench bench;
         bench.host.contact = 2;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -388,7 +388,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Braking);
     }
 
-    void aClientThatSaidGoodbyeLeavesMovesToTheirEnd_data() {
+    void movesContinueAfterTheClientSignsOff_data() {
         QTest::addColumn<ScriptCommand>("kind");
         QTest::addColumn<bool>("finishes");
         QTest::newRow("movej") << ScriptCommand::MoveJ << true;
@@ -399,7 +399,7 @@ private Q_SLOTS:
         QTest::newRow("until contact") << ScriptCommand::UntilContact << false;
         QTest::newRow("freedrive") << ScriptCommand::Freedrive << false;
     }
-    void aClientThatSaidGoodbyeLeavesMovesToTheirEnd() {
+    void movesContinueAfterTheClientSignsOff() {
         QFETCH(ScriptCommand, kind);
         QFETCH(bool, finishes);
         Bench bench(RegisterRange::Upper, {5, 22, 0, 0}, QStringLiteral("sleep(0.4)"));
@@ -415,8 +415,8 @@ private Q_SLOTS:
         QVERIFY(bench.running());  // for the next client
     }
 
-    void aMoveMayBeGivenALongerSilence_data() { aClientThatSaidGoodbyeLeavesMovesToTheirEnd_data(); }
-    void aMoveMayBeGivenALongerSilence() {
+    void aMoveMayHaveALongerHeartbeatTimeout_data() { movesContinueAfterTheClientSignsOff_data(); }
+    void aMoveMayHaveALongerHeartbeatTimeout() {
         QFETCH(ScriptCommand, kind);
         QFETCH(bool, finishes);
         Bench bench(RegisterRange::Upper, {5, 22, 0, 0}, QStringLiteral("sleep(2)"));
@@ -433,7 +433,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Expired);
     }
 
-    void theNextMotionHasNothingOfTheSilenceBefore() {
+    void theHeartbeatTimeoutIsNotInherited() {
         Bench bench;
         bench.host.moveFrames = 1000;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -450,7 +450,7 @@ private Q_SLOTS:
         QCOMPARE(bench.state(), ScriptState::Expired);
     }
 
-    void setPointsMayBeHeldForATimeAndGivenInTheToolsAxes() {
+    void setpointsMayHaveADurationAndUseToolAxes() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         Command speed;
@@ -468,7 +468,7 @@ private Q_SLOTS:
         QCOMPARE(bench.last<urscript::SpeedL>()->duration, 0.05);
     }
 
-    void anUnguardedServoGoesWhereItIsTold() {
+    void anUnguardedServoFollowsItsTarget() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         Command unguarded = servo(ScriptCommand::ServoJ, 2, true);
@@ -482,7 +482,7 @@ private Q_SLOTS:
         QCOMPARE(bench.last<urscript::ServoJ>()->q[0], 2.0);
     }
 
-    void torquesGoOutInEachPeriodOnceThereAreSome() {
+    void torquesAreSentInEachPeriodAfterTheFirst() {
         Bench bench(RegisterRange::Upper, kHasTorque);
         bench.host.tcpVelocity = {};
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -577,7 +577,7 @@ private Q_SLOTS:
     }
 
     // If an external force keeps pushing the arm, position control takes over after 0.1 s.
-    void theDampingTakesATenthOfASecondAtMost() {
+    void theDampingTakesAtMost100Ms() {
         TorqueBench bench;
         const int before = bench.count<urscript::DirectTorque>();
         for (int i = 0; i < 100 && bench.last<urscript::StopJ>() == nullptr; ++i) {
@@ -587,7 +587,7 @@ private Q_SLOTS:
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
     }
 
-    void theDampingAsksForNoMoreThanTheJointsCanGive() {
+    void theDampingStaysWithinTheJointTorqueLimits() {
         TorqueBench bench;
         bench.host.inertia = 100;
         bench.host.qd = JointVelocities(0.4, 0.2, 0, 0, 0, 0);
@@ -611,7 +611,7 @@ private Q_SLOTS:
         QCOMPARE(bench.last<urscript::StopJ>()->deceleration, 20.0);
     }
 
-    void torquesBeforeTheFirstOnesNeedNoDamping() {
+    void aStopBeforeTheFirstTorquesNeedsNoDamping() {
         TorqueBench bench;
         bench.hold(ScriptCommand::Idle, 3, 100);
         const int before = bench.count<urscript::DirectTorque>();
@@ -629,7 +629,7 @@ private Q_SLOTS:
     }
 
     // During a pause, the controller has returned to position control and the arm has stopped.
-    void noTorqueIsGivenBehindAPause() {
+    void noTorqueIsSentAfterAPause() {
         TorqueBench bench;
         const int before = bench.count<urscript::DirectTorque>();
         bench.host.timeNs += 200'000'000;
@@ -668,7 +668,7 @@ private Q_SLOTS:
         QVERIFY(bench.last<urscript::StopJ>() != nullptr);
     }
 
-    void halfOfTheNextPackageLeavesNoPeriodWithoutTorque() {
+    void aPartialPackageLeavesNoPeriodWithoutTorque() {
         for (const bool first : {false, true}) {
             TorqueBench bench;
             bench.comesLate = [first](std::size_t i) {
@@ -685,7 +685,7 @@ private Q_SLOTS:
         }
     }
 
-    void onlySoftwareThatHasTorquesGetsThem_data() {
+    void onlySoftwareWithTorqueSupportReceivesTorques_data() {
         QTest::addColumn<QList<int>>("version");
         QTest::addColumn<bool>("has");
         QTest::newRow("CB3") << QList<int>{3, 15, 8} << false;
@@ -695,7 +695,7 @@ private Q_SLOTS:
         QTest::newRow("10.12.0") << QList<int>{10, 12, 0} << false;
         QTest::newRow("10.12.1") << QList<int>{10, 12, 1} << true;
     }
-    void onlySoftwareThatHasTorquesGetsThem() {
+    void onlySoftwareWithTorqueSupportReceivesTorques() {
         QFETCH(QList<int>, version);
         QFETCH(bool, has);
         const SoftwareVersion software{static_cast<std::uint32_t>(version[0]),
@@ -739,12 +739,12 @@ private Q_SLOTS:
         QVERIFY(called(bench, "end_freedrive"));
     }
 
-    void forceModeLastsNoLongerThanItsPermit_data() {
+    void forceModeEndsWithItsPermit_data() {
         QTest::addColumn<bool>("silence");
         QTest::newRow("permit taken back") << false;
         QTest::newRow("link lost") << true;
     }
-    void forceModeLastsNoLongerThanItsPermit() {
+    void forceModeEndsWithItsPermit() {
         QFETCH(bool, silence);
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -764,7 +764,7 @@ private Q_SLOTS:
         QVERIFY(called(bench, "end_force_mode"));
     }
 
-    void forceModeDoesNotOutliveAPause() {
+    void forceModeEndsWithAPause() {
         Bench bench;
         bench.forcePermitted = true;
         bench.hold(ScriptCommand::Idle, 1, 2);
@@ -779,7 +779,7 @@ private Q_SLOTS:
     }
 
     // The software has neither a clock nor a position record.
-    void forceModeDoesNotOutliveAPauseOfOldSoftware() {
+    void forceModeEndsWithAPauseOnOldSoftware() {
         for (const bool moves : {false, true}) {
             Bench bench(RegisterRange::Upper, {3, 15, 0, 0});
             bench.forcePermitted = true;
@@ -797,7 +797,7 @@ private Q_SLOTS:
         }
     }
 
-    void forceModeDoesNotBeginWithoutItsPermit() {
+    void forceModeDoesNotStartWithoutItsPermit() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         QCOMPARE(bench.ask(RequestKind::ForceMode, 4 + 2 * 64, {0, 0, 10, 0, 0, 0}).outcome,
@@ -805,13 +805,13 @@ private Q_SLOTS:
         QVERIFY(!called(bench, "force_mode 2"));
     }
 
-    void whatASectionBeganEndsWithIt_data() {
+    void modesStartedByASectionEndWithIt_data() {
         QTest::addColumn<QString>("end");
         QTest::newRow("stop") << "stop";
         QTest::newRow("silence") << "silence";
         QTest::newRow("its own end") << "its own end";
     }
-    void whatASectionBeganEndsWithIt() {
+    void modesStartedByASectionEndWithIt() {
         QFETCH(QString, end);
         const QString wait =
             end == QLatin1String("its own end") ? QStringLiteral("sync()") : QStringLiteral("sleep(100)");
@@ -833,7 +833,7 @@ private Q_SLOTS:
         QVERIFY(called(bench, "end_freedrive"));
     }
 
-    void aLaterStopNeverBrakesMoreSoftly() {
+    void aLaterStopNeverReducesTheDeceleration() {
         Bench bench;
         moveInEpoch2(bench);
         bench.send(stopJ(3, 8));
@@ -869,7 +869,7 @@ private Q_SLOTS:
         QVERIFY(bench.running());
     }
 
-    void inverseKinematicsWithoutASolutionIsAnAnswer() {
+    void inverseKinematicsReportsAMissingSolution() {
         Bench bench;
         bench.hold(ScriptCommand::Idle, 1, 2);
         QCOMPARE(bench.ask(RequestKind::InverseKinematics, 0, {0.3, 0.2, 0.1, 0, 0, 0}).outcome,
@@ -892,7 +892,7 @@ private Q_SLOTS:
         QVERIFY(bench.host.load.mass != 3.0);
     }
 
-    void whatOldSoftwareLacksIsNotInItsProgram() {
+    void functionsMissingInOldSoftwareAreLeftOut() {
         for (const auto& version : {SoftwareVersion{3, 5, 0, 0}, SoftwareVersion{5, 3, 0, 0}}) {
             const QString text = controlScript(version, RegisterRange::Lower, 1, {}, kArm).text;
             for (const char* name : {"tool_contact(", "get_inverse_kin_has_solution(",

@@ -12,7 +12,7 @@ class TestEpoch : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aMotionIsActiveFromItsBeginToItsEnd() {
+    void aMotionIsActiveFromStartToEnd() {
         Epoch epoch;
         QCOMPARE(epoch.activeMotion(), kNoMotion);
         const MotionId motion = epoch.beginMotion(10);
@@ -25,7 +25,7 @@ private Q_SLOTS:
         QCOMPARE(epoch.endedNs(motion), 20);
     }
 
-    void everyStopMovesTheEpochOnEvenWithNothingToStop() {
+    void everyStopAdvancesTheEpochEvenWithoutMotion() {
         Epoch epoch;
         const std::uint64_t before = epoch.current();
         epoch.stop(StopCause::Escape, 0);
@@ -33,7 +33,7 @@ private Q_SLOTS:
         QCOMPARE(epoch.current(), before + 2);
     }
 
-    void aNewMotionEndsTheOldOneAsSuperseded() {
+    void aNewMotionSupersedesThePreviousOne() {
         Epoch epoch;
         const MotionId first = epoch.beginMotion(0);
         const MotionId second = epoch.beginMotion(0);
@@ -42,7 +42,7 @@ private Q_SLOTS:
         QVERIFY(epoch.isActive(second));
     }
 
-    void endingAnEndedMotionTouchesNothing() {
+    void endingAnEndedMotionChangesNothing() {
         Epoch epoch;
         const MotionId first = epoch.beginMotion(0);
         epoch.stop(StopCause::Space, 0);
@@ -52,7 +52,7 @@ private Q_SLOTS:
         QCOMPARE(epoch.state(first).cause, StopCause::Space);
     }
 
-    void causesAreRememberedForALongWhile() {
+    void stopCausesAreKept() {
         Epoch epoch;
         std::vector<std::pair<MotionId, StopCause>> ended;
         for (int i = 0; i < 100; ++i) {
@@ -66,7 +66,7 @@ private Q_SLOTS:
         }
     }
 
-    void numbersNeverGivenAreEnded() {
+    void unknownMotionIdsCountAsEnded() {
         const Epoch epoch;
         QCOMPARE(epoch.state(12345).phase, MotionPhase::Ended);
         QCOMPARE(epoch.state(kNoMotion).phase, MotionPhase::Ended);

@@ -54,7 +54,7 @@ private Q_SLOTS:
         QCOMPARE(box.active(0)->jog.twist.linear.x(), 0.1);
     }
 
-    void aStopDropsTheCommandForGood() {
+    void aStopDiscardsTheCommandPermanently() {
         Mailbox box;
         const MotionId motion = box.start(jogX(0.01), 0);
         box.stop(StopCause::Escape, 0);
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(box.active(0), nullptr);
     }
 
-    void aHolderSilentForTooLongLosesTheMotion() {
+    void aMotionEndsWithoutTimelyRefresh() {
         Mailbox box;
         const MotionId motion = box.start(jogX(0.01), ms(0));
         QVERIFY(box.refresh(motion, ms(90)));
@@ -76,7 +76,7 @@ private Q_SLOTS:
 
     // The refresh is late but arrives before the control thread has checked. It must not reactivate the
     // motion.
-    void aLateRefreshIsTheEnd() {
+    void aLateRefreshDoesNotResumeTheMotion() {
         Mailbox box;
         const MotionId motion = box.start(jogX(0.01), ms(0));
         QVERIFY(!box.refresh(motion, ms(101)));
@@ -84,7 +84,7 @@ private Q_SLOTS:
         QCOMPARE(box.active(ms(101)), nullptr);
     }
 
-    void aFreeMotionNeedsNoHolder() {
+    void aFreeMotionNeedsNoRefresh() {
         Mailbox box;
         MotionCommand command;
         command.kind = MotionCommand::Kind::MoveJ;
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QVERIFY(box.refresh(motion, ms(60'001)));
     }
 
-    void aNewMotionIsNotJudgedByTheOldOnesRefresh() {
+    void theRefreshOfAnOldMotionDoesNotCountForANewOne() {
         Mailbox box;
         box.start(jogX(0.01), ms(0));
         const MotionId second = box.start(jogX(0.02), ms(5000));
@@ -201,7 +201,7 @@ private Q_SLOTS:
         QCOMPARE(mailbox.epoch().activeMotion(), kNoMotion);
     }
 
-    void aBrakeBelongsToItsEpochAlone() {
+    void aDecelerationAppliesOnlyToItsEpoch() {
         Mailbox mailbox;
         const auto epoch = mailbox.stop({0, Brake::Along::Line, 0.3, 0.4}, StopCause::ApiCall, 1);
         mailbox.start({}, 2);

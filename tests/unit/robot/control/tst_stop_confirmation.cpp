@@ -53,7 +53,7 @@ class TestStopConfirmation : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void standstillThatOurProgramReportsConfirms() {
+    void standstillReportedByOurProgramConfirmsTheStop() {
         Scene scene;
         const auto [seen, ms] = scene.verdict([&](int now) {
             scene.evidence.moving = now < 60;
@@ -62,26 +62,26 @@ private Q_SLOTS:
         QCOMPARE(seen, Verdict::Confirmed);
         QCOMPARE(ms, 60);
     }
-    void standstillWithoutAProgramConfirms() {
+    void standstillWithoutAProgramConfirmsTheStop() {
         Scene scene;
         scene.evidence.moving = false;
         scene.evidence.stopped = true;
         scene.evidence.inControl = false;
         QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
     }
-    void dataFromBeforeTheStopDoNotConfirmIt() {
+    void dataFromBeforeTheStopDoNotConfirmTheStop() {
         Scene scene;
         scene.evidence.moving = false;
         scene.evidence.restingEpoch = kEpoch;
         QCOMPARE(scene.confirmation.look(scene.evidence), Verdict::Waiting);
         QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
     }
-    void aNewMotionOfOursConfirmsThatOurProgramObeys() {
+    void ourNewMotionConfirmsThatTheProgramResponds() {
         Scene scene;
         scene.evidence.executedEpoch = kEpoch + 1;
         QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
     }
-    void withoutFreshControlDataEveryRouteIsUsedAtOnce() {
+    void withoutFreshControlDataAllRoutesAreUsedImmediately() {
         Scene scene;
         scene.evidence.inControl = false;
         QCOMPARE(scene.lookAfter(10), Verdict::EveryRoute);
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(ms, 100);
     }
     // Stopping from a high speed takes longer, without a loss of control.
-    void anArmThatBrakesIsLeftToBrake() {
+    void aBrakingArmNeedsNoFurtherStop() {
         Scene fast;
         fast.evidence.tcpSpeed = 0.8;
         fast.evidence.jointSpeed = 1.6;
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(verdict, Verdict::Confirmed);
         QCOMPARE(after, 400);
     }
-    void brakingThatStopsHalfwayIsNoBraking() {
+    void interruptedBrakingTriggersAllRoutes() {
         Scene scene;
         const auto [seen, ms] = scene.verdict([&](int now) {
             scene.evidence.tcpSpeed = std::max(0.1, 0.2 - 0.001 * now);
@@ -123,7 +123,7 @@ private Q_SLOTS:
         QCOMPARE(ms, 200);
     }
     // A user presses the key repeatedly.
-    void furtherStopsDoNotPostponeTheVerdict() {
+    void furtherStopsDoNotExtendTheTimeout() {
         for (const bool fresh : {false, true}) {
             Scene scene;
             std::uint64_t epoch = kEpoch;
@@ -137,7 +137,7 @@ private Q_SLOTS:
             QCOMPARE(ms, fresh ? 100 : 200);
         }
     }
-    void theNewestOfSeveralStopsIsToBeConfirmed() {
+    void theLatestOfSeveralStopsIsConfirmed() {
         Scene scene;
         scene.confirmation.repeat(kEpoch + 2);
         scene.evidence.moving = false;
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QCOMPARE(scene.lookAfter(10), Verdict::Confirmed);
     }
     // Another program has replaced Tiller's program and is waiting.
-    void standstillThatOurProgramDoesNotReportIsNotEnough() {
+    void standstillNotReportedByOurProgramIsNotSufficient() {
         Scene scene;
         const auto [seen, ms] = scene.verdict([&](int) { scene.evidence.moving = false; });
         QCOMPARE(seen, Verdict::EveryRoute);

@@ -34,7 +34,7 @@ class TestStopMeter : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void measuresTimeAndPathOfAStop() {
+    void measuresTimeAndDistanceOfAStop() {
         StopMeter meter;
         Braking arm{meter, 0, 0, 0.1};
         for (int i = 0; i < 10; ++i) {
@@ -55,7 +55,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(meter.last().distanceMm - (arm.x - startedAt) * 1000) < 0.01);
     }
 
-    void standingStillForOneSampleIsNotYetStandstill() {
+    void oneSampleWithoutMotionIsNotYetStandstill() {
         StopMeter meter;
         meter.begin(StopCause::Space, 0);
         QVERIFY(!meter.add({kStepNs, {0, 0, 0}, 0, 0}));
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QCOMPARE(meter.last().count, 1U);
     }
 
-    void aTurningJointIsNotStandstill() {
+    void aRotatingJointIsNotStandstill() {
         StopMeter meter;
         meter.begin(StopCause::Space, 0);
         for (int i = 1; i < 20; ++i) {

@@ -48,14 +48,14 @@ class TestVelocityLimiter : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void slowMotionInTheOpenIsLeftAlone() {
+    void slowMotionAwayFromLimitsIsNotLimited() {
         const Limiter limiter = limitAt(linear(0.05, 0, 0), kGoodPose);
         QCOMPARE(limiter.kind, LimiterKind::None);
         QCOMPARE(limiter.scale, 1.0);
     }
 
     // A robot that reports incomplete or implausible values gets the limits of its model and can be moved.
-    void unreportedValuesComeFromTheModel() {
+    void unreportedValuesAreTakenFromTheModel() {
         const ArmLimits model = ArmLimits::of(ur5e());
         script::RobotConfiguration told;
         told.dh = ur5e().dh;
@@ -85,7 +85,7 @@ private Q_SLOTS:
 
     // If a joint position or the TCP pose is not finite, the distance to the limits is unknown, so the jog
     // must not move the arm.
-    void numbersThatAreNoneStopTheJog() {
+    void nonFiniteValuesStopTheJog() {
         const JogTarget jogs[] = {linear(0.05, 0, 0), joint(1, 0.1)};
         for (const double nonsense : {std::nan(""), std::numeric_limits<double>::infinity()}) {
             for (const JogTarget& jog : jogs) {
@@ -116,7 +116,7 @@ private Q_SLOTS:
         }
     }
 
-    void theTcpIsHeldToTheCapInEveryDirection() {
+    void theTcpSpeedIsLimitedInEveryDirection() {
         for (const JogTarget& target : {linear(0.5, 0, 0), linear(0.3, -0.3, 0.3), linear(0, 0, -10)}) {
             const Limiter limiter = limitAt(target, kGoodPose);
             QVERIFY(limiter.scale > 0);
@@ -125,7 +125,7 @@ private Q_SLOTS:
         QCOMPARE(limitAt(linear(0.5, 0, 0), kGoodPose).kind, LimiterKind::TcpSpeed);
     }
 
-    void rotationIsHeldToItsCap() {
+    void rotationSpeedIsLimited() {
         JogTarget target;
         target.twist.angular = {0, 0, 2};
         const Limiter limiter = limitAt(target, kGoodPose);
@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(2 * limiter.scale - 45 * kDeg) < 1e-9);
     }
 
-    void aJointJogIsHeldToItsCap() {
+    void aJointJogIsLimitedToItsCap() {
         const Limiter limiter = limitAt(joint(5, 2), kGoodPose);
         QCOMPARE(limiter.kind, LimiterKind::JointSpeed);
         QCOMPARE(limiter.joint, 5);
@@ -174,7 +174,7 @@ private Q_SLOTS:
     }
 
     // The elbow moves outwards while the TCP is on the base axis and hardly moves.
-    void theElbowIsHeldToTheCapToo() {
+    void theElbowSpeedIsAlsoLimited() {
         MotionLimits limits;
         limits.jointSpeed = 3;
         const JointPositions folded(0, 0, 170 * kDeg, 0, 90 * kDeg, 0);
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(3 * 0.425 * limiter.scale <= 0.25 + 1e-3);
     }
 
-    void theToolFramesDirectionFollowsTheTool() {
+    void toolFrameDirectionsFollowTheTool() {
         JogTarget target = linear(0, 0, 0.1);
         target.frame = JogFrame::Tool;
         const Pose tcp = tcpAt(kGoodPose);
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QVERIFY((twistInBase(target, tcp).linear - expected).norm() < 1e-12);
     }
 
-    void aCustomFrameCountsByItsRotationOnly() {
+    void onlyTheRotationOfACustomFrameMatters() {
         JogTarget target = linear(0.1, 0, 0);
         target.frame = JogFrame::Custom;
         target.T_base_frame = Pose(9, 9, 9, 0, 0, 90 * kDeg);
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QCOMPARE(limitAt(joint(3, -0.2), q).scale, 1.0);
     }
 
-    void cartesianMotionSlowsDownForAJointLimitAndNamesIt() {
+    void cartesianMotionSlowsNearAJointLimitAndReportsIt() {
         JointPositions q = kGoodPose;
         q[0] = kJointPositionLimit - 0.012;
         // The tangential direction, which rotates the base further.
@@ -252,7 +252,7 @@ private Q_SLOTS:
         QCOMPARE(limitAt(linear(-in.x(), -in.y(), 0), q).scale, 1.0);
     }
 
-    void nearASingularityTheWayInSlowsDownAndTheWayOutDoesNot() {
+    void onlyMotionTowardsASingularitySlowsDown() {
         JointPositions q = kGoodPose;
         q[2] = -8 * kDeg;  // elbow nearly straight
         q[1] = -60 * kDeg;
@@ -268,7 +268,7 @@ private Q_SLOTS:
         QVERIFY(folding.scale > stretching.scale);
     }
 
-    void inTheSingularityItselfEveryNumberIsFinite() {
+    void allValuesAreFiniteInASingularity() {
         const JointPositions up(0, -90 * kDeg, 0, -90 * kDeg, 0, 0);
         for (int axis = 0; axis < 6; ++axis) {
             for (const double sign : {1.0, -1.0}) {
@@ -301,7 +301,7 @@ private Q_SLOTS:
     }
 
     // Inside the zone, no permitted motion approaches the singularity, not even during its first micrometres.
-    void withinTheZoneNoPermittedMotionComesNearer() {
+    void withinTheZoneNoPermittedMotionGetsCloser() {
         std::mt19937 random(5);
         std::uniform_real_distribution<double> real(-1, 1);
         int permitted = 0;
@@ -336,7 +336,7 @@ private Q_SLOTS:
         QVERIFY2(permitted > 50, qPrintable(QString::number(permitted)));
     }
 
-    void nothingAskedIsNothingLimited() { QCOMPARE(limitAt(JogTarget{}, kGoodPose).scale, 1.0); }
+    void zeroVelocityIsNotLimited() { QCOMPARE(limitAt(JogTarget{}, kGoodPose).scale, 1.0); }
 };
 
 QTEST_GUILESS_MAIN(TestVelocityLimiter)

@@ -112,7 +112,7 @@ private Q_SLOTS:
 
 #ifdef Q_OS_UNIX
     // A child process that was forked while the guard was held has a copy of its descriptor.
-    void aForkedChildDoesNotKeepTheSaveGuard() {
+    void aForkedChildDoesNotInheritTheSaveLock() {
         auto guard = SaveGuard::acquire(path_);
         QVERIFY(guard.ok());
         const pid_t child = ::fork();
@@ -159,7 +159,7 @@ private Q_SLOTS:
     }
 
     // A file of another user, writable for both users through a common group. Only root can change the owner.
-    void theGroupStaysWithoutTheOwner_data() {
+    void theGroupIsPreservedWithoutTheOwner_data() {
         QTest::addColumn<int>("group");
         QTest::addColumn<int>("expectedGroup");
         QTest::addColumn<int>("expectedMode");
@@ -167,7 +167,7 @@ private Q_SLOTS:
         QTest::newRow("own group") << 4321 << 4321 << 0664 << 0664;
         QTest::newRow("foreign group") << 4322 << 5678 << 0666 << 0676;  // writable for everyone
     }
-    void theGroupStaysWithoutTheOwner() {
+    void theGroupIsPreservedWithoutTheOwner() {
         QFETCH(int, group);
         QFETCH(int, expectedGroup);
         QFETCH(int, expectedMode);
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(QFile::exists(part));
     }
 
-    void aFileThatMayNotBeWrittenStays() {
+    void aReadOnlyFileIsNotReplaced() {
         if (::geteuid() == 0) {
             QSKIP("root may write every file");
         }
@@ -234,7 +234,7 @@ private Q_SLOTS:
     }
 #endif
 
-    void aMissingFolderIsAnErrorThatNamesTheFile() {
+    void aMissingFolderIsReportedWithTheFileName() {
         const Result<void> written = writeFileAtomically(directory_->filePath("no/such/file"), "text");
         QVERIFY(written.error().code == ErrorCode::FileNotWritable);
         QVERIFY(written.error().context.contains("file"));

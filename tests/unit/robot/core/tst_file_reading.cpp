@@ -71,7 +71,7 @@ private Q_SLOTS:
     }
 #endif
 
-    void anotherThreadWaitsForTheGuard() {
+    void anotherThreadWaitsForTheLock() {
         auto first = SaveGuard::acquire(path_);
         QVERIFY(first.ok());
         std::atomic<bool> held{false};

@@ -37,7 +37,7 @@ private Q_SLOTS:
         QVERIFY((SoftwareVersion{10, 7, 0, 0} > SoftwareVersion{5, 22, 0, 0}));
     }
 
-    void versionSaysWhichControllerItIs() {
+    void versionIdentifiesTheController() {
         QVERIFY((SoftwareVersion{3, 15, 8, 0}.isCb3()));
         QVERIFY(!(SoftwareVersion{5, 0, 0, 0}.isCb3()));
         QVERIFY(!SoftwareVersion{}.isCb3());

@@ -76,14 +76,14 @@ private Q_SLOTS:
         QCOMPARE(client_->readAll(), QByteArray("\x01\x02\x03"));
     }
 
-    void closedPeerIsSeen() {
+    void aClosedPeerIsDetected() {
         client_->disconnectFromHost();
         QVERIFY(native_socket::waitReadable(server_->taken, 60s));
         std::array<std::uint8_t, 16> buffer{};
         QVERIFY(native_socket::receive(server_->taken, buffer).status == Status::Closed);
     }
 
-    void fullPipeSaysWouldBlockAndNeverRaises() {
+    void aFullPipeReportsWouldBlockWithoutASignal() {
         const std::vector<std::uint8_t> block(1 << 20, 0x55);
         Status status = Status::Ok;
         for (int n = 0; n < 1000 && status == Status::Ok; ++n) {

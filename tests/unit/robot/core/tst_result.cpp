@@ -12,7 +12,7 @@ class TestResult : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void valueComesBack() {
+    void valueIsReturned() {
         Result<int> result(42);
         QVERIFY(result.ok());
         QVERIFY(static_cast<bool>(result));
@@ -22,19 +22,19 @@ private Q_SLOTS:
         QCOMPARE(result.value(), 43);
     }
 
-    void errorComesBack() {
+    void errorIsReturned() {
         const Result<int> result(Error{ErrorCode::Timeout, "read", ""});
         QVERIFY(!result.ok());
         QVERIFY(result.error().code == ErrorCode::Timeout);
         QCOMPARE(result.error().context, QString("read"));
     }
 
-    void valueOfAFailureIsABrokenPrecondition() {
+    void valueOfAFailureViolatesThePrecondition() {
         const Result<int> result(Error{ErrorCode::Timeout, "read", ""});
         QVERIFY_EXCEPTION_THROWN((void)result.value(), std::logic_error);
     }
 
-    void theExceptionOfAFailureHasItsError() {
+    void theExceptionOfAFailureContainsItsError() {
         const auto caught = [](const auto& result) {
             try {
                 (void)result.value();
@@ -49,13 +49,13 @@ private Q_SLOTS:
         QCOMPARE(caught(Result<void>(refused)).what(), "ConnectionRefused: connect (no)");
     }
 
-    void valueThatCannotBeCopiedCanBeTakenOut() {
+    void aMoveOnlyValueCanBeMovedOut() {
         Result<std::unique_ptr<int>> result(std::make_unique<int>(7));
         const std::unique_ptr<int> taken = std::move(result).value();
         QCOMPARE(*taken, 7);
     }
 
-    void resultOfNothingIsGoodUntilToldOtherwise() {
+    void aVoidResultIsOkByDefault() {
         const Result<void> good;
         QVERIFY(good.ok());
         QVERIFY(good.error().code == ErrorCode::None);
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QVERIFY(bad.error().code == ErrorCode::DiskFull);
     }
 
-    void errorReadsAsOneLine() {
+    void errorTextIsOneLine() {
         const Error error{ErrorCode::ConnectionRefused, "connect to 192.168.0.10:30004",
                           "Connection refused"};
         QCOMPARE(error.toString(),

@@ -31,7 +31,7 @@ private Q_SLOTS:
         QVERIFY(!robotModelByName("").has_value());
     }
 
-    void chainHasTheShapeOfAUrArm() {
+    void theKinematicChainIsThatOfAUrArm() {
         for (const RobotModel& model : robotModels()) {
             const DhParameters& dh = model.dh;
             for (const std::size_t i : {0U, 3U, 4U, 5U}) {
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(1.812 / gain[3] - 0.23313859105110168) < 1e-3);
     }
 
-    void modelsOfOneTypeHaveTheSameJoints() {
+    void modelsOfTheSameTypeHaveTheSameJoints() {
         for (const RobotModel& model : robotModels()) {
             const auto found = robotModelByType(model.robotType, model.isCb3());
             QVERIFY2(found.has_value(), model.name);
@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(!robotModelByType(99, false).has_value());
     }
 
-    void oldControllersAreTheThreeFirstModels() {
+    void exactlyThreeModelsAreCb3() {
         int cb3 = 0;
         for (const RobotModel& model : robotModels()) {
             cb3 += model.isCb3() ? 1 : 0;
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QVERIFY(!robotModel(RobotModelId::UR5e).isCb3());
     }
 
-    void identityIsWhatClientsExpect() {
+    void identityMatchesTheExpectationOfClients() {
         QCOMPARE(QString(robotModel(RobotModelId::UR5e).dashboardName), QString("UR5"));
         QCOMPARE(robotModel(RobotModelId::UR5e).robotType, 1);
         QCOMPARE(robotModel(RobotModelId::UR16e).robotType, 4);

@@ -23,7 +23,7 @@ class TestSpatial : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void rotationVectorsComeBack() {
+    void rotationVectorsRoundTrip() {
         std::mt19937_64 random(1);
         std::uniform_real_distribution<double> angle(0, kPi - 1e-6);
         for (int n = 0; n < 2000; ++n) {
@@ -32,7 +32,7 @@ private Q_SLOTS:
         }
     }
 
-    void rotationVectorsNearPiComeBackAsTheSameRotation() {
+    void rotationVectorsNearPiKeepTheirRotation() {
         std::mt19937_64 random(2);
         for (const double short_of : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0}) {
             for (int n = 0; n < 200; ++n) {
@@ -46,13 +46,13 @@ private Q_SLOTS:
         }
     }
 
-    void anglesBeyondPiComeBackTheShortWay() {
+    void anglesBeyondPiBecomeTheShorterRotation() {
         const Eigen::Vector3d v(0, 0, 1.5 * kPi);
         const Eigen::Vector3d back = rotationVector(rotationMatrix(v));
         QVERIFY((back - Eigen::Vector3d(0, 0, -0.5 * kPi)).norm() < 1e-12);
     }
 
-    void tinyRotationsKeepTheirDigits() {
+    void tinyRotationsKeepTheirPrecision() {
         for (const double size : {1e-3, 1e-6, 1e-9, 1e-13, 1e-15}) {
             const Eigen::Vector3d v(size, -0.5 * size, 0.25 * size);
             QVERIFY((rotationVector(rotationMatrix(v)) - v).norm() < 1e-15);
@@ -65,14 +65,14 @@ private Q_SLOTS:
         QVERIFY((R * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm() < 1e-15);
     }
 
-    void rpyTurnsAboutFixedAxesInOrderXYZ() {
+    void rpyRotatesAboutFixedAxesInOrderXYZ() {
         // First 90 deg about x, then 90 deg about z: y becomes z.
         const Eigen::Matrix3d R = rotationMatrix(rotationVectorFromRpy(Eigen::Vector3d(kPi / 2, 0, kPi / 2)));
         QVERIFY((R * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm() < 1e-14);
         QVERIFY((R * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm() < 1e-14);
     }
 
-    void rpyComesBack() {
+    void rpyRoundTrips() {
         std::mt19937_64 random(3);
         std::uniform_real_distribution<double> turn(-kPi + 1e-6, kPi - 1e-6);
         std::uniform_real_distribution<double> pitch(-kPi / 2 + 1e-3, kPi / 2 - 1e-3);

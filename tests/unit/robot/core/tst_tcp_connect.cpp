@@ -30,7 +30,7 @@ private Q_SLOTS:
     }
 
     // A peer that loses power never ends a connection, so the system must detect this.
-    void theSystemWatchesThePeer() {
+    void keepAliveIsEnabled() {
 #ifdef __linux__
         QTcpServer server;
         QVERIFY(server.listen(QHostAddress::LocalHost));
@@ -53,7 +53,7 @@ private Q_SLOTS:
 #endif
     }
 
-    void saysWhyItCouldNot_data() {
+    void reportsWhyTheConnectionFailed_data() {
         QTest::addColumn<QString>("host");
         QTest::addColumn<int>("port");
         QTest::addColumn<int>("code");
@@ -63,7 +63,7 @@ private Q_SLOTS:
         QTest::newRow("not a name") << "no such host" << 30004 << int(ErrorCode::AddressInvalid);
         QTest::newRow("nobody listens") << "127.0.0.1" << 1 << int(ErrorCode::ConnectionRefused);
     }
-    void saysWhyItCouldNot() {
+    void reportsWhyTheConnectionFailed() {
         QFETCH(QString, host);
         QFETCH(int, port);
         QFETCH(int, code);

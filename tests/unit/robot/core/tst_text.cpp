@@ -28,7 +28,7 @@ class TestText : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void takesEveryStringAndGivesIt() {
+    void acceptsAndReturnsEveryStringType() {
         const char* const letters =
             "P\xc3\xbc"
             "ppchen";
@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(toString(text), std::string("y"));
     }
 
-    void enumeratorsHaveTheirNames() {
+    void enumeratorsHaveNames() {
         QCOMPARE(toString(Plain::First), std::string("First"));
         QCOMPARE(toString(Plain::Second), std::string("Second"));
         QCOMPARE(toString(static_cast<Plain>(7)), std::string("7"));
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QCOMPARE(toString(static_cast<RobotMode>(77)), std::string("UNKNOWN_77"));
     }
 
-    void valuesAreWritten() {
+    void valuesAreFormatted() {
         QCOMPARE(toString(JointPositions(0, -1.5, 0.25, 0, 0, 6)), std::string("[0, -1.5, 0.25, 0, 0, 6]"));
         QCOMPARE(toString(Pose(1, 2, 3, 0, 0, 0.5)), std::string("p[1, 2, 3, 0, 0, 0.5]"));
         QCOMPARE(toString(Twist{{1, 2, 3}, {4, 5, 6}}), std::string("[1, 2, 3, 4, 5, 6]"));
@@ -79,7 +79,7 @@ private Q_SLOTS:
         QCOMPARE(error.message(), toString(error));
     }
 
-    void jointsAreARangeAndAVector() {
+    void jointsConvertToRangeAndVector() {
         JointPositions q(1, 2, 3, 4, 5, 6);
         double sum = 0;
         for (const double value : q) {

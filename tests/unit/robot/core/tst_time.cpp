@@ -19,7 +19,7 @@ private Q_SLOTS:
         QVERIFY(deadline.remaining() <= 1h);
     }
 
-    void deadlineOfNoTimeHasExpired() {
+    void aZeroDeadlineHasExpired() {
         const Deadline deadline = Deadline::after(0ms);
         QVERIFY(deadline.hasExpired());
         QVERIFY(!deadline.isCancelled());
@@ -27,7 +27,7 @@ private Q_SLOTS:
         QCOMPARE(Deadline::after(-5s).remaining().count(), 0);
     }
 
-    void deadlineTakesTimeOfAnyKind() {
+    void deadlineAcceptsEveryDurationType() {
         QVERIFY(Deadline::after(1.5h).remaining() > 89min);
         QVERIFY(Deadline::after(std::chrono::duration<double>(0.0005)).remaining() <= 1ms);
         QVERIFY(Deadline::after(std::chrono::duration<int, std::ratio<60>>(2)).remaining() > 119s);
@@ -54,7 +54,7 @@ private Q_SLOTS:
         QCOMPARE(copy.nextPoll().count(), 0);
     }
 
-    void pollLooksAtTheTokenOften() { QCOMPARE(Deadline::after(1h).nextPoll(), 10ms); }
+    void pollChecksTheTokenFrequently() { QCOMPARE(Deadline::after(1h).nextPoll(), 10ms); }
 
     void separateDeadlinesAreCancelledSeparately() {
         const Deadline first = Deadline::after(1h);
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QVERIFY(!second.hasExpired());
     }
 
-    void virtualClockStandsStillUntilAdvanced() {
+    void virtualClockChangesOnlyWhenAdvanced() {
         VirtualClock clock(5);
         QCOMPARE(clock.nowNs(), 5);
         QCOMPARE(clock.nowNs(), 5);
@@ -72,7 +72,7 @@ private Q_SLOTS:
         QCOMPARE(clock.nowNs(), 2'000'005);
     }
 
-    void steadyClockNeverGoesBack() {
+    void steadyClockIsMonotonic() {
         const Clock& clock = SteadyClock::shared();
         std::int64_t last = clock.nowNs();
         for (int n = 0; n < 1000; ++n) {

@@ -16,7 +16,7 @@ class TestTurn : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void oneAtATime() {
+    void onlyOneThreadHoldsTheMutex() {
         Turn turn;
         int inside = 0;  // intentionally not atomic, because the mutex protects it
         int rounds = 0;
@@ -40,7 +40,7 @@ private Q_SLOTS:
         QCOMPARE(rounds, 4 * 2000);
     }
 
-    void patienceEnds() {
+    void lockTimesOut() {
         Turn turn;
         std::unique_lock first(turn);
         bool second = true;
@@ -51,7 +51,7 @@ private Q_SLOTS:
         QVERIFY(second);
     }
 
-    void whoWaitsGetsIt() {
+    void aWaitingThreadGetsTheMutex() {
         Turn turn;
         std::unique_lock first(turn);
         std::atomic<bool> got{false};

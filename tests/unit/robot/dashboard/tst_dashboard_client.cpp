@@ -107,7 +107,7 @@ private Q_SLOTS:
         QVERIFY(state.program.isEmpty());
     }
 
-    void anotherReplyIsRejectionWithTheReply() {
+    void anUnexpectedReplyIsARejectionWithTheReply() {
         const QByteArray reply =
             "Cannot unlock protective stop until 5s after occurrence. Always inspect cause of protective "
             "stop "
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY(!client.isConnected());
     }
 
-    void aMuteServerIsATimeoutAndNotWaitedForAgain() {
+    void aSilentServerTimesOutAndIsNotWaitedForAgain() {
         RawPeer peer([](RawPeer::Link& link) {
             link.send(kGreeting);
             link.beMute();
@@ -149,7 +149,7 @@ private Q_SLOTS:
         QCOMPARE(client.powerOn(brief()).error().code, ErrorCode::NotConnected);
     }
 
-    void withoutAGreetingThereIsNoConnection() {
+    void connectingRequiresAGreeting() {
         RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
         DashboardClient client(QStringLiteral("127.0.0.1"), peer.port());
         const Error error = client.connect(brief()).error();
@@ -157,7 +157,7 @@ private Q_SLOTS:
         QVERIFY(error.context.contains(QStringLiteral("greeting")));
     }
 
-    void aRefusedPortSaysSo() {
+    void aRefusedPortIsReported() {
         const int port = RawPeer::deadPort();
         DashboardClient client(QStringLiteral("127.0.0.1"), port);
         const Error error = client.connect(soon()).error();
@@ -165,7 +165,7 @@ private Q_SLOTS:
         QVERIFY(error.context.contains(QString::number(port)));
     }
 
-    void aServerThatHangsUpIsAClosedConnection() {
+    void aDisconnectByTheServerIsReported() {
         RawPeer peer([](RawPeer::Link& link) {
             link.send(kGreeting);
             link.readLine();
@@ -190,7 +190,7 @@ private Q_SLOTS:
                  ErrorCode::Cancelled);
     }
 
-    void aReplyWithoutAnEndIsNotCollectedForEver() {
+    void anUnterminatedReplyIsBounded() {
         RawPeer peer([](RawPeer::Link& link) {
             link.send(kGreeting);
             link.readLine();
@@ -202,7 +202,7 @@ private Q_SLOTS:
         QCOMPARE(client.powerOn(soon()).error().code, ErrorCode::ProtocolError);
     }
 
-    void aLineBreakCannotSmuggleASecondCommand() {
+    void aLineBreakCannotInjectASecondCommand() {
         RawPeer peer(answering({}));
         DashboardClient client(QStringLiteral("127.0.0.1"), peer.port());
         QVERIFY(client.connect(soon()).ok());

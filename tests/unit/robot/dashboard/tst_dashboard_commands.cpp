@@ -49,7 +49,7 @@ class TestDashboardCommands : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void programsAndInstallation() {
+    void programsAndInstallationAreParsed() {
         Bench b({{"running", "Program running: true"},
                  {"get loaded program", "Loaded program: /programs/a b.urp"},
                  {"isProgramSaved", "false a b.urp"},
@@ -65,18 +65,18 @@ private Q_SLOTS:
                  ErrorCode::Rejected);
     }
 
-    void nothingLoadedIsNoError() {
+    void anEmptyProgramNameIsNotAnError() {
         Bench b({{"running", "Robot running: False"}, {"get loaded program", "No program loaded"}});
         QCOMPARE(isRunning(b.client, soon()).value(), false);
         QVERIFY(loadedProgram(b.client, soon()).value().isEmpty());
     }
 
-    void safetyStatusTellsTheCauses() {
+    void safetyStatusReportsTheCause() {
         Bench b({{"safetystatus", "Safetystatus: AUTOMATIC_MODE_SAFEGUARD_STOP"}});
         QCOMPARE(safetyStatus(b.client, soon()).value(), SafetyMode::AutomaticModeSafeguardStop);
     }
 
-    void rolesModesAndIdentity() {
+    void rolesModesAndIdentityAreParsed() {
         Bench b({{"setUserRole operator", "Setting user role: operator"},
                  {"getUserRole", "LOCKED"},
                  {"version", "5.12.0.1101319"},
@@ -93,12 +93,12 @@ private Q_SLOTS:
         QVERIFY(clearOperationalMode(b.client, soon()).ok());
     }
 
-    void theOlderWordingOfClearIsUnderstood() {
+    void theOlderWordingOfClearIsAccepted() {
         Bench b({{"clear operational mode", "operational mode is no longer controlled by Dashboard Server"}});
         QVERIFY(clearOperationalMode(b.client, soon()).ok());
     }
 
-    void reportsAndLogs() {
+    void reportsAndLogsAreRequested() {
         Bench b({{"saveLog", "Log saved to disk"},
                  {"generate flight report system", "Flight Report generated with id:42"},
                  {"generate support file .", "Completed successfully:ur_1.zip"},
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QCOMPARE(isRunning(c.client, soon()).error().code, ErrorCode::NotConnected);
     }
 
-    void aReplyNobodyExpectsIsRejected() {
+    void anUnexpectedReplyIsRejected() {
         Bench b({});
         QCOMPARE(isRunning(b.client, soon()).error().code, ErrorCode::Rejected);
         QCOMPARE(version(b.client, soon()).error().code, ErrorCode::Rejected);

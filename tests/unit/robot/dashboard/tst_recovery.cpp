@@ -89,7 +89,7 @@ class TestRecovery : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aProtectiveStopIsNeverUnlockedWithoutTheWord() {
+    void aProtectiveStopIsNeverUnlockedWithoutConsent() {
         Bench bench(SafetyMode::ProtectiveStop, RobotMode::Running);
         RecoveryConsent allButThis{false, true, true, true};
         const Error error = bench.run(allButThis).error();
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QCOMPARE(bench.robot.unlocks.load(), 0);
     }
 
-    void withTheWordItIsUnlockedOnceTheControllerLetsIt() {
+    void withConsentItIsUnlockedOnceTheControllerPermits() {
         Bench bench(SafetyMode::ProtectiveStop, RobotMode::Running);
         bench.robot.refusals = 2;
         QVERIFY(bench.run({true, false, false, false}).ok());
@@ -109,7 +109,7 @@ private Q_SLOTS:
         QCOMPARE(bench.steps, told);
     }
 
-    void aViolationGoesAllTheWayBack() {
+    void recoveryFromAViolationIsComplete() {
         Bench bench(SafetyMode::Violation, RobotMode::PowerOff);
         QVERIFY(bench.run({false, true, true, true}).ok());
         QCOMPARE(bench.robot.mode.load(), 7);
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QCOMPARE(idle.robot.mode.load(), 5);
     }
 
-    void whatNeedsAPersonSaysSo() {
+    void statesThatRequireAPersonAreReported() {
         Bench bench(SafetyMode::RobotEmergencyStop, RobotMode::PowerOff);
         const Error error = bench.run({true, true, true, true}).error();
         QCOMPARE(error.code, ErrorCode::Rejected);
@@ -136,7 +136,7 @@ private Q_SLOTS:
         QCOMPARE(bench.robot.mode.load(), 3);
     }
 
-    void aControllerThatRestartsIsWaitedFor() {
+    void recoveryWaitsForARestartingController() {
         Bench bench(SafetyMode::Normal, RobotMode::PowerOff);
         bench.robot.outages = 5;
         QVERIFY(bench.run({false, false, true, true}).ok());
@@ -157,7 +157,7 @@ private Q_SLOTS:
         QCOMPARE(late.error().code, ErrorCode::Timeout);
     }
 
-    void oneRuleSaysWhatLeadsOn() {
+    void theNextStepFollowsFromTheModes() {
         QCOMPARE(nextRecoveryStep(SafetyMode::Normal, RobotMode::Booting), RecoveryStep::Look);
         QCOMPARE(nextRecoveryStep(SafetyMode::Normal, RobotMode::PowerOff), RecoveryStep::PowerOn);
         QCOMPARE(nextRecoveryStep(SafetyMode::Reduced, RobotMode::Idle), RecoveryStep::ReleaseBrakes);
@@ -172,7 +172,7 @@ private Q_SLOTS:
         }
     }
 
-    void aRobotThatRunsNeedsNothing() {
+    void aRunningRobotNeedsNoRecovery() {
         Bench bench(SafetyMode::Reduced, RobotMode::Running);
         QVERIFY(bench.run({}).ok());
     }

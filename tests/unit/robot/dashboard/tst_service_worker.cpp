@@ -51,7 +51,7 @@ class TestServiceWorker : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theDashboardComesFirst() {
+    void theDashboardIsPreferred() {
         RawPeer dashboard(agreeing());
         RawPeer api(describing("3.1.4"));
         const auto service = openService(at(dashboard.port(), api.port()), patience());
@@ -60,14 +60,14 @@ private Q_SLOTS:
         QCOMPARE(api.clients(), 0);
     }
 
-    void theRobotApiIsFoundWhereThereIsNoDashboard() {
+    void theRobotApiIsUsedWithoutADashboard() {
         RawPeer api(describing("3.1.4"));
         const auto service = openService(at(RawPeer::deadPort(), api.port()), patience());
         QVERIFY2(service.ok(), qPrintable(service.error().toString()));
         QCOMPARE((*service)->kind(), ServiceKind::RobotApi);
     }
 
-    void aWebServerOfAnotherKindIsNone() {
+    void anUnrelatedWebServerIsNotARobotApi() {
         RawPeer web([](RawPeer::Link& link) {
             while (link.readLine().trimmed().size() > 0) {
             }
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QCOMPARE(service.error().code, ErrorCode::ConnectionRefused);
     }
 
-    void whereNeitherAnswersTheDashboardIsNamed() {
+    void theDashboardIsReportedWhenNeitherResponds() {
         const int port = RawPeer::deadPort();
         const auto service = openService(at(port, RawPeer::deadPort()), patience());
         QCOMPARE(service.error().code, ErrorCode::ConnectionRefused);
@@ -96,7 +96,7 @@ private Q_SLOTS:
                  ErrorCode::VersionUnsupported);
     }
 
-    void resultsComeToTheCallersThread() {
+    void resultsAreDeliveredInTheCallersThread() {
         RawPeer peer(agreeing());
         ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
         worker.start();
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QCOMPARE(deliveredIn, thread());
     }
 
-    void itConnectsAgainAfterTheServerHungUp() {
+    void reconnectsAfterTheServerDisconnected() {
         RawPeer peer([](RawPeer::Link& link) {
             link.send(kGreeting);
             link.readLine();
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QVERIFY(peer.clients() >= 2);
     }
 
-    void itLooksAgainWhichServiceThereIsOnceTheOneIsGone() {
+    void detectsTheServiceAgainAfterItDisappeared() {
         auto api = std::make_unique<RawPeer>(describing("3.1.4"));
         const int apiPort = api->port();
         ServiceWorker worker(at(RawPeer::deadPort(), apiPort));
@@ -157,7 +157,7 @@ private Q_SLOTS:
                  "it looked for the dashboard anew");
     }
 
-    void itSaysWhyItCouldNotConnect() {
+    void reportsWhyItCouldNotConnect() {
         ServiceWorker worker(at(RawPeer::deadPort(), RawPeer::deadPort()));
         worker.start();
         Error error;
@@ -166,7 +166,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(error.code, ErrorCode::ConnectionRefused, 60'000);
     }
 
-    void stoppingItDoesNotWaitForAMuteServer() {
+    void stoppingDoesNotWaitForASilentServer() {
         RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
         ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
         worker.start();
@@ -179,7 +179,7 @@ private Q_SLOTS:
         QVERIFY(!delivered);
     }
 
-    void aCallerThatIsGoneIsNotCalled() {
+    void aDestroyedCallerIsNotCalled() {
         RawPeer peer(agreeing());
         ServiceWorker worker(at(peer.port(), RawPeer::deadPort()));
         worker.start();

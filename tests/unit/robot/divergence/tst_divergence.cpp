@@ -45,27 +45,27 @@ class TestDivergence : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void anUndisturbedArmNeverParts_data();
-    void anUndisturbedArmNeverParts();
-    void aPushIsFoundWhereItBegins_data();
-    void aPushIsFoundWhereItBegins();
-    void anotherLoadThanTheControllerKnowsParts();
+    void anUndisturbedArmNeverDiverges_data();
+    void anUndisturbedArmNeverDiverges();
+    void aPushIsDetectedAtItsStart_data();
+    void aPushIsDetectedAtItsStart();
+    void anUnknownLoadDiverges();
     void aJointThatDoesNotFollowIsNamed();
-    void theTcpIsComparedWithTheToolInUse();
-    void aPushShorterThanAskedForIsPassedOver();
-    void gapsAndSparseRowsPartNothing_data();
-    void gapsAndSparseRowsPartNothing();
-    void withoutPowerOrLedByHandNothingIsCompared();
-    void whatIsNotRecordedIsNamed();
-    void targetSpeedsAreFoundFromPositions();
-    void onlyThePartAskedForIsLookedAt();
-    void whichArmItIsOfHasToBeKnown();
-    void limitsAreNumbers();
-    void itCanBeGivenUp();
-    void brokenNumbersEndInAnAnswer();
+    void theTcpIsComparedWithTheActiveTool();
+    void aPushBelowTheMinimumDurationIsIgnored();
+    void gapsAndSparseRowsCauseNoDivergence_data();
+    void gapsAndSparseRowsCauseNoDivergence();
+    void nothingIsComparedWithoutPowerOrInFreedrive();
+    void missingColumnsAreReported();
+    void targetSpeedsAreDerivedFromPositions();
+    void onlyTheRequestedRangeIsCompared();
+    void theRobotModelMustBeKnown();
+    void invalidLimitsAreRefused();
+    void theComparisonCanBeCancelled();
+    void nonFiniteValuesAreHandled();
 };
 
-void TestDivergence::anUndisturbedArmNeverParts_data() {
+void TestDivergence::anUndisturbedArmNeverDiverges_data() {
     QTest::addColumn<QString>("model");
     QTest::addColumn<double>("tilt");
     for (const RobotModel& model : robotModels()) {
@@ -76,7 +76,7 @@ void TestDivergence::anUndisturbedArmNeverParts_data() {
     QTest::newRow("on a slope") << "UR5e" << 0.3;
 }
 
-void TestDivergence::anUndisturbedArmNeverParts() {
+void TestDivergence::anUndisturbedArmNeverDiverges() {
     QFETCH(QString, model);
     QFETCH(double, tilt);
     RecordedArm robot(robotModelByName(model).value());
@@ -98,7 +98,7 @@ void TestDivergence::anUndisturbedArmNeverParts() {
     }
 }
 
-void TestDivergence::aPushIsFoundWhereItBegins_data() {
+void TestDivergence::aPushIsDetectedAtItsStart_data() {
     QTest::addColumn<bool>("moving");
     QTest::addColumn<double>("force");
     QTest::newRow("standing") << false << 60.0;
@@ -107,7 +107,7 @@ void TestDivergence::aPushIsFoundWhereItBegins_data() {
 }
 
 // The stop occurs later, as on a real controller.
-void TestDivergence::aPushIsFoundWhereItBegins() {
+void TestDivergence::aPushIsDetectedAtItsStart() {
     QFETCH(bool, moving);
     QFETCH(double, force);
     RecordedArm robot;
@@ -147,7 +147,7 @@ void TestDivergence::aPushIsFoundWhereItBegins() {
     QVERIFY(!outcome(report, Quantity::TcpPosition).parted);
 }
 
-void TestDivergence::anotherLoadThanTheControllerKnowsParts() {
+void TestDivergence::anUnknownLoadDiverges() {
     RecordedArm robot;
     simulator::arm::Payload carried;
     carried.mass = 4.5;
@@ -185,7 +185,7 @@ void TestDivergence::aJointThatDoesNotFollowIsNamed() {
     QVERIFY(!outcome(without, Quantity::JointPosition).greatest);
 }
 
-void TestDivergence::theTcpIsComparedWithTheToolInUse() {
+void TestDivergence::theTcpIsComparedWithTheActiveTool() {
     RecordedArm robot;
     robot.run(100);
     robot.arm.setTcp(Pose(0, 0, 0.2, 0, 0.3, 0));
@@ -201,7 +201,7 @@ void TestDivergence::theTcpIsComparedWithTheToolInUse() {
     QCOMPARE(found.joint, -1);
 }
 
-void TestDivergence::aPushShorterThanAskedForIsPassedOver() {
+void TestDivergence::aPushBelowTheMinimumDurationIsIgnored() {
     RecordedArm robot;
     robot.run(200);
     robot.arm.environment().setHandWrench({{0, 0, -100}, {0, 0, 0}});
@@ -214,7 +214,7 @@ void TestDivergence::aPushShorterThanAskedForIsPassedOver() {
     QCOMPARE(compare(robot.recording(), choice).value().first()->row, std::uint64_t(200));
 }
 
-void TestDivergence::gapsAndSparseRowsPartNothing_data() {
+void TestDivergence::gapsAndSparseRowsCauseNoDivergence_data() {
     QTest::addColumn<int>("every");
     QTest::addColumn<int>("gap");
     QTest::newRow("a short gap") << 1 << 20;
@@ -223,7 +223,7 @@ void TestDivergence::gapsAndSparseRowsPartNothing_data() {
     QTest::newRow("every fifth row and a gap") << 5 << 300;
 }
 
-void TestDivergence::gapsAndSparseRowsPartNothing() {
+void TestDivergence::gapsAndSparseRowsCauseNoDivergence() {
     QFETCH(int, every);
     QFETCH(int, gap);
     RecordedArm robot;
@@ -235,7 +235,7 @@ void TestDivergence::gapsAndSparseRowsPartNothing() {
     QVERIFY(report.rows == recording.rows() && report.leftOut < 30);
 }
 
-void TestDivergence::withoutPowerOrLedByHandNothingIsCompared() {
+void TestDivergence::nothingIsComparedWithoutPowerOrInFreedrive() {
     RecordedArm robot;
     robot.run(200);
     robot.robotMode = 3;  // POWER_OFF
@@ -253,7 +253,7 @@ void TestDivergence::withoutPowerOrLedByHandNothingIsCompared() {
     QVERIFY2(report.leftOut >= 250 && report.leftOut <= 290, qPrintable(QString::number(report.leftOut)));
 }
 
-void TestDivergence::whatIsNotRecordedIsNamed() {
+void TestDivergence::missingColumnsAreReported() {
     RecordedArm robot;
     robot.run(100);
     robot.arm.environment().setHandWrench({{0, 0, -60}, {0, 0, 0}});
@@ -273,7 +273,7 @@ void TestDivergence::whatIsNotRecordedIsNamed() {
     QVERIFY2(refused.error().toString().contains("target_q"), qPrintable(refused.error().toString()));
 }
 
-void TestDivergence::targetSpeedsAreFoundFromPositions() {
+void TestDivergence::targetSpeedsAreDerivedFromPositions() {
     RecordedArm robot;
     work(robot);
     robot.drop("target_qd");
@@ -281,7 +281,7 @@ void TestDivergence::targetSpeedsAreFoundFromPositions() {
     QVERIFY(!compare(robot.recording()).value().first());
 }
 
-void TestDivergence::onlyThePartAskedForIsLookedAt() {
+void TestDivergence::onlyTheRequestedRangeIsCompared() {
     RecordedArm robot;
     robot.run(500);
     robot.arm.environment().setHandWrench({{0, 0, -60}, {0, 0, 0}});
@@ -296,7 +296,7 @@ void TestDivergence::onlyThePartAskedForIsLookedAt() {
     QCOMPARE(compare(robot.recording(), choice).value().first()->row, std::uint64_t(500));
 }
 
-void TestDivergence::whichArmItIsOfHasToBeKnown() {
+void TestDivergence::theRobotModelMustBeKnown() {
     RecordedArm robot;
     robot.run(100);
     robot.model = "";
@@ -312,7 +312,7 @@ void TestDivergence::whichArmItIsOfHasToBeKnown() {
     QVERIFY(compare(robot.recording(), choice).value().partedFromStart());
 }
 
-void TestDivergence::limitsAreNumbers() {
+void TestDivergence::invalidLimitsAreRefused() {
     RecordedArm robot;
     robot.run(20);
     for (const double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
@@ -328,7 +328,7 @@ void TestDivergence::limitsAreNumbers() {
     QVERIFY(compare(sparse).ok());
 }
 
-void TestDivergence::itCanBeGivenUp() {
+void TestDivergence::theComparisonCanBeCancelled() {
     RecordedArm robot;
     robot.run(9000);
     std::vector<double> told;
@@ -342,7 +342,7 @@ void TestDivergence::itCanBeGivenUp() {
     QVERIFY(told[0] == 0 && told[1] > 0 && told[1] < 1);
 }
 
-void TestDivergence::brokenNumbersEndInAnAnswer() {
+void TestDivergence::nonFiniteValuesAreHandled() {
     RecordedArm whole;
     whole.run(30);
     std::uint32_t state = 5;

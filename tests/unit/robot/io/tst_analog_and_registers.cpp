@@ -100,7 +100,7 @@ private Q_SLOTS:
         QCOMPARE(registers.setDouble(45, std::nan(""), patience()).error().code, ErrorCode::InvalidArgument);
     }
 
-    void aRegisterOfSomebodyElseDoesNotCostTheOthers() {
+    void aRegisterInUseDoesNotBlockTheOthers() {
         Bench bench;
         InputRegistersOptions options;
         options.host = bench.robot.listenAddress();

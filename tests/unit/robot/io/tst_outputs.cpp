@@ -80,7 +80,7 @@ class TestOutputs : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void withoutFieldsThatConfirmNothingIsSent() {
+    void nothingIsSentWithoutConfirmingFields() {
         RtdePeer peer;
         receive::ReceiverOptions follow;
         follow.host = QStringLiteral("127.0.0.1");
@@ -100,22 +100,22 @@ private Q_SLOTS:
         QVERIFY(peer.input("standard_digital_output_mask").empty());
     }
 
-    void setsOnlyTheBitsAskedFor_data();
-    void setsOnlyTheBitsAskedFor();
+    void setsOnlyTheRequestedBits_data();
+    void setsOnlyTheRequestedBits();
     void groupsAreSetTogether();
-    void waitsForTheRobotsWord();
-    void whatIsNotConfirmedIsSentOnANewConnectionNextTime();
-    void oldReportsConfirmNothing();
+    void waitsForConfirmationByTheRobot();
+    void afterAMissingConfirmationANewConnectionIsUsed();
+    void oldDataConfirmNothing();
     void outputsThatDoNotExistAreRefused();
-    void sliderIsHeldToItsRange();
+    void sliderIsLimitedToItsRange();
     void inputsInUseAreNamed();
-    void inputsTheRobotLacksAreNamed();
-    void connectsByItselfWhenNeeded();
-    void nobodyThereIsAnError();
+    void unsupportedInputsAreReported();
+    void connectsAutomaticallyWhenNeeded();
+    void aMissingRobotIsAnError();
     void disconnectEndsTheWait();
 };
 
-void TestOutputs::setsOnlyTheBitsAskedFor_data() {
+void TestOutputs::setsOnlyTheRequestedBits_data() {
     QTest::addColumn<int>("output");
     QTest::addColumn<QString>("field");
     QTest::addColumn<int>("mask");
@@ -127,7 +127,7 @@ void TestOutputs::setsOnlyTheBitsAskedFor_data() {
     QTest::newRow("tool 1") << 17 << "tool_digital_output" << 2;
 }
 
-void TestOutputs::setsOnlyTheBitsAskedFor() {
+void TestOutputs::setsOnlyTheRequestedBits() {
     QFETCH(int, output);
     QFETCH(QString, field);
     QFETCH(int, mask);
@@ -154,7 +154,7 @@ void TestOutputs::groupsAreSetTogether() {
     QCOMPARE(bench.peer.inputPackages(), 3);
 }
 
-void TestOutputs::waitsForTheRobotsWord() {
+void TestOutputs::waitsForConfirmationByTheRobot() {
     Bench bench;
     bench.obedient = false;
     // Connect first, so that connecting does not use up the 50 ms for the command.
@@ -171,7 +171,7 @@ void TestOutputs::waitsForTheRobotsWord() {
 }
 
 // The controller may have closed the connection, while sending data succeeds forever.
-void TestOutputs::whatIsNotConfirmedIsSentOnANewConnectionNextTime() {
+void TestOutputs::afterAMissingConfirmationANewConnectionIsUsed() {
     Bench bench;
     bench.obedient = false;
     QVERIFY(bench.outputs.connect(patience()).ok());
@@ -182,7 +182,7 @@ void TestOutputs::whatIsNotConfirmedIsSentOnANewConnectionNextTime() {
     QCOMPARE(bench.peer.connections(), 2);
 }
 
-void TestOutputs::oldReportsConfirmNothing() {
+void TestOutputs::oldDataConfirmNothing() {
     Bench bench;
     bench.obedient = false;
     bench.frozen = true;
@@ -208,7 +208,7 @@ void TestOutputs::outputsThatDoNotExistAreRefused() {
     QCOMPARE(bench.peer.inputPackages(), 0);
 }
 
-void TestOutputs::sliderIsHeldToItsRange() {
+void TestOutputs::sliderIsLimitedToItsRange() {
     Bench bench;
     QVERIFY(bench.outputs.setSpeedSlider(0.5, patience()).ok());
     QCOMPARE(bench.slider.load(), 0.5);
@@ -240,7 +240,7 @@ void TestOutputs::inputsInUseAreNamed() {
     QVERIFY(bench.outputs.isConnected());
 }
 
-void TestOutputs::inputsTheRobotLacksAreNamed() {
+void TestOutputs::unsupportedInputsAreReported() {
     test::RtdePeerOptions robot;
     robot.missing = {"tool_digital_output_mask"};
     Bench bench(robot);
@@ -253,7 +253,7 @@ void TestOutputs::inputsTheRobotLacksAreNamed() {
     QVERIFY(bench.outputs.setDigitalOutput(0, true, patience()).ok());
 }
 
-void TestOutputs::connectsByItselfWhenNeeded() {
+void TestOutputs::connectsAutomaticallyWhenNeeded() {
     Bench bench;
     QVERIFY(!bench.outputs.isConnected());
     QCOMPARE(bench.outputs.canSetDigitalOutput(0).error().code, ErrorCode::NotConnected);
@@ -273,7 +273,7 @@ void TestOutputs::connectsByItselfWhenNeeded() {
         60000);
 }
 
-void TestOutputs::nobodyThereIsAnError() {
+void TestOutputs::aMissingRobotIsAnError() {
     QTcpServer server;
     server.listen(QHostAddress::LocalHost);
     OutputsOptions to;

@@ -89,7 +89,7 @@ class TestRobotiqClient : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void valuesAreReadInWhateverPiecesTheyCome() {
+    void fragmentedValuesAreRead() {
         Bench bench([](RawPeer::Link& link) {
             link.readLine();
             link.send("PO");
@@ -103,20 +103,20 @@ private Q_SLOTS:
         QCOMPARE(bench.client.get("STA", patience()).value(), std::optional(3));
     }
 
-    void whatHasNoValueIsNotAZero() {
+    void aMissingValueIsNotReadAsZero() {
         Bench bench(saying({"POS ?\n"}));
         QCOMPARE(bench.client.get("POS", patience()).value(), std::optional<int>());
         QVERIFY(bench.client.isConnected());
     }
 
-    void acknowledgementsComeWithAndWithoutALineEnd() {
+    void acknowledgementsMayLackALineEnd() {
         Bench bench(saying({"ack", "ack\n", "POS 3\n"}));
         QVERIFY(bench.client.set({{"SPE", 1}}, patience()).ok());
         QVERIFY(bench.client.set({{"FOR", 1}}, patience()).ok());
         QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(3));
     }
 
-    void aRefusalIsAnAnswer() {
+    void aRefusalIsReported() {
         Bench bench(saying({"nack", "POS 3\n"}));
         const Result<void> refused = bench.client.set({{"NIX", 1}}, patience());
         QCOMPARE(refused.error().code, ErrorCode::Rejected);
@@ -124,7 +124,7 @@ private Q_SLOTS:
         QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(3));
     }
 
-    void anotherAnswerIsNotTakenForThisOne() {
+    void theReplyToAnotherRequestIsNotAccepted() {
         Bench bench(saying({"OBJ 2\n", "POS hello\n"}));
         for (const char* answer : {"OBJ 2", "POS hello"}) {
             const auto wrong = bench.client.get("POS", patience());
@@ -133,7 +133,7 @@ private Q_SLOTS:
         }
     }
 
-    void aMuteGripperEndsWithTheDeadline() {
+    void aSilentGripperEndsWithTheDeadline() {
         Bench bench([](RawPeer::Link& link) { link.beMute(); });
         const auto look = bench.client.look(briefly());
         QCOMPARE(look.error().code, ErrorCode::Timeout);
@@ -143,14 +143,14 @@ private Q_SLOTS:
         QVERIFY(bench.client.connect(patience()).ok());
     }
 
-    void patienceCanEndSooner() {
+    void aWaitCanBeCancelledEarly() {
         Bench bench([](RawPeer::Link& link) { link.beMute(); });
         const CancelToken token;
         token.cancel();
         QCOMPARE(bench.client.move(0, 0, 0, Deadline::never(token)).error().code, ErrorCode::Cancelled);
     }
 
-    void anAnswerWithoutAnEndIsCutOff() {
+    void anUnterminatedReplyIsBounded() {
         Bench bench([](RawPeer::Link& link) {
             const QByteArray flood(256, 'x');
             while (!link.isOver()) {
@@ -164,7 +164,7 @@ private Q_SLOTS:
         QVERIFY2(!bench.client.isConnected(), "nobody knows where the next answer begins");
     }
 
-    void aPeerThatNeverPausesDoesNotOutlastTheDeadline() {
+    void aContinuousSenderDoesNotExceedTheDeadline() {
         Bench bench([](RawPeer::Link& link) {
             const QByteArray nothing(256, '\n');
             while (!link.isOver()) {
@@ -178,7 +178,7 @@ private Q_SLOTS:
         QCOMPARE(bench.client.get("POS", Deadline::never(token)).error().code, ErrorCode::Cancelled);
     }
 
-    void whatNoByteHoldsIsNotLearned_data() {
+    void outOfRangeValuesAreRejected_data() {
         QTest::addColumn<QByteArray>("name");
         QTest::addColumn<int>("value");
         for (const char* name : {"STA", "FLT", "GTO", "PRE", "OBJ", "POS"}) {
@@ -188,7 +188,7 @@ private Q_SLOTS:
             }
         }
     }
-    void whatNoByteHoldsIsNotLearned() {
+    void outOfRangeValuesAreRejected() {
         QFETCH(QByteArray, name);
         QFETCH(int, value);
         Gripper gripper;
@@ -202,25 +202,25 @@ private Q_SLOTS:
         QCOMPARE(got.error().code, ErrorCode::ProtocolError);
     }
 
-    void aCounterGoesFurther() {
+    void aCounterMayExceedOneByte() {
         Bench bench(saying({"NCY 70000\n", "POS 255\n", "POS 0\n"}));
         QCOMPARE(bench.client.get("NCY", patience()).value(), std::optional(70'000));
         QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(255));
         QCOMPARE(bench.client.get("POS", patience()).value(), std::optional(0));
     }
 
-    void aPeerThatHangsUpIsSaid() {
+    void aDisconnectByThePeerIsReported() {
         Bench bench([](RawPeer::Link& link) { link.readLine(); });
         QCOMPARE(bench.client.get("POS", patience()).error().code, ErrorCode::ConnectionClosed);
         QVERIFY(!bench.client.isConnected());
     }
 
-    void nobodyListens() {
+    void aRefusedConnectionIsReported() {
         RobotiqClient client("127.0.0.1", RawPeer::deadPort());
         QCOMPARE(client.connect(patience()).error().code, ErrorCode::ConnectionRefused);
     }
 
-    void aLookIsTheWholeState() {
+    void oneQueryReadsTheWholeState() {
         Gripper gripper;
         Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
         const auto look = bench.client.look(patience());
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QVERIFY(state.holds());
     }
 
-    void nothingIsHeldBeforeAMotionWasAskedFor_data() {
+    void noObjectIsHeldBeforeAMotionWasRequested_data() {
         QTest::addColumn<QByteArray>("name");
         QTest::addColumn<int>("value");
         QTest::addColumn<bool>("holds");
@@ -246,7 +246,7 @@ private Q_SLOTS:
         QTest::newRow("not asked") << QByteArray("GTO") << 0 << false;
         QTest::newRow("not active") << QByteArray("STA") << 0 << false;
     }
-    void nothingIsHeldBeforeAMotionWasAskedFor() {
+    void noObjectIsHeldBeforeAMotionWasRequested() {
         QFETCH(QByteArray, name);
         QFETCH(int, value);
         QFETCH(bool, holds);
@@ -267,7 +267,7 @@ private Q_SLOTS:
         QVERIFY(!look->has_value());
     }
 
-    void aMoveIsOverWhenItHasBeenTaken() {
+    void aMoveReturnsAfterItWasAccepted() {
         Gripper gripper;
         gripper.staleAnswers = 3;
         {
@@ -279,7 +279,7 @@ private Q_SLOTS:
         QCOMPARE(gripper.lines.count("GET PRE"), 4);
     }
 
-    void aMoveThatIsNotTakenIsRefused() {
+    void aMoveThatIsNotAcceptedIsReported() {
         Gripper gripper;
         gripper.staleAnswers = 1'000'000;
         Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
@@ -287,7 +287,7 @@ private Q_SLOTS:
                  ErrorCode::Rejected);
     }
 
-    void nothingBeyondARangeIsSent() {
+    void valuesOutOfRangeAreNotSent() {
         Gripper gripper;
         {
             Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });
@@ -300,7 +300,7 @@ private Q_SLOTS:
         QVERIFY(gripper.lines.isEmpty());
     }
 
-    void anActivationBeginsWithAReset() {
+    void anActivationStartsWithAReset() {
         Gripper gripper;
         {
             Bench bench([&gripper](RawPeer::Link& link) { gripper.serve(link); });

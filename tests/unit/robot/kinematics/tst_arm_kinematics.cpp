@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY((pose.rotation - recorded.rotation).norm() < 1e-12);
     }
 
-    void recordedUr10PosesAreMet() {
+    void recordedUr10PosesAreReached() {
         const DhParameters& dh = robotModel(RobotModelId::UR10).dh;
         const Pose first = forwardTcp(dh, {-1.60070020357240848, -1.72710019746888929, -2.20299989381899053,
                                            -0.80799991289247686, 1.59510004520416260, -0.03099996248354131});
@@ -117,7 +117,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(frames[1].translation().z() - dh.d[0]) < 1e-15);
     }
 
-    void inverseFindsEveryTabulatedSolutionAndNoOther() {
+    void inverseFindsExactlyTheTabulatedSolutions() {
         for (const RobotModelId id :
              {RobotModelId::UR3, RobotModelId::UR5e, RobotModelId::UR10e, RobotModelId::UR20}) {
             const DhParameters dh = exactDh(id);
@@ -133,7 +133,7 @@ private Q_SLOTS:
         }
     }
 
-    void tenThousandRandomPosesComeBackExactly() {
+    void tenThousandRandomPosesRoundTripExactly() {
         std::mt19937_64 random(20240917);
         int lost = 0;
         int eight = 0;

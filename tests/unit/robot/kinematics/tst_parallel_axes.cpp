@@ -53,7 +53,7 @@ class TestParallelAxes : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aModelStaysAsItIs() {
+    void nominalModelsAreUnchanged() {
         for (const RobotModel& model : robotModels()) {
             const DhParameters dh = resolveParallelAxes(model.dh);
             QVERIFY2(dh == model.dh, model.name);
@@ -62,7 +62,7 @@ private Q_SLOTS:
         }
     }
 
-    void theLinksOfARealArmAreThoseOfItsModel() {
+    void theLinksOfARealArmMatchItsModel() {
         const DhParameters arm = resolveParallelAxes(realArm());
         const DhParameters& model = robotModel(RobotModelId::UR10e).dh;
         QVERIFY(apart(arm.a, model.a) < 0.005);
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QCOMPARE(arm.d[2], 0.0);
     }
 
-    void theFlangeIsWhereItWasAndTheElbowWhereItBelongs() {
+    void theFlangeIsUnchangedAndTheElbowIsCorrected() {
         const DhParameters told = realArm();
         const DhParameters arm = resolveParallelAxes(told);
         const DhParameters& model = robotModel(RobotModelId::UR10e).dh;
@@ -95,7 +95,7 @@ private Q_SLOTS:
         }
     }
 
-    void theInverseFindsWhatTheForwardWentOutFrom() {
+    void theInverseRecoversTheOriginalJoints() {
         const DhParameters arm = calibrated(robotModel(RobotModelId::UR10e), realArm());
         std::mt19937_64 random(4);
         int looked = 0;
@@ -113,7 +113,7 @@ private Q_SLOTS:
         QVERIFY(looked > 300);
     }
 
-    void bothDescriptionsAreOfOneArm() {
+    void bothDescriptionsAreEquivalent() {
         std::mt19937_64 random(5);
         std::uniform_real_distribution<double> off(-0.003, 0.003);
         for (const RobotModel& model : robotModels()) {
@@ -141,14 +141,14 @@ private Q_SLOTS:
         }
     }
 
-    void whatIsNoArmIsTheModel_data() {
+    void anImplausibleCalibrationIsIgnored_data() {
         QTest::addColumn<double>("number");
         QTest::newRow("not a number") << std::numeric_limits<double>::quiet_NaN();
         QTest::newRow("infinite") << std::numeric_limits<double>::infinity();
         QTest::newRow("as long as a house") << 12.0;
         QTest::newRow("the largest") << std::numeric_limits<double>::max();
     }
-    void whatIsNoArmIsTheModel() {
+    void anImplausibleCalibrationIsIgnored() {
         QFETCH(double, number);
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         for (std::size_t i = 0; i < 6; ++i) {

@@ -67,7 +67,7 @@ private Q_SLOTS:
         }
     }
 
-    void aPoseThatWasTouchedIsNamed() {
+    void aPoseWithContactIsReported() {
         std::vector<PayloadReading> readings = fourReadings(2.0);
         readings.push_back(reading({0.4, 0.4, -1}, 2.0, {0, 0, -1}));
         readings.push_back(reading({-0.6, -0.4, 2}, 2.0, {0, 0, -1}));
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(found.forceResidual > 0.3);
     }
 
-    void tooFewTooAlikeAndNoWeightAreSaid() {
+    void tooFewSimilarOrWeightlessReadingsAreReported() {
         using Problem = PayloadEstimate::Problem;
         std::vector<PayloadReading> few = fourReadings(2.0);
         few.pop_back();
@@ -92,7 +92,7 @@ private Q_SLOTS:
         QVERIFY(estimatePayload(mute).problem == Problem::NotFinite);
     }
 
-    void compensatedForcesTellTheSame() {
+    void compensatedForcesGiveTheSameResult() {
         const Eigen::Vector3d tcp(0.01, 0.02, 0.15);
         const double told = 0.7;
         const Eigen::Vector3d toldCentre(0, 0, 0.04);

@@ -23,7 +23,7 @@ class TestSpeedBounds : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void durationOfShortAndLongMoves() {
+    void shortAndLongMovesHaveTheExpectedDuration() {
         QCOMPARE(moveDuration(0, 1, 1), 0.0);
         QCOMPARE(moveDuration(0.25, 1, 1), 1.0);  // never reaches the requested speed
         QCOMPARE(moveDuration(1, 1, 1), 2.0);
@@ -31,7 +31,7 @@ private Q_SLOTS:
         QCOMPARE(moveDuration(1, 0, 1), 0.0);
     }
 
-    void aLineThatOnlyTurnsHasALength() {
+    void aPureRotationHasALength() {
         const Pose here(0.3, 0.2, 0.4, 0, 3.0, 0);
         Pose there = here;
         there.position.z() += 0.1;
@@ -40,7 +40,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(lineLength(here, turned) - kTurnRadius) < 1e-12);
     }
 
-    void itSaysWhatWouldGetTooFast() {
+    void reportsTheLimitingSpeed() {
         JointPositions wrist = kStart;
         wrist[5] += 1;
         const Pose farTool(0.2, 0, 0.1, 0, 0, 0);
@@ -88,7 +88,7 @@ private Q_SLOTS:
     }
 
     // A rotation about the tip of a long tool swings the arm while the TCP stays in place.
-    void aTurnOnTheSpotIsHeldByTheElbow() {
+    void aPureRotationIsLimitedByTheElbow() {
         const Pose longTool(0, 0, 0.6, 0, 0, 0);
         const Pose here = forwardTcp(dh(), kStart, longTool);
         Pose there = here;
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY2(fastest < 1.02 * kCap && fastest > 0.9 * kCap, qPrintable(QString::number(fastest)));
     }
 
-    void aLineIsHeldByItsTurn() {
+    void aLineIsLimitedByItsRotation() {
         const Pose here = forwardTcp(dh(), kStart);
         Pose there = here;
         there.position.z() += 0.02;

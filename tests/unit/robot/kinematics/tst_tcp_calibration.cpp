@@ -42,7 +42,7 @@ class TestTcpCalibration : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void fourPosesGiveTheTip() {
+    void fourPosesGiveTheTcp() {
         const auto poses = fourPoses();
         const TipFit fit = fitTip(poses);
         QVERIFY(fit.ok());
@@ -52,7 +52,7 @@ private Q_SLOTS:
         QVERIFY(fit.rms < 1e-12);
     }
 
-    void knownTipsComeBackFromRandomPoses() {
+    void knownTcpsAreFoundFromRandomPoses() {
         std::mt19937 random(5);
         std::uniform_real_distribution<double> number(-1, 1);
         int fits = 0;
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY2(fits > 400, qPrintable(QString::number(fits)));
     }
 
-    void noiseIsStatedAndTheWorstPoseNamed() {
+    void theErrorAndTheWorstPoseAreReported() {
         auto poses = fourPoses();
         poses.push_back(posesOnPoint({{0.5, 0.5, 2.0}}).front());
         poses[2].translation() += Eigen::Vector3d(0, 0.004, 0);
@@ -94,14 +94,14 @@ private Q_SLOTS:
         QVERIFY(fitTip({}).problem == TipFit::Problem::TooFew);
     }
 
-    void posesTurnedAboutOneAxisAreRefused() {
+    void posesRotatedAboutOneAxisAreRefused() {
         const auto aboutOne = posesOnPoint({{0, 0, 0}, {0, 0, 0.8}, {0, 0, 1.6}, {0, 0, -1}});
         QVERIFY(fitTip(aboutOne).problem == TipFit::Problem::TooAlike);
         const auto hardly = posesOnPoint({{0, 0, 0}, {0.02, 0, 0}, {0, 0.02, 0}, {0, 0, 0.02}});
         QVERIFY(fitTip(hardly).problem == TipFit::Problem::TooAlike);
     }
 
-    void whatIsNoPoseIsRefused() {
+    void invalidPosesAreRefused() {
         auto poses = fourPoses();
         poses[1].translation().x() = std::nan("");
         QVERIFY(fitTip(poses).problem == TipFit::Problem::NotFinite);
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(fit.residual < 1e-7);
     }
 
-    void threePosesSayWhatIsWrong() {
+    void threePoorPosesAreExplained() {
         using Problem = ToolRotationFit::Problem;
         const Eigen::Matrix3d R = rotationMatrix({M_PI, 0, 0});
         const Eigen::Isometry3d first = at(R, {0, 0, 0});

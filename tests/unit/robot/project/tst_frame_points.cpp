@@ -20,7 +20,7 @@ class TestFramePoints : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void threePointsMakeTheFrameTheyLieIn() {
+    void threePointsDefineAFrame() {
         std::mt19937 random(7);
         std::uniform_real_distribution<double> any(-1, 1);
         for (int n = 0; n < 200; ++n) {
@@ -43,7 +43,7 @@ private Q_SLOTS:
         }
     }
 
-    void pointsThatMakeNoFrame_data() {
+    void degeneratePointsAreRefused_data() {
         QTest::addColumn<Vector3d>("onX");
         QTest::addColumn<Vector3d>("towardsY");
         QTest::addColumn<int>("problem");
@@ -65,7 +65,7 @@ private Q_SLOTS:
             << Vector3d(0.1, 0, 0) << Vector3d(0.3, 0.0101, 0) << int(Problem::None);
         QTest::newRow("no number") << Vector3d(nan, 0, 0) << Vector3d(0, 0.1, 0) << int(Problem::NotFinite);
     }
-    void pointsThatMakeNoFrame() {
+    void degeneratePointsAreRefused() {
         QFETCH(Vector3d, onX);
         QFETCH(Vector3d, towardsY);
         QFETCH(int, problem);
@@ -75,7 +75,7 @@ private Q_SLOTS:
         QCOMPARE(frameThrough(points).has_value(), problem == int(Problem::None));
     }
 
-    void whatIsMissingIsMissing() {
+    void incompletePointsAreReported() {
         FramePoints points;
         QVERIFY(check(points).problem == Problem::Incomplete);
         points.origin = Vector3d(0.1, 0.2, 0.3);
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QVERIFY(check(points).problem == Problem::XTooClose);
     }
 
-    void aWaypointKeepsItsPlaceInAnotherFrame() {
+    void aWaypointKeepsItsPositionInAnotherFrame() {
         FrameList frames;
         Frame tray{QUuid::createUuid(), "tray", Pose(0.4, -0.1, 0.2, 0.1, -0.3, 1.2), {}};
         frames.append(tray);

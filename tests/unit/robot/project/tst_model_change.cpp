@@ -87,7 +87,7 @@ class TestModelChange : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void onlyAnotherGeometryIsAnotherModel() {
+    void onlyADifferentGeometryIsADifferentModel() {
         const Project project = projectOfUr5e();
         QVERIFY(isOfOtherModel(project, RobotModelId::UR10e));
         QVERIFY(!isOfOtherModel(project, RobotModelId::UR5e));
@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(off(before.waypoints.at(0), before.frames, ur10e(), before.waypoints.at(0)) > 0.1);
     }
 
-    void whatCannotBeReachedIsNamedAndStaysMarked() {
+    void unreachableWaypointsAreReportedAndStayMarked() {
         const Project before = projectOfUr5e();
         const ModelChange change = changeModel(before, ur5e(), ur3e(), Keep::Poses);
         QCOMPARE(change.unreachable, QStringList{QStringLiteral("far")});
@@ -199,7 +199,7 @@ private Q_SLOTS:
     }
 
     // All other content of the project is unchanged, and the result can be saved.
-    void theRestStays() {
+    void otherContentIsUnchanged() {
         const Project before = fullProject();
         for (const Keep keep : {Keep::Poses, Keep::Joints}) {
             const ModelChange change = changeModel(before, ur10e(), ur5e(), keep);

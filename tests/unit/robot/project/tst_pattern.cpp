@@ -43,19 +43,19 @@ class TestPattern : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void rowsFollowEachOther() {
+    void cellsAreOrderedByRows() {
         QCOMPARE(namesOf(tray()),
                  QStringList({"tray 1.1", "tray 1.2", "tray 1.3", "tray 2.1", "tray 2.2", "tray 2.3"}));
     }
 
-    void meanderTurnsBack() {
+    void meanderReversesEverySecondRow() {
         Pattern pattern = tray();
         pattern.order = PatternOrder::Meander;
         QCOMPARE(namesOf(pattern),
                  QStringList({"tray 1.1", "tray 1.2", "tray 1.3", "tray 2.3", "tray 2.2", "tray 2.1"}));
     }
 
-    void excludedPlacesAreLeftOutOfEveryLayer() {
+    void excludedCellsAreSkippedInEveryLayer() {
         Pattern pattern = tray();
         pattern.excluded = {{1, 0}, {9, 9}};
         pattern.layers = 2;
@@ -66,7 +66,7 @@ private Q_SLOTS:
         QVERIFY(!names.contains("tray 1.1.2") && !names.contains("tray 2.1.2"));
     }
 
-    void placesLieEvenlyBetweenTheCorners() {
+    void cellsAreEvenlySpacedBetweenTheCorners() {
         const Pattern pattern = tray();
         const auto at = [&](int column, int row) { return poseAt(pattern, {pattern.id, column, row, 0}); };
         QCOMPARE(at(0, 0), pattern.first.pose);
@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(poseAt(pattern, {pattern.id, 0, 0, 2}).position.z() - 0.26) < 1e-12);
     }
 
-    void oneRowAndOnePlaceAreNoDivisionByNothing() {
+    void aSingleRowOrCellDoesNotDivideByZero() {
         Pattern pattern = tray();
         pattern.rows = 1;
         pattern.columns = 1;
@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(poseAt(pattern, {pattern.id, 0, 0, 0}), pattern.first.pose);
     }
 
-    void waypointsAreOrdinaryAndReachTheirPlaces() {
+    void patternWaypointsAreOrdinaryAndReachTheirCells() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         const Pattern pattern = tray();
         const std::vector<Waypoint> points = waypointsOf(pattern, model, {});
@@ -114,7 +114,7 @@ private Q_SLOTS:
         QVERIFY(!isWhereLaid(moved, pattern));
     }
 
-    void placeOutOfReachIsKept() {
+    void unreachableCellIsKept() {
         Pattern pattern = tray();
         pattern.columnEnd = {-3, 0, 0.2};
         const auto points = waypointsOf(pattern, robotModel(RobotModelId::UR5e), {});
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY(points[2].pose.position.isApprox(pattern.columnEnd));
     }
 
-    void historyKeepsTheLatestAndSharesCopies() {
+    void historyKeepsTheLatestEntriesAndSharesCopies() {
         Waypoint point = tray().first;
         const QDateTime start = QDateTime::fromString(QStringLiteral("2026-01-01T08:00:00Z"), Qt::ISODate);
         for (int n = 0; n < WaypointHistory::kMaxRevisions + 5; ++n) {

@@ -51,7 +51,7 @@ private Q_SLOTS:
         QVERIFY(saveProject(path_, withWaypoints({"a"})).ok());
     }
 
-    void theSecondWindowSavesNothingAndNamesTheFirst() {
+    void theSecondWindowSavesNothingAndReportsTheFirst() {
         ProjectAccess first(path_);
         QVERIFY(first.load().ok());
         ProjectAccess second(path_);
@@ -92,7 +92,7 @@ private Q_SLOTS:
         QVERIFY(second.save(withWaypoints({}), 3)->outcome == Outcome::OpenElsewhere);
     }
 
-    void takingOverIsSeenByTheFirstWindow() {
+    void theFirstWindowDetectsATakeover() {
         ProjectAccess first(path_);
         QVERIFY(first.load().ok());
         ProjectAccess second(path_);
@@ -134,7 +134,7 @@ private Q_SLOTS:
 
     // Automatic saving runs in another thread. If the disk is slow, it may finish after the file was
     // reloaded.
-    void whatWaitsToBeSavedDoesNotReplaceWhatWasReloaded() {
+    void aPendingSaveDoesNotReplaceAReloadedFile() {
         ProjectAccess access(path_);
         QVERIFY(access.load().ok());
         QVERIFY(access.save(withWaypoints({"mine"}), 5)->outcome == Outcome::Saved);
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QCOMPARE(loadProject(path_)->waypoints.at(0).name, QString("new"));
     }
 
-    void aFileThatAppearedMeanwhileIsNotReplaced() {
+    void aNewlyCreatedFileIsNotReplaced() {
         QVERIFY(QFile::remove(path_));
         ProjectAccess access(path_);
         access.start();
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(access.save(withWaypoints({"mine"}), 1)->outcome == Outcome::ChangedByOther);
     }
 
-    void aRemovedFileIsWrittenAgain() {
+    void aDeletedFileIsWrittenAgain() {
         ProjectAccess access(path_);
         QVERIFY(access.load().ok());
         QVERIFY(QFile::remove(path_));

@@ -87,7 +87,7 @@ private Q_SLOTS:
         path_ = directory_->filePath("cell-7.tiller");
     }
 
-    void whatIsSavedComesBackDigitForDigit() {
+    void savedValuesRoundTripExactly() {
         const Project document = sample();
         const Result<SaveReport> saved = saveProject(path_, document);
         QVERIFY2(saved.ok(), qPrintable(saved.error().toString()));
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QVERIFY(*loaded == document);
     }
 
-    void emptyProjectComesBack() {
+    void emptyProjectRoundTrips() {
         QVERIFY(saveProject(path_, {}).ok());
         const auto loaded = loadProject(path_);
         QVERIFY(loaded.ok());
@@ -105,14 +105,14 @@ private Q_SLOTS:
         QVERIFY(!loaded->robot.has_value());
     }
 
-    void fileSaysWhatItIs() {
+    void fileStatesItsFormat() {
         const QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
         QCOMPARE(root["format"].toString(), QString("tiller-project"));
         QCOMPARE(root["version"].toInt(), 2);
         QCOMPARE(root["robot"].toString(), QString("UR5e"));
     }
 
-    void aFileOfEarlierVersionsIsReadWholeOrDamaged() {
+    void filesOfEarlierVersionsAreReadWhetherIntactOrDamaged() {
         const QByteArray now = bytesOf(sample());
         QByteArray before = now;
         before.replace("\"tiller-project\"", "\"tiller-session\"");
@@ -143,14 +143,14 @@ private Q_SLOTS:
         QCOMPARE(QJsonDocument::fromJson(contentOf(path_)).object(), root);
     }
 
-    void missingFileIsSaid() {
+    void missingFileIsReported() {
         const auto loaded = loadProject(directory_->filePath("none.tiller"));
         QVERIFY(loaded.error().code == ErrorCode::FileNotReadable);
         QVERIFY(loaded.error().context.contains("none.tiller"));
         QVERIFY(loadProject(directory_->path()).error().code == ErrorCode::FileNotReadable);
     }
 
-    void newerFormatIsSaid() {
+    void newerFormatIsReported() {
         QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
         root["version"] = 7;
         put(path_, QJsonDocument(root).toJson());
@@ -219,7 +219,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(path_), bytes);
     }
 
-    void twoWaypointsWithOneIdAreAProblem() {
+    void duplicateWaypointIdsAreReported() {
         QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
         QJsonArray points = root["waypoints"].toArray();
         points.append(points[0]);
@@ -228,7 +228,7 @@ private Q_SLOTS:
         QVERIFY(parsed.error().context.contains("waypoints[3].id"));
     }
 
-    void recoveryKeepsEverythingThatIsWhole() {
+    void recoveryKeepsAllIntactContent() {
         const QByteArray bytes = withField("joints", "home");
         const auto recovered = recoverFromBytes(bytes);
         QVERIFY(recovered.ok());
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(recovered->problems[0].where, QString("waypoints[1].joints"));
     }
 
-    void fileCutOffAnywhereIsSaidAndLosesNoWholeWaypoint() {
+    void aTruncatedFileLosesNoIntactWaypoint() {
         const Project document = sample(4);
         const QByteArray whole = bytesOf(document);
         QVERIFY(recoverFromBytes(whole)->problems.isEmpty());
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QCOMPARE(mostRecovered, 4);
     }
 
-    void damageInTheMiddleCostsOneWaypoint() {
+    void damageInTheMiddleLosesOneWaypoint() {
         const Project document = sample(3);
         QByteArray bytes = bytesOf(document);
         const qsizetype second = bytes.indexOf("\"joints\"", bytes.indexOf("\"joints\"") + 1);
@@ -276,7 +276,7 @@ private Q_SLOTS:
         QVERIFY(recovered->document.waypoints.at(1) == document.waypoints.at(2));
     }
 
-    void anyOneByteMayChangeWithoutHarm() {
+    void anyChangedByteIsHandled() {
         const QByteArray whole = bytesOf(sample(1));
         for (qsizetype i = 0; i < whole.size(); ++i) {
             for (const char byte : {'\0', '{', '"', '\xc3'}) {
@@ -289,7 +289,7 @@ private Q_SLOTS:
         }
     }
 
-    void largeProjectsAreReadAndAbsurdOnesRefused() {
+    void largeProjectsAreReadAndExcessiveOnesRefused() {
         QVERIFY(saveProject(path_, sample(2000)).ok());
         QCOMPARE(loadProject(path_)->waypoints.size(), 2000);
 
@@ -302,7 +302,7 @@ private Q_SLOTS:
         QVERIFY(loaded.error().context.contains("64 MB"));
     }
 
-    void damagedFileIsPutAsideBeforeItIsReplaced() {
+    void damagedFileIsBackedUpBeforeItIsReplaced() {
         const QByteArray damaged = bytesOf(sample()).left(500);
         put(path_, damaged);
         const auto first = saveProject(path_, sample());
@@ -319,14 +319,14 @@ private Q_SLOTS:
         QCOMPARE(contentOf(first->keptCopy), damaged);
     }
 
-    void newerFileIsPutAsideToo() {
+    void newerFileIsAlsoBackedUp() {
         QJsonObject root = QJsonDocument::fromJson(bytesOf(sample())).object();
         root["version"] = kProjectFileVersion + 1;
         put(path_, QJsonDocument(root).toJson());
         QVERIFY(!saveProject(path_, sample())->keptCopy.isEmpty());
     }
 
-    void valuesNoFileMayHoldAreRefusedAndTheOldFileStays() {
+    void invalidValuesAreNotSavedAndKeepTheOldFile() {
         QVERIFY(saveProject(path_, sample()).ok());
         const QByteArray before = contentOf(path_);
         Project bad = sample();
@@ -343,13 +343,13 @@ private Q_SLOTS:
         QVERIFY(saveProject(path_, bad).error().code == ErrorCode::InvalidArgument);
     }
 
-    void folderThatIsNotThereIsSaid() {
+    void missingFolderIsReported() {
         const auto saved = saveProject(directory_->filePath("no/such/folder/x.tiller"), sample());
         QVERIFY(saved.error().code == ErrorCode::FileNotWritable);
         QVERIFY(!saved.error().controllerMessage.isEmpty());
     }
 
-    void writeThatFailsHalfWayLeavesTheOldFile() {
+    void aFailedWriteKeepsTheOldFile() {
 #ifdef __linux__
         QVERIFY(saveProject(path_, sample()).ok());
         const QByteArray before = contentOf(path_);

@@ -78,7 +78,7 @@ class TestProjectParts : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everythingComesBackByteForByte() {
+    void everythingRoundTripsByteForByte() {
         const Project document = fullProject();
         const Result<QByteArray> bytes = serializeProject(document);
         QVERIFY2(bytes.ok(), qPrintable(bytes.error().toString()));
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(*serializeProject(*read), *bytes);
     }
 
-    void theSafetyDistanceAndWhatIsLeftOutComeBack() {
+    void safetyDistanceAndExclusionsRoundTrip() {
         Project document = fullProject();
         document.cell.safetyDistance = 0.025;
         CellBox box = document.cell.boxes.at(0);
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QCOMPARE(read->cell.safetyDistance, 0.025);
     }
 
-    void whatIsEmptyIsNotWritten() {
+    void emptySectionsAreNotWritten() {
         const QJsonObject root = QJsonDocument::fromJson(*serializeProject(Project())).object();
         QCOMPARE(root.keys(), QStringList({"format", "frames", "version", "waypoints"}));
         Project plain;
@@ -237,7 +237,7 @@ private Q_SLOTS:
         QVERIFY2(read.error().context.contains(said), qPrintable(read.error().context));
     }
 
-    void twoOfOneIdAreAProblem() {
+    void duplicateIdsAreReported() {
         const QJsonObject root = rootOfFull();
         const QJsonValue id = root["tools"].toArray()[0].toObject()["id"];
         const QByteArray twice = QJsonDocument(replaced(root, "tools[1].id", id).toObject()).toJson();
@@ -280,7 +280,7 @@ private Q_SLOTS:
         QVERIFY(!refersTo(program, document.frames.at(0).id));
     }
 
-    void pathRunsForward() {
+    void pathTimesMustIncrease() {
         const Result<Project> read = parseProject(fullWith("paths[0].points[0].t", 3));
         QVERIFY2(read.error().context.contains("paths[0].points[1].t: is 0.5 s, outside 3 ..."),
                  qPrintable(read.error().context));
@@ -316,7 +316,7 @@ private Q_SLOTS:
         QCOMPARE(found->lostParts, 1);
     }
 
-    void damageCostsOnlyWhatItHit() {
+    void damageLosesOnlyTheDamagedEntries() {
         const Project document = fullProject();
         QJsonValue root = QJsonDocument::fromJson(*serializeProject(document)).object();
         root = replaced(root, "tools[1].name", 5);

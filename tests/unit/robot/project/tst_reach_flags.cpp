@@ -180,13 +180,13 @@ class TestReachFlags : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theyAgreeWithTheGeometryOfTheArm_data() {
+    void reachFlagsAgreeWithTheGeometryOfTheArm_data() {
         QTest::addColumn<int>("model");
         for (std::size_t i = 0; i < robotModels().size(); ++i) {
             QTest::newRow(robotModels()[i].name) << static_cast<int>(i);
         }
     }
-    void theyAgreeWithTheGeometryOfTheArm() {
+    void reachFlagsAgreeWithTheGeometryOfTheArm() {
         QFETCH(int, model);
         const RobotModel& arm = robotModels()[static_cast<std::size_t>(model)];
         Dice dice(static_cast<unsigned>(1 + model));
@@ -235,7 +235,7 @@ private Q_SLOTS:
 
     // Checks the independent calculation itself. It must accept poses generated from joints and reject the
     // same poses after they were moved out of reach. It would detect an arm that is slightly too long.
-    void theGeometryItselfKnowsTheReach() {
+    void theReferenceGeometryKnowsTheReach() {
         Dice dice(99);
         for (const RobotModel& arm : robotModels()) {
             for (int i = 0; i < 200; ++i) {

@@ -33,7 +33,7 @@ class TestReachability : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void taughtPlaceIsReachedWithItsOwnPosture() {
+    void aTaughtPoseIsReachedWithItsOwnPosture() {
         const Pose offset(0, 0, 0.15, 0, 0, 0.3);
         Waypoint point = poseRuled(kinematics::forwardTcp(ur5e().dh, kStart, offset));
         point.tcpOffset = offset;
@@ -42,12 +42,12 @@ private Q_SLOTS:
         QVERIFY((result.q.values - kStart.values).norm() < 1e-8);
     }
 
-    void farPoseIsOutOfReach() {
+    void aDistantPoseIsOutOfReach() {
         QVERIFY(reach(ur5e(), poseRuled(Pose(3, 0, 0.2, 0, 3.14, 0)), {}).obstacle ==
                 Reach::Obstacle::OutOfReach);
     }
 
-    void jointsRuledPlaceNeedsNoPose() {
+    void aWaypointDefinedByJointsNeedsNoPose() {
         Waypoint point = poseRuled(Pose(3, 0, 0.2, 0, 3.14, 0));
         point.ruling = TargetKind::Joints;
         QVERIFY(reach(ur5e(), point, {}).ok());
@@ -55,7 +55,7 @@ private Q_SLOTS:
         QVERIFY(reach(ur5e(), point, {}).obstacle == Reach::Obstacle::JointLimit);
     }
 
-    void lostFrameIsSaid() {
+    void aMissingFrameIsReported() {
         Waypoint point = poseRuled(Pose(0.3, 0.2, 0.2, 0, 3.14, 0));
         point.frame = QUuid::createUuid();
         QVERIFY(reach(ur5e(), point, {}).obstacle == Reach::Obstacle::FrameMissing);
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QVERIFY(preview.duration > 0.4);
     }
 
-    void lineThroughTheRobotsOwnColumnIsRefused() {
+    void aLineThroughTheRobotColumnIsRefused() {
         // The start and the end are reachable. Between them is the cylinder around axis 1, which the wrist
         // cannot enter.
         Pose target = kinematics::forwardTcp(ur5e().dh, kStart);
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QVERIFY(previewMove(ur5e(), point, {}, kStart).reach.obstacle == Reach::Obstacle::OnTheWay);
     }
 
-    void anotherActiveTcpStillBringsTheFlangeThere() {
+    void anotherActiveTcpStillReachesTheFlangePose() {
         const Pose taughtTcp(0, 0, 0.1, 0, 0, 0);
         const Pose activeTcp(0.02, 0, 0.2, 0, 0.5, 0);
         Waypoint point = poseRuled(kinematics::forwardTcp(ur5e().dh, kStart, taughtTcp));

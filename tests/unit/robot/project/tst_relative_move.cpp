@@ -38,7 +38,7 @@ class TestRelativeMove : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void offsetInBaseInAFrameAndInTheTool() {
+    void offsetsApplyInBaseFrameAndTool() {
         const Pose tcp(0.3, 0.2, 0.1, M_PI, 0, 0);
         RelativeMove move;
         move.offset = {0.01, 0.02, 0.03};
@@ -49,7 +49,7 @@ private Q_SLOTS:
         QVERIFY(same(movedPose(tcp, move, {}), Pose(0.31, 0.18, 0.07, M_PI, 0, 0)));
     }
 
-    void turnAboutAFrameAndAboutTheTool() {
+    void rotationsApplyAboutAFrameAndTheTool() {
         const Pose tcp(0.3, 0.2, 0.1, M_PI, 0, 0);
         RelativeMove move;
         move.kind = RelativeMove::Kind::Turn;
@@ -65,7 +65,7 @@ private Q_SLOTS:
                     .isApprox(rotationMatrix(tcp.rotation) * rotationMatrix({0, 0, M_PI / 2}), 1e-12));
     }
 
-    void mirrorKeepsTheApproachAndGoesBack() {
+    void mirroringKeepsTheApproachAndIsReversible() {
         const Pose tcp(0.3, 0.2, 0.1, 2.8, 0.4, -0.3);
         RelativeMove move;
         move.kind = RelativeMove::Kind::Mirror;
@@ -96,7 +96,7 @@ private Q_SLOTS:
         }
     }
 
-    void outOfReachIsRefusedByNameOrKeptWhereThePoseRules() {
+    void unreachableWaypointsAreRefusedUnlessDefinedByPose() {
         RelativeMove move;
         move.offset = {3, 0, 0};
         const auto refused = movedBy({ready(TargetKind::Joints)}, move, model(), {});

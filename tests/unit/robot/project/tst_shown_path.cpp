@@ -66,7 +66,7 @@ class TestDemonstration : public QObject {
 private Q_SLOTS:
     // For every demonstration, each demonstrated position is within the permitted distance of the stored
     // path.
-    void everyShownPlaceIsWithinTheTolerance() {
+    void everyShownPointIsWithinTheTolerance() {
         std::mt19937 random(1);
         int kept = 0;
         int samples = 0;
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QVERIFY2(kept * 20 < samples, qPrintable(QStringLiteral("%1 of %2").arg(kept).arg(samples)));
     }
 
-    void aStraightWayNeedsTwoPlaces() {
+    void aStraightPathNeedsTwoPoints() {
         Demonstration shown;
         for (int i = 0; i < 1000; ++i) {
             shown.append(0.002 * i, JointPositions(0.001 * i, -1.5, 1.5, -1.5, -1.5, 0));
@@ -108,7 +108,7 @@ private Q_SLOTS:
     }
 
     // A movement in both directions is not a straight path, although it starts and ends at the same position.
-    void theFarEndOfAWayThereAndBackIsKept() {
+    void theFarEndOfAReturnPathIsKept() {
         Demonstration shown;
         for (int i = 0; i <= 1000; ++i) {
             const double turn = 0.001 * (i <= 500 ? i : 1000 - i);
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY2(furthest > 0.5 - 0.0087, qPrintable(QString::number(furthest)));
     }
 
-    void standingStillAtItsEndsIsLeftOut() {
+    void standstillAtTheEndsIsTrimmed() {
         Demonstration shown;
         for (int i = 0; i < 300; ++i) {
             const int moved = std::clamp(i - 100, 0, 100);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QVERIFY((moving.q.back().values - shown.q.back().values).cwiseAbs().maxCoeff() < 0.0006);
     }
 
-    void theTableIsReadBackAsItWas() {
+    void theTableRoundTrips() {
         std::mt19937 random(2);
         const Demonstration shown = shownBy(random, 400, 0.0003);
         QTemporaryDir folder;
@@ -155,7 +155,7 @@ private Q_SLOTS:
     }
 
     // Samples along the stored path follow it with its timing.
-    void alongThePathAreSamplesOfIt() {
+    void samplesLieOnThePath() {
         std::mt19937 random(3);
         const Demonstration shown = shownBy(random, 800, 0);
         const auto path = keptPath(shown, arm(), kTool, {});
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QVERIFY(off.joints < 1e-9 && off.tcp < 1e-9);
     }
 
-    void badRowsAreNamed_data() {
+    void invalidRowsAreReported_data() {
         QTest::addColumn<std::vector<double>>("times");
         QTest::addColumn<std::vector<double>>("first");
         QTest::addColumn<QString>("said");
@@ -182,7 +182,7 @@ private Q_SLOTS:
         QTest::newRow("no row") << V{} << V{} << "two rows";
         QTest::newRow("a short column") << V{0, 1, 2} << V{0, 0} << "row 3";
     }
-    void badRowsAreNamed() {
+    void invalidRowsAreReported() {
         QFETCH(std::vector<double>, times);
         QFETCH(std::vector<double>, first);
         QFETCH(QString, said);

@@ -30,7 +30,7 @@ class TestWaypointList : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void insertPutsTheNewOneAtItsPlace() {
+    void insertPutsTheWaypointAtItsIndex() {
         WaypointList list;
         list.append(named("a"));
         list.append(named("c"));
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(list.size(), 1);
     }
 
-    void newNamesAreNeverTakenTwice() {
+    void newNamesAreUnique() {
         WaypointList list;
         QCOMPARE(list.uniqueName("pick"), QString("pick"));
         list.append(named("pick"));
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(*poseInBase(point, frames), point.pose);
     }
 
-    void teachingInAFrameKeepsThePlace() {
+    void teachingInAFrameKeepsThePosition() {
         FrameList frames;
         const QUuid tray = QUuid::createUuid();
         frames.append({tray, "Tray A", Pose(0.5, 0.1, 0, 0.2, -0.3, 1.0), {}});

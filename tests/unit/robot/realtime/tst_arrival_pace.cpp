@@ -59,7 +59,7 @@ class TestArrivalPace : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void unevenArrivalsAreLaidOutEvenly() {
+    void unevenArrivalsAreSpacedEvenly() {
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 5000, jitter(300'000));
         // 0.2 % of a period. The remaining drift comes from the estimates, not from the arrivals.
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY2(held > 120'000 && held < 250'000, qPrintable(QString::number(held)));
     }
 
-    void whatComesEvenlyIsHardlyHeld() {
+    void evenArrivalsAreHardlyDelayed() {
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 5000, [](int) { return 0.0; });
         for (std::size_t i = 2000; i < cycles.size(); ++i) {
@@ -81,7 +81,7 @@ private Q_SLOTS:
         }
     }
 
-    void noneIsHeldForMoreThanHalfAPeriod() {
+    void noPacketIsDelayedByMoreThanHalfAPeriod() {
         ArrivalPace pace(kPeriod);
         for (const Cycle& cycle : follow(pace, 20'000, jitter(kPeriodNs * 3))) {
             QVERIFY(cycle.heldNs() >= 0);
@@ -90,13 +90,13 @@ private Q_SLOTS:
     }
 
     // Clocks of healthy machines differ by at most 100 ppm in either direction.
-    void theOtherClockIsFollowed_data() {
+    void clockDriftIsTracked_data() {
         QTest::addColumn<double>("drift");
         QTest::newRow("fast") << 1e-4;
         QTest::newRow("slow") << -1e-4;
         QTest::newRow("a clock that is being set") << 2e-4;
     }
-    void theOtherClockIsFollowed() {
+    void clockDriftIsTracked() {
         QFETCH(double, drift);
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 30'000, jitter(100'000), drift);
@@ -106,7 +106,7 @@ private Q_SLOTS:
         }
     }
 
-    void aStallChangesNothingAfterIt() {
+    void aStallHasNoLastingEffect() {
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 3000, [](int i) {
             return i >= 2000 && i < 2010 ? (2010 - i) * kPeriodNs : 0.0;  // ten packages at once
@@ -120,7 +120,7 @@ private Q_SLOTS:
         }
     }
 
-    void aLongerPathIsFollowed_data() {
+    void aChangeOfTransitTimeIsTracked_data() {
         QTest::addColumn<double>("longer");
         QTest::newRow("by less than the highest margin") << 300'000.0;
         QTest::newRow("by more than that") << 800'000.0;
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QTest::newRow("a shorter one") << -400'000.0;
         QTest::newRow("a much shorter one") << -800'000.0;
     }
-    void aLongerPathIsFollowed() {
+    void aChangeOfTransitTimeIsTracked() {
         QFETCH(double, longer);
         ArrivalPace pace(kPeriod);
         const auto shaken = jitter(50'000);
@@ -145,7 +145,7 @@ private Q_SLOTS:
     }
 
     // A late consumer must not attribute its own delay to the network, which would make it even later.
-    void workThatTakesLongDelaysNoneOfIt_data() {
+    void longProcessingDelaysNoPacket_data() {
         QTest::addColumn<double>("busy");
         QTest::addColumn<double>("drift");
         for (const double busy : {0.5, 0.8, 0.9, 0.96, 0.98, 0.995}) {
@@ -154,7 +154,7 @@ private Q_SLOTS:
             }
         }
     }
-    void workThatTakesLongDelaysNoneOfIt() {
+    void longProcessingDelaysNoPacket() {
         QFETCH(double, busy);
         QFETCH(double, drift);
         constexpr std::int64_t kLooking = 50'000;  // minimum waiting time of the consumer
@@ -173,13 +173,13 @@ private Q_SLOTS:
         }
     }
 
-    void oneLateAmongTheFirstIsNotHeldAgainstAll() {
+    void oneLateEarlyPacketDoesNotDelayTheOthers() {
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 1000, [](int i) { return i == 200 ? 450'000.0 : 0.0; });
         QVERIFY2(cycles.back().heldNs() < 75'000, qPrintable(QString::number(cycles.back().heldNs())));
     }
 
-    void aTimeStampThatStandsStillTellsNothing() {
+    void aConstantTimeStampIsIgnored() {
         ArrivalPace pace(kPeriod);
         for (int i = 0; i < 1000; ++i) {
             const std::int64_t due = pace.follow(kNsPerMs * 2 * i, 200 + (i == 500 ? 499 : i) * kPeriod);
@@ -188,12 +188,12 @@ private Q_SLOTS:
         }
     }
 
-    void aClockThatIsSetBeginsAnew_data() {
+    void aClockStepRestartsTheEstimate_data() {
         QTest::addColumn<double>("by");
         QTest::newRow("ahead") << 100.0;
         QTest::newRow("back") << -100.0;
     }
-    void aClockThatIsSetBeginsAnew() {
+    void aClockStepRestartsTheEstimate() {
         QFETCH(double, by);
         ArrivalPace pace(kPeriod);
         for (int i = 0; i < 2000; ++i) {
@@ -204,7 +204,7 @@ private Q_SLOTS:
         }
     }
 
-    void lostPackagesLeaveTheOthersInTheirPlace() {
+    void lostPackagesDoNotShiftTheOthers() {
         ArrivalPace pace(kPeriod);
         std::int64_t last = 0;
         for (int i = 0; i < 3000; ++i) {
@@ -221,7 +221,7 @@ private Q_SLOTS:
         }
     }
 
-    void aLateFirstPackageIsForgotten() {
+    void aLateFirstPackageHasNoLastingEffect() {
         ArrivalPace pace(kPeriod);
         const auto cycles = follow(pace, 200, [](int i) { return i == 0 ? 1.5 * kPeriodNs : 0.0; });
         for (std::size_t i = 1; i < cycles.size(); ++i) {

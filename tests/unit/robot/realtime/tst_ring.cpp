@@ -23,14 +23,14 @@ class TestRing : public QObject {
 
 private Q_SLOTS:
     void capacityIsRoundedUp();
-    void comesOutInOrder();
-    void everyConsumerGetsEverything();
-    void cursorAtEndSeesOnlyWhatFollows();
-    void oldestAreLostAndCounted();
-    void theNewestIsTakenFromNobody();
+    void recordsAreReadInOrder();
+    void everyConsumerReadsEveryRecord();
+    void aCursorAtTheEndReadsOnlyNewRecords();
+    void overwrittenRecordsAreCounted();
+    void readingTheNewestConsumesNothing();
     void aRecordIsWrittenInAnyOrder();
     void nothingIsTornOrReorderedUnderContention();
-    void theNewestIsWholeUnderContention();
+    void theNewestRecordIsConsistentUnderContention();
 };
 
 void TestRing::capacityIsRoundedUp() {
@@ -39,7 +39,7 @@ void TestRing::capacityIsRoundedUp() {
     QCOMPARE(BroadcastRing(1, 0).capacity(), std::size_t(2));
 }
 
-void TestRing::comesOutInOrder() {
+void TestRing::recordsAreReadInOrder() {
     BroadcastRing ring(2, 4);
     auto cursor = ring.atBegin();
     Record got{};
@@ -59,7 +59,7 @@ void TestRing::comesOutInOrder() {
     QCOMPARE(cursor.lost, std::uint64_t(0));
 }
 
-void TestRing::everyConsumerGetsEverything() {
+void TestRing::everyConsumerReadsEveryRecord() {
     BroadcastRing ring(2, 8);
     auto first = ring.atEnd();
     auto second = ring.atEnd();
@@ -75,7 +75,7 @@ void TestRing::everyConsumerGetsEverything() {
     }
 }
 
-void TestRing::cursorAtEndSeesOnlyWhatFollows() {
+void TestRing::aCursorAtTheEndReadsOnlyNewRecords() {
     BroadcastRing ring(2, 8);
     push(ring, 1);
     auto cursor = ring.atEnd();
@@ -86,7 +86,7 @@ void TestRing::cursorAtEndSeesOnlyWhatFollows() {
     QCOMPARE(got[0], std::uint64_t(2));
 }
 
-void TestRing::oldestAreLostAndCounted() {
+void TestRing::overwrittenRecordsAreCounted() {
     BroadcastRing ring(2, 4);
     auto cursor = ring.atBegin();
     for (std::uint64_t i = 0; i < 11; ++i) {
@@ -102,7 +102,7 @@ void TestRing::oldestAreLostAndCounted() {
     QCOMPARE(ring.atBegin().next, std::uint64_t(7));
 }
 
-void TestRing::theNewestIsTakenFromNobody() {
+void TestRing::readingTheNewestConsumesNothing() {
     BroadcastRing ring(2, 4);
     Record got{7, 7};
     const auto into = [&](std::size_t i, std::uint64_t word) { got.at(i) = word; };
@@ -132,7 +132,7 @@ void TestRing::aRecordIsWrittenInAnyOrder() {
     QVERIFY((got == std::array<std::uint64_t, 3>{10, 40, 30}));
 }
 
-void TestRing::theNewestIsWholeUnderContention() {
+void TestRing::theNewestRecordIsConsistentUnderContention() {
     BroadcastRing ring(2, 2);
     constexpr std::uint64_t kCount = 100000;
     std::atomic<bool> over{false};

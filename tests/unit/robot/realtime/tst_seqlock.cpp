@@ -15,7 +15,7 @@ private Q_SLOTS:
     void readsWhatWasWritten();
     void startsWithZeros();
     void versionCountsWrites();
-    void readersNeverSeeAMixture();
+    void readersNeverSeeATornValue();
     void holdsAnyTrivialType();
 };
 
@@ -42,7 +42,7 @@ void TestSeqlock::versionCountsWrites() {
     }
 }
 
-void TestSeqlock::readersNeverSeeAMixture() {
+void TestSeqlock::readersNeverSeeATornValue() {
     constexpr std::size_t kWords = 64;
     WordSeqlock lock(kWords);
     std::atomic<bool> done{false};

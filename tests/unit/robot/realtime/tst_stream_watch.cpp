@@ -17,12 +17,12 @@ private Q_SLOTS:
     void lateIsMoreThanHalfAPeriod();
     void burstAfterAStallCountsEachLatePackage();
     void driftOfTheClocksIsNotLateness();
-    void aBacklogIsAsOldAsItLayThere();
-    void aWayThatHasBecomeLongerIsTheNewMeasure();
-    void restartOfTheControllerIsNoGap();
+    void aBacklogIsDatedByItsWaitingTime();
+    void aLongerTransitTimeBecomesTheReference();
+    void aControllerRestartIsNotAGap();
     void interruptionIsAGapInTimeStamps();
-    void withoutTimeStampsNothingIsJudged();
-    void slowerStreamsAreJudgedByTheirOwnPeriod();
+    void nothingIsReportedWithoutTimeStamps();
+    void slowerStreamsUseTheirOwnPeriod();
 };
 
 void TestStreamWatch::evenStreamIsNeitherLateNorLossy() {
@@ -79,7 +79,7 @@ void TestStreamWatch::driftOfTheClocksIsNotLateness() {
     }
 }
 
-void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
+void TestStreamWatch::aBacklogIsDatedByItsWaitingTime() {
     StreamWatch watch;
     watch.begin(0.002);
     for (int i = 0; i < 100; ++i) {
@@ -97,7 +97,7 @@ void TestStreamWatch::aBacklogIsAsOldAsItLayThere() {
 
 // A simulated robot was delayed, or the network route has changed. Reporting lateness permanently would not
 // be useful.
-void TestStreamWatch::aWayThatHasBecomeLongerIsTheNewMeasure() {
+void TestStreamWatch::aLongerTransitTimeBecomesTheReference() {
     StreamWatch watch;
     watch.begin(0.002);
     watch.add(1, 0);
@@ -113,7 +113,7 @@ void TestStreamWatch::aWayThatHasBecomeLongerIsTheNewMeasure() {
     QVERIFY(!watch.add(2.022, 1022 * kNsPerMs + kHeldUp).late);
 }
 
-void TestStreamWatch::restartOfTheControllerIsNoGap() {
+void TestStreamWatch::aControllerRestartIsNotAGap() {
     StreamWatch watch;
     watch.begin(0.002);
     watch.add(5000.0, 0);
@@ -135,7 +135,7 @@ void TestStreamWatch::interruptionIsAGapInTimeStamps() {
     QVERIFY(!verdict.late);
 }
 
-void TestStreamWatch::withoutTimeStampsNothingIsJudged() {
+void TestStreamWatch::nothingIsReportedWithoutTimeStamps() {
     StreamWatch watch;
     watch.begin(0.002);
     watch.add(std::nan(""), 0);
@@ -144,7 +144,7 @@ void TestStreamWatch::withoutTimeStampsNothingIsJudged() {
     QVERIFY(!verdict.late);
 }
 
-void TestStreamWatch::slowerStreamsAreJudgedByTheirOwnPeriod() {
+void TestStreamWatch::slowerStreamsUseTheirOwnPeriod() {
     StreamWatch watch;
     watch.begin(0.008);
     watch.add(1.0, 0);

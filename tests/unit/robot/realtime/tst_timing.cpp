@@ -26,18 +26,18 @@ private Q_SLOTS:
     void percentilesAreWithinABucket();
     void extremesAndMeanAreExact();
     void negativeAndHugeValuesAreCounted();
-    void countAboveAThreshold();
-    void mergedIsTheSameAsAddedTogether();
+    void valuesAboveAThresholdAreCounted();
+    void mergingEqualsAddingAllValues();
     void timerKeepsToItsGrid();
-    void timerSkipsWhatWasMissed();
+    void timerSkipsMissedPeriods();
     void priorityIsReportedAsGranted();
-    void noWishIsNoRefusal();
-    void aWaitLearnsHowLateThisMachineWakesUp();
-    void aWaitThatCannotHelpDoesNotStayAwake();
-    void onOneCpuNobodyStaysAwake();
-    void aPunctualWaitIsNeverEarlyAndSaysWhatItCost();
+    void requestingNoPriorityIsNotARefusal();
+    void aWaitLearnsTheWakeUpLatency();
+    void aWaitDoesNotSpinWhenSpinningCannotHelp();
+    void noWaitSpinsOnASingleCpu();
+    void aPunctualWaitIsNeverEarlyAndReportsItsCost();
     void aWaitInVirtualTimeReturnsAtOnce();
-    void fastWakeUpsAreGrantedOrToldHow();
+    void fastWakeUpsAreGrantedOrExplained();
 };
 
 void TestTiming::emptyHistogramIsAllZero() {
@@ -86,7 +86,7 @@ void TestTiming::negativeAndHugeValuesAreCounted() {
     QCOMPARE(histogram.percentileNs(100), std::numeric_limits<std::int64_t>::max());
 }
 
-void TestTiming::countAboveAThreshold() {
+void TestTiming::valuesAboveAThresholdAreCounted() {
     Histogram histogram;
     for (int i = 1; i <= 100; ++i) {
         histogram.add(i * kNsPerMs);
@@ -99,7 +99,7 @@ void TestTiming::countAboveAThreshold() {
     QCOMPARE(histogram.countAbove(0), std::uint64_t(0));
 }
 
-void TestTiming::mergedIsTheSameAsAddedTogether() {
+void TestTiming::mergingEqualsAddingAllValues() {
     Histogram first;
     Histogram second;
     Histogram both;
@@ -128,7 +128,7 @@ void TestTiming::timerKeepsToItsGrid() {
     QVERIFY(clock.nowNs() - before >= static_cast<std::int64_t>(periods) * 2 * kNsPerMs);
 }
 
-void TestTiming::timerSkipsWhatWasMissed() {
+void TestTiming::timerSkipsMissedPeriods() {
     const SteadyClock clock;
     PeriodicTimer timer(1ms);
     timer.wait();
@@ -151,14 +151,14 @@ void TestTiming::priorityIsReportedAsGranted() {
     QCOMPARE(report.granted, report.ok() ? 90 : 0);
 }
 
-void TestTiming::noWishIsNoRefusal() {
+void TestTiming::requestingNoPriorityIsNotARefusal() {
     const PriorityReport report = requestThreadPriority(0);
     QVERIFY(report.ok());
     QCOMPARE(report.granted, 0);
     QVERIFY(report.advice.isEmpty());
 }
 
-void TestTiming::aWaitLearnsHowLateThisMachineWakesUp() {
+void TestTiming::aWaitLearnsTheWakeUpLatency() {
     // 99 of 100 wake-ups are at most 60 us late. The wait adapts to wake up slightly early, whatever its
     // initial value.
     std::mt19937 random(7);
@@ -177,7 +177,7 @@ void TestTiming::aWaitLearnsHowLateThisMachineWakesUp() {
     QVERIFY2(later < kLooks / 50, qPrintable(QString::number(later)));
 }
 
-void TestTiming::aWaitThatCannotHelpDoesNotStayAwake() {
+void TestTiming::aWaitDoesNotSpinWhenSpinningCannotHelp() {
     PunctualWait wait(true);
     for (int i = 0; i < 1000; ++i) {
         wait.learn(2'000'000);
@@ -190,7 +190,7 @@ void TestTiming::aWaitThatCannotHelpDoesNotStayAwake() {
     QVERIFY(wait.awakeNs() > 0);
 }
 
-void TestTiming::onOneCpuNobodyStaysAwake() {
+void TestTiming::noWaitSpinsOnASingleCpu() {
     PunctualWait wait(false);
     wait.learn(100'000);
     QCOMPARE(wait.awakeNs(), std::int64_t(0));
@@ -199,7 +199,7 @@ void TestTiming::onOneCpuNobodyStaysAwake() {
     QCOMPARE(wait.spentNs(), std::int64_t(0));
 }
 
-void TestTiming::aPunctualWaitIsNeverEarlyAndSaysWhatItCost() {
+void TestTiming::aPunctualWaitIsNeverEarlyAndReportsItsCost() {
     const Clock& clock = SteadyClock::shared();
     PunctualWait wait(true);
     std::int64_t due = clock.nowNs();
@@ -222,7 +222,7 @@ void TestTiming::aWaitInVirtualTimeReturnsAtOnce() {
     QCOMPARE(wait.awakeNs(), awake);
 }
 
-void TestTiming::fastWakeUpsAreGrantedOrToldHow() {
+void TestTiming::fastWakeUpsAreGrantedOrExplained() {
     const CpuLatency one;
     const CpuLatency two;
     QCOMPARE(one.isGranted(), two.isGranted());

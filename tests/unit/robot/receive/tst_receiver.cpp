@@ -54,28 +54,28 @@ class TestReceiver : public QObject {
 private Q_SLOTS:
     void publishesEveryPackageOnceInOrder();
     void latestIsTheNewest();
-    void beforeTheFirstPackageThereIsNothing();
-    void namesThatDoNotExistAreRefused();
+    void noDataExistBeforeTheFirstPackage();
+    void unknownNamesAreRefused();
     void waitsForData();
     void waitingForDataReportsWhyNoneArrived();
-    void waitingForDataWantsFreshOnes();
-    void aRestartOfTheControllerIsWaitedFor();
-    void subscribersWaitForTheNextOne();
+    void waitingForDataRequiresFreshData();
+    void waitingForDataSurvivesAControllerRestart();
+    void subscribersWaitForTheNextSample();
     void waitingEndsWithTheReceiver();
     void samplesCarryTheClocksTime();
     void backlogSamplesAreNotFresh();
-    void dataComeBackWithinTwoSeconds();
+    void dataResumeWithinTwoSeconds();
     void countsSkippedPackages();
     void countsLatePackages();
-    void fieldsTheRobotLacksAreAbsent();
+    void unsupportedFieldsAreAbsent();
     void addsTheTimestamp();
     void worksWithCb3();
-    void comesBackByItself();
-    void comesBackAfterGarbage();
-    void givesUpASilentConnection();
+    void reconnectsAutomatically();
+    void reconnectsAfterGarbage();
+    void closesASilentConnection();
     void waitsLongerAfterEveryFailure();
     void countersCanBeReset();
-    void slowSubscriberLosesTheOldestOnly();
+    void aSlowSubscriberLosesOnlyTheOldestSamples();
     void subscriptionOutlivesTheReceiver();
     void startsAgainAfterStop();
     void stopsPromptly_data();
@@ -124,7 +124,7 @@ void TestReceiver::latestIsTheNewest() {
     QCOMPARE(RobotState(sample).q()[0], 6.0);
 }
 
-void TestReceiver::beforeTheFirstPackageThereIsNothing() {
+void TestReceiver::noDataExistBeforeTheFirstPackage() {
     Receiver receiver(to(1));
     QCOMPARE(receiver.state(), ReceiverState::Stopped);
     const Sample sample = receiver.latest();
@@ -136,7 +136,7 @@ void TestReceiver::beforeTheFirstPackageThereIsNothing() {
     QCOMPARE(receiver.counters().rateHz, 0.0);
 }
 
-void TestReceiver::namesThatDoNotExistAreRefused() {
+void TestReceiver::unknownNamesAreRefused() {
     RtdePeer peer;
     ReceiverOptions options = to(peer.port());
     options.fields = {"timestamp", "actual_qq", "actual_q", "target_Q_"};
@@ -201,7 +201,7 @@ void TestReceiver::waitingForDataReportsWhyNoneArrived() {
     QCOMPARE(receiver.waitForData(Deadline::after(1h, token)).error().code, ErrorCode::Cancelled);
 }
 
-void TestReceiver::waitingForDataWantsFreshOnes() {
+void TestReceiver::waitingForDataRequiresFreshData() {
     VirtualClock clock;
     RtdePeer peer;
     ReceiverOptions options = to(peer.port());
@@ -222,7 +222,7 @@ void TestReceiver::waitingForDataWantsFreshOnes() {
     QVERIFY(!receiver.waitForData(Deadline::after(1ms)).ok());
 }
 
-void TestReceiver::aRestartOfTheControllerIsWaitedFor() {
+void TestReceiver::waitingForDataSurvivesAControllerRestart() {
     auto peer = std::make_unique<RtdePeer>();
     ReceiverOptions options = to(peer->port());
     options.reconnectDelays = {1ms};
@@ -241,7 +241,7 @@ void TestReceiver::aRestartOfTheControllerIsWaitedFor() {
     QCOMPARE(waiting.get().error().code, ErrorCode::Cancelled);
 }
 
-void TestReceiver::subscribersWaitForTheNextOne() {
+void TestReceiver::subscribersWaitForTheNextSample() {
     constexpr int kPackages = 200;
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
@@ -330,7 +330,7 @@ void TestReceiver::backlogSamplesAreNotFresh() {
 
 // The connection can become available again at any time during an attempt or during the wait after it. The
 // worst case is one failed attempt, one wait and the next attempt.
-void TestReceiver::dataComeBackWithinTwoSeconds() {
+void TestReceiver::dataResumeWithinTwoSeconds() {
     const ReceiverOptions options;
     const auto longest = *std::max_element(options.reconnectDelays.begin(), options.reconnectDelays.end());
     QVERIFY(options.connectTimeout + longest < 2s);
@@ -378,7 +378,7 @@ void TestReceiver::countsLatePackages() {
     QCOMPARE(receiver.intervals().maxNs(), 4 * kNsPerMs);
 }
 
-void TestReceiver::fieldsTheRobotLacksAreAbsent() {
+void TestReceiver::unsupportedFieldsAreAbsent() {
     test::RtdePeerOptions robot;
     robot.missing = {"ft_raw_wrench", "payload", "output_int_register_36"};
     RtdePeer peer(robot);
@@ -429,7 +429,7 @@ void TestReceiver::worksWithCb3() {
     }
 }
 
-void TestReceiver::comesBackByItself() {
+void TestReceiver::reconnectsAutomatically() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
     Subscription subscription = receiver.subscribe();
@@ -454,7 +454,7 @@ void TestReceiver::comesBackByItself() {
     QCOMPARE(receiver.counters().lost, std::uint64_t(0));
 }
 
-void TestReceiver::comesBackAfterGarbage() {
+void TestReceiver::reconnectsAfterGarbage() {
     RtdePeer peer;
     Receiver receiver(to(peer.port()));
     QVERIFY(receiver.start().ok());
@@ -467,7 +467,7 @@ void TestReceiver::comesBackAfterGarbage() {
     TRY_COMPARE(receiver.counters().packets, std::uint64_t(2));
 }
 
-void TestReceiver::givesUpASilentConnection() {
+void TestReceiver::closesASilentConnection() {
     VirtualClock clock;
     RtdePeer peer;
     ReceiverOptions options = to(peer.port());
@@ -515,7 +515,7 @@ void TestReceiver::countersCanBeReset() {
     QCOMPARE(receiver.counters().lost, std::uint64_t(0));
 }
 
-void TestReceiver::slowSubscriberLosesTheOldestOnly() {
+void TestReceiver::aSlowSubscriberLosesOnlyTheOldestSamples() {
     RtdePeer peer;
     ReceiverOptions options = to(peer.port());
     options.ringCapacity = 64;

@@ -39,8 +39,8 @@ private Q_SLOTS:
     void unknownAndRepeatedNamesAreLeftOut();
     void componentsAreFoundByTheirRecordingName();
     void absentFieldsAreEmpty();
-    void stateReadsWithTypes();
-    void missingStateIsTreatedCautiously();
+    void stateHasTypedAccessors();
+    void missingStateIsTreatedAsUnsafe();
     void noDataIsNeverANumber_data();
     void noDataIsNeverANumber();
     void misspeltNamesAreExplained();
@@ -84,7 +84,7 @@ void TestSample::absentFieldsAreEmpty() {
     QVERIFY(empty.isEmpty());
 }
 
-void TestSample::stateReadsWithTypes() {
+void TestSample::stateHasTypedAccessors() {
     const Sample sample = sampleOf({
         {"timestamp", {12.5}},
         {"actual_q", {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}},
@@ -131,7 +131,7 @@ void TestSample::stateReadsWithTypes() {
     QVERIFY(!state.has("payload_inertia"));
 }
 
-void TestSample::missingStateIsTreatedCautiously() {
+void TestSample::missingStateIsTreatedAsUnsafe() {
     const Sample sample = sampleOf({});
     const RobotState state(sample);
     QCOMPARE(state.robotMode(), RobotMode::Disconnected);

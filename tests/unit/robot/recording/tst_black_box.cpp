@@ -82,9 +82,9 @@ class TestBlackBox : public QObject {
 private Q_SLOTS:
     void aProtectiveStopBecomesAFile();
     void dataAfterTheStopBelongToTheIncident();
-    void everyKindOfStopHasItsName_data();
-    void everyKindOfStopHasItsName();
-    void stopPresentOnConnectingIsNoIncident();
+    void everyKindOfStopHasAName_data();
+    void everyKindOfStopHasAName();
+    void aStopPresentOnConnectingIsNotAnIncident();
     void alarmIsAnIncident();
     void stoppingTheBoxWritesAvailableData();
     void numberOfFilesIsLimited();
@@ -148,7 +148,7 @@ void TestBlackBox::dataAfterTheStopBelongToTheIncident() {
     QVERIFY(bench.incidents.front().secondsBefore > 0);
 }
 
-void TestBlackBox::everyKindOfStopHasItsName_data() {
+void TestBlackBox::everyKindOfStopHasAName_data() {
     QTest::addColumn<int>("mode");
     QTest::addColumn<QString>("reason");
     QTest::newRow("protective stop") << 3 << "protective-stop";
@@ -157,7 +157,7 @@ void TestBlackBox::everyKindOfStopHasItsName_data() {
     QTest::newRow("fault") << 9 << "fault";
 }
 
-void TestBlackBox::everyKindOfStopHasItsName() {
+void TestBlackBox::everyKindOfStopHasAName() {
     QFETCH(int, mode);
     QFETCH(QString, reason);
     Bench bench;
@@ -168,7 +168,7 @@ void TestBlackBox::everyKindOfStopHasItsName() {
     QCOMPARE(QString::fromStdString(bench.incidents.front().reason), reason);
 }
 
-void TestBlackBox::stopPresentOnConnectingIsNoIncident() {
+void TestBlackBox::aStopPresentOnConnectingIsNotAnIncident() {
     Bench bench;
     QVERIFY(bench.box.start(bench.options, bench.receiver).ok());
     bench.send(5, 3);

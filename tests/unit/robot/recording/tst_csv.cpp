@@ -38,13 +38,13 @@ class TestCsv : public QObject {
 
 private Q_SLOTS:
     void columnsAreNamedAsInRecordings();
-    void columnsAreThoseAskedForAlone();
-    void numbersReadBackExactly();
+    void onlyTheRequestedColumnsAreWritten();
+    void numbersRoundTripExactly();
     void absentValuesAreEmptyCells();
     void commaLocalesChangeNothing();
     void defaultFieldsAreInTheDefaultRecipe();
-    void readsOtherPeoplesFiles();
-    void lineWithoutAnEndIsLeftOut();
+    void readsFilesOfOtherPrograms();
+    void anUnterminatedLineIsSkipped();
     void corruptFilesAreExplained_data();
     void corruptFilesAreExplained();
     void missingFileIsAnError();
@@ -61,7 +61,7 @@ void TestCsv::columnsAreNamedAsInRecordings() {
     QCOMPARE(writer.columns(), std::size_t(8));
 }
 
-void TestCsv::columnsAreThoseAskedForAlone() {
+void TestCsv::onlyTheRequestedColumnsAreWritten() {
     const auto layout = std::make_shared<receive::SampleLayout>(
         std::vector<std::string>{"timestamp", "robot_mode", "actual_q"});
     const CsvWriter writer(*layout, {"robot_mode", "timestamp"}, true);
@@ -73,7 +73,7 @@ void TestCsv::columnsAreThoseAskedForAlone() {
     QCOMPARE(CsvWriter(*layout, {"ft_raw_wrench"}, true).columns(), std::size_t(0));
 }
 
-void TestCsv::numbersReadBackExactly() {
+void TestCsv::numbersRoundTripExactly() {
     const auto layout =
         std::make_shared<receive::SampleLayout>(std::vector<std::string>{"timestamp", "actual_q"});
     const CsvWriter writer(*layout, {"timestamp", "actual_q"});
@@ -136,7 +136,7 @@ void TestCsv::defaultFieldsAreInTheDefaultRecipe() {
     }
 }
 
-void TestCsv::readsOtherPeoplesFiles() {
+void TestCsv::readsFilesOfOtherPrograms() {
     const QTemporaryDir folder;
     const auto table =
         readCsv(write(folder, "\"timestamp\", actual_q_0 ,note\r\n1.5,+2e-3,nan\r\n\r\n2, -inf ,\r\n"));
@@ -151,7 +151,7 @@ void TestCsv::readsOtherPeoplesFiles() {
     QVERIFY(table->column("missing") == nullptr);
 }
 
-void TestCsv::lineWithoutAnEndIsLeftOut() {
+void TestCsv::anUnterminatedLineIsSkipped() {
     const QTemporaryDir folder;
     const auto table = readCsv(write(folder, "timestamp,x\n1,2\n2,3.1"));
     QVERIFY(table.ok());

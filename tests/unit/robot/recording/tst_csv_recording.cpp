@@ -13,17 +13,17 @@ class TestCsvRecording : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void oursIsReadWithUnitsAndGaps();
-    void semicolonsAndDecimalCommas();
-    void blanksBetweenTheCells_data();
-    void blanksBetweenTheCells();
-    void aBlankInTheOnlyHeadingSeparatesNothing();
-    void aLineOfUnits();
-    void unitsInTheHeading();
-    void aClockThatStartsAnewGoesOn();
+    void ownFilesAreReadWithUnitsAndGaps();
+    void semicolonsAndDecimalCommasAreRead();
+    void blankSeparatedCellsAreRead_data();
+    void blankSeparatedCellsAreRead();
+    void aBlankInASingleHeadingIsNotASeparator();
+    void aLineOfUnitsIsRead();
+    void unitsInTheHeadingAreRead();
+    void timeContinuesAfterAClockRestart();
     void unsortedTablesHaveFewRestarts();
     void nonNumericCellsAreReported();
-    void linesOfAnotherLengthAreOmittedAndReported();
+    void linesWithAWrongCellCountAreSkippedAndReported();
     void unterminatedLastLineIsReported();
     void nonTableFilesAreReported();
     void summariesKeepSpikes();
@@ -48,7 +48,7 @@ std::vector<double> column(const Recording& recording, const char* name) {
 
 }  // namespace
 
-void TestCsvRecording::oursIsReadWithUnitsAndGaps() {
+void TestCsvRecording::ownFilesAreReadWithUnitsAndGaps() {
     const auto recording = open(test::madeFile(*csvFormat(), 1000, 600)).value();
     QVERIFY(recording->problems().isEmpty());
     QCOMPARE(recording->rows(), std::uint64_t(1000));
@@ -60,14 +60,14 @@ void TestCsvRecording::oursIsReadWithUnitsAndGaps() {
     QCOMPARE(recording->rowAt(1.0).value(), std::uint64_t(500));
 }
 
-void TestCsvRecording::semicolonsAndDecimalCommas() {
+void TestCsvRecording::semicolonsAndDecimalCommasAreRead() {
     const auto recording = open("Time;Force\n0,000;1,5\n0,010;-2,5e-1\n0,020;\n").value();
     QCOMPARE(column(*recording, "Force")[1], -0.25);
     QVERIFY(std::isnan(column(*recording, "Force")[2]));
     QCOMPARE(recording->times({2, 1}).value().front(), 0.02);
 }
 
-void TestCsvRecording::blanksBetweenTheCells_data() {
+void TestCsvRecording::blankSeparatedCellsAreRead_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::newRow("one blank") << QByteArray(
         "timestamp actual_q_0 actual_q_1\n0.000 1.5 -0.2\n0.008 1.6 -0.3\n0.016 1.7 -0.4\n");
@@ -84,7 +84,7 @@ void TestCsvRecording::blanksBetweenTheCells_data() {
         "timestamp | actual_q_0 | actual_q_1\n0.000 | 1.5 | -0.2\n0.008 | 1.6 | -0.3\n0.016 | 1.7 | -0.4\n");
 }
 
-void TestCsvRecording::blanksBetweenTheCells() {
+void TestCsvRecording::blankSeparatedCellsAreRead() {
     QFETCH(QByteArray, text);
     const auto opened = open(text.toStdString());
     QVERIFY2(opened.ok(), opened.ok() ? "" : qPrintable(opened.error().toString()));
@@ -96,21 +96,21 @@ void TestCsvRecording::blanksBetweenTheCells() {
     QCOMPARE(recording.columns()[*recording.indexOf("actual_q_0")].unit, std::string("rad"));
 }
 
-void TestCsvRecording::aBlankInTheOnlyHeadingSeparatesNothing() {
+void TestCsvRecording::aBlankInASingleHeadingIsNotASeparator() {
     const auto recording = open("Tool force [N]\n1.5\n2.5\n").value();
     QCOMPARE(recording->columns().size(), std::size_t(1));
     QCOMPARE(recording->columns()[0].name, std::string("Tool force"));
     QCOMPARE(recording->rows(), std::uint64_t(2));
 }
 
-void TestCsvRecording::aLineOfUnits() {
+void TestCsvRecording::aLineOfUnitsIsRead() {
     const auto recording = open("timestamp,Force\ns,N\n0,1\n0.1,2\n").value();
     QCOMPARE(recording->columns()[1].unit, std::string("N"));
     QCOMPARE(recording->rows(), std::uint64_t(2));
     QVERIFY(recording->problems().isEmpty());
 }
 
-void TestCsvRecording::unitsInTheHeading() {
+void TestCsvRecording::unitsInTheHeadingAreRead() {
     const auto recording = open(
                                "\xEF\xBB\xBF"
                                "# t [s]\t\"a; b [mm]\"\n0\t1\n")
@@ -119,7 +119,7 @@ void TestCsvRecording::unitsInTheHeading() {
     QCOMPARE(recording->columns()[1].unit, std::string("mm"));
 }
 
-void TestCsvRecording::aClockThatStartsAnewGoesOn() {
+void TestCsvRecording::timeContinuesAfterAClockRestart() {
     const auto recording = open("timestamp,a\n100,1\n100.5,2\n101,3\n0,4\n0.5,5\n").value();
     QCOMPARE(recording->times({0, 5}).value(), (std::vector<double>{0, 0.5, 1, 1.5, 2}));
 }
@@ -144,7 +144,7 @@ void TestCsvRecording::nonNumericCellsAreReported() {
     QVERIFY(recording->problems().join(' ').contains("2 cells are not numbers"));
 }
 
-void TestCsvRecording::linesOfAnotherLengthAreOmittedAndReported() {
+void TestCsvRecording::linesWithAWrongCellCountAreSkippedAndReported() {
     std::string text = "timestamp,a\n0,1\n";
     for (int i = 0; i < 50; ++i) {
         text += "1\n";

@@ -31,7 +31,7 @@ private Q_SLOTS:
         QVERIFY2(others == 1, "one format opens the files without the first bytes of another");
     }
 
-    void whatARecorderWritesIsOpened() {
+    void recordedFilesCanBeOpened() {
         for (const FileFormat& format : fileFormats()) {
             const QString path = folder_.filePath("recorded." + format.suffixes.constFirst());
             if (format.recorder == nullptr) {
@@ -43,7 +43,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatAnExportWritesIsOpened() {
+    void exportedFilesCanBeOpened() {
         const QString source = folder_.filePath("source.csv");
         QVERIFY(test::writeFile(source, test::madeFile(*csvFormat(), 200)));
         const auto recording = openRecording(source);

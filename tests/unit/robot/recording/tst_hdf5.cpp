@@ -41,15 +41,15 @@ class TestHdf5 : public QObject {
 
 private Q_SLOTS:
     void exportedDataAreReadBack();
-    void anyNameOfAColumnIsWritten();
-    void partialExport();
+    void anyColumnNameCanBeWritten();
+    void partOfARecordingIsExported();
     void cancelledExportKeepsTheExistingFile();
-    void brokenFilesEndInWords();
-    void filesOfOthers();
+    void brokenFilesAreReported();
+    void filesOfOtherProgramsAreRead();
     void episodesByProgram();
     void episodesByNotes();
-    void noEpisodeIsAnError();
-    void textOfSomeColumnsHasTheTimeColumn();
+    void anExportWithoutEpisodesIsAnError();
+    void aTextExportAlwaysHasTheTimeColumn();
     void headingsAreQuoted();
     void mcapExportIsReadBack();
 
@@ -83,7 +83,7 @@ void TestHdf5::exportedDataAreReadBack() {
     QCOMPARE(back->rowAt(1.0).value(), std::uint64_t(500));
 }
 
-void TestHdf5::anyNameOfAColumnIsWritten() {
+void TestHdf5::anyColumnNameCanBeWritten() {
     QTemporaryDir folder;
     const QString from = folder.filePath("names.csv");
     // A duplicate name, an empty name, names that HDF5 does not accept, and a name that the file already
@@ -109,7 +109,7 @@ void TestHdf5::anyNameOfAColumnIsWritten() {
     }
 }
 
-void TestHdf5::partialExport() {
+void TestHdf5::partOfARecordingIsExported() {
     const auto source = made(path("b.mcap"));
     ExportChoice choice{
         .path = path("b.h5"), .columns = {"actual_q", "robot_mode"}, .from = 0.5, .until = 0.6};
@@ -137,7 +137,7 @@ void TestHdf5::cancelledExportKeepsTheExistingFile() {
 
 // libhdf5 reads the files, and its handling of broken files cannot be changed here. The mutations are
 // therefore those of a disk or a transfer, and each file is opened in this process.
-void TestHdf5::brokenFilesEndInWords() {
+void TestHdf5::brokenFilesAreReported() {
     const auto source = made(path("d.mcap"));
     exportHdf5(*source, {.path = path("d.h5"), .columns = {"actual_q", "robot_mode"}}).value();
     QFile file(path("d.h5"));
@@ -161,7 +161,7 @@ void TestHdf5::brokenFilesEndInWords() {
     }
 }
 
-void TestHdf5::filesOfOthers() {
+void TestHdf5::filesOfOtherProgramsAreRead() {
     if (QProcess::execute("/usr/bin/python3", {"-c", "import h5py"}) != 0) {
         QSKIP("h5py is not installed (python3-h5py)");
     }
@@ -228,7 +228,7 @@ void TestHdf5::episodesByProgram() {
     QCOMPARE(QProcess::execute("/usr/bin/python3", {"-c", script, path("e.h5")}), 0);
 }
 
-void TestHdf5::noEpisodeIsAnError() {
+void TestHdf5::anExportWithoutEpisodesIsAnError() {
     const auto recording = made(path("f.mcap"));
     EpisodeChoice choice;
     choice.cut = EpisodeChoice::Cut::Whole;
@@ -279,7 +279,7 @@ void TestHdf5::episodesByNotes() {
     QVERIFY(findEpisodes(*recording, EpisodeChoice::Cut::Notes).value().empty());
 }
 
-void TestHdf5::textOfSomeColumnsHasTheTimeColumn() {
+void TestHdf5::aTextExportAlwaysHasTheTimeColumn() {
     const auto source = made(path("time.mcap"));
     exportCsv(*source, {.path = path("time.csv"), .columns = {"actual_q"}, .from = 1, .until = 1.1}).value();
     const auto back = openRecording(path("time.csv")).value();

@@ -145,8 +145,8 @@ class TestLossyLink : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyGapIsInTheFileWithItsLength_data();
-    void everyGapIsInTheFileWithItsLength();
+    void everyGapIsRecordedWithItsLength_data();
+    void everyGapIsRecordedWithItsLength();
     void fullDiskKeepsWrittenData_data();
     void fullDiskKeepsWrittenData();
     void diskErrorKeepsWrittenData_data();
@@ -155,13 +155,13 @@ private Q_SLOTS:
     void theReceiverNeverWaitsForADisk();
 };
 
-void TestLossyLink::everyGapIsInTheFileWithItsLength_data() {
+void TestLossyLink::everyGapIsRecordedWithItsLength_data() {
     QTest::addColumn<QString>("format");
     QTest::newRow("csv") << QStringLiteral("csv");
     QTest::newRow("mcap") << QStringLiteral("mcap");
 }
 
-void TestLossyLink::everyGapIsInTheFileWithItsLength() {
+void TestLossyLink::everyGapIsRecordedWithItsLength() {
     QFETCH(QString, format);
     Bench bench;
     Recorder recorder;
@@ -211,7 +211,7 @@ void TestLossyLink::everyGapIsInTheFileWithItsLength() {
 }
 
 void TestLossyLink::fullDiskKeepsWrittenData_data() {
-    everyGapIsInTheFileWithItsLength_data();
+    everyGapIsRecordedWithItsLength_data();
 }
 
 void TestLossyLink::fullDiskKeepsWrittenData() {
@@ -249,7 +249,7 @@ void TestLossyLink::fullDiskKeepsWrittenData() {
 }
 
 void TestLossyLink::diskErrorKeepsWrittenData_data() {
-    everyGapIsInTheFileWithItsLength_data();
+    everyGapIsRecordedWithItsLength_data();
 }
 
 void TestLossyLink::diskErrorKeepsWrittenData() {
@@ -282,7 +282,7 @@ void TestLossyLink::diskErrorKeepsWrittenData() {
 }
 
 void TestLossyLink::theReceiverNeverWaitsForADisk_data() {
-    everyGapIsInTheFileWithItsLength_data();
+    everyGapIsRecordedWithItsLength_data();
 }
 
 void TestLossyLink::theReceiverNeverWaitsForADisk() {

@@ -21,16 +21,16 @@ class TestMcap : public QObject {
 private Q_SLOTS:
     void writtenDataAreReadBack();
     void gapKeepsItsPosition();
-    void factsAttachmentsAndTheLogComeAlong();
-    void summariesAreThoseOfTheRows();
+    void metadataAttachmentsAndLogAreIncluded();
+    void summariesMatchTheRows();
     void truncatedFileYieldsCompleteParts();
-    void aFileWithoutSummaryIsReadToItsEnd();
+    void aFileWithoutASummaryIsReadCompletely();
     void damagedPartIsReportedAndTheRestRead();
     void thousandMutationsDoNoHarm();
     void nonRecordingFilesAreReported();
     void fieldsTheRobotDoesNotSendAreLeftOut();
-    void theClockFollowsTheSoonestPackage();
-    void theEndOfThePathChoosesTheFormat();
+    void theClockFollowsTheFastestPackages();
+    void theFileSuffixSelectsTheFormat();
 
 private:
     QString path(const char* name = "a.mcap") const { return folder_.filePath(QLatin1String(name)); }
@@ -91,7 +91,7 @@ void TestMcap::gapKeepsItsPosition() {
     QCOMPARE(recording->gaps().front().packets, std::uint64_t(5));
 }
 
-void TestMcap::factsAttachmentsAndTheLogComeAlong() {
+void TestMcap::metadataAttachmentsAndLogAreIncluded() {
     McapFormatOptions options;
     options.facts = {{"model", "UR5e"}, {"serial_number", "20195500001"}};
     options.attachmentName = "cell.tiller";
@@ -109,7 +109,7 @@ void TestMcap::factsAttachmentsAndTheLogComeAlong() {
 }
 
 // Every summary level contains all spikes.
-void TestMcap::summariesAreThoseOfTheRows() {
+void TestMcap::summariesMatchTheRows() {
     constexpr std::uint64_t kRows = 20'000;
     const auto recording = opened(test::madeFile(*mcapFormat(), kRows));
     QVERIFY(recording);
@@ -187,7 +187,7 @@ void TestMcap::truncatedFileYieldsCompleteParts() {
     }
 }
 
-void TestMcap::aFileWithoutSummaryIsReadToItsEnd() {
+void TestMcap::aFileWithoutASummaryIsReadCompletely() {
     std::string file = test::madeFile(*mcapFormat(), 3000, 1234);
     file.resize(file.size() - 20);
     const auto recording = opened(file);
@@ -292,7 +292,7 @@ void TestMcap::fieldsTheRobotDoesNotSendAreLeftOut() {
     QCOMPARE(mode[1], samples.value(1, 1));
 }
 
-void TestMcap::theClockFollowsTheSoonestPackage() {
+void TestMcap::theClockFollowsTheFastestPackages() {
     mcap::ClockMap clock;
     constexpr std::int64_t kMs = 1'000'000;
     const std::int64_t base = test::kMadeStartNs;
@@ -307,7 +307,7 @@ void TestMcap::theClockFollowsTheSoonestPackage() {
     QCOMPARE(clock.toUtc(receive::kAbsent, base + 9500 * kMs, 2), base + 9500 * kMs);
 }
 
-void TestMcap::theEndOfThePathChoosesTheFormat() {
+void TestMcap::theFileSuffixSelectsTheFormat() {
     const auto beginOf = [](const char* path) {
         const auto layout = std::make_shared<receive::SampleLayout>(std::vector<std::string>{"timestamp"});
         const auto encoder = formatForPath(path).value()->encoder({layout, {"timestamp"}, false});

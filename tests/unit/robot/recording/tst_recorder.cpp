@@ -161,31 +161,31 @@ class TestRecorder : public QObject {
 
 private Q_SLOTS:
     void writesOneRowPerPackage();
-    void gapsStandInTheLastColumn();
+    void gapsAreRecordedInTheLastColumn();
     void everyNthPackageBecomesARow();
-    void ringOverrunIsAGapToo();
+    void aRingOverrunIsAlsoAGap();
     void rowsReachTheFileWhileRecording();
     void replacesAnOldFile();
     void recordsOnlyRequestedFields();
-    void fieldsThatDoNotComeAreRefused();
+    void unavailableFieldsAreRefused();
     void recordsAllReceivedFields();
     void unnamedFieldsAreAllRecorded();
     void csvIsNotWrittenUnderTheNameOfAnotherFormat_data();
     void csvIsNotWrittenUnderTheNameOfAnotherFormat();
-    void oneRecordingAtATime();
+    void aSecondRecordingIsRefused();
     void recordsAgainAfterStop();
-    void unwritablePlacesAreErrors_data();
-    void unwritablePlacesAreErrors();
+    void unwritablePathsAreErrors_data();
+    void unwritablePathsAreErrors();
     void fullDiskAtTheStartIsAnError();
     void aRestartOfTheControllerIsAnEvent();
     void notesOfACsvRecordingAreInASecondFile();
     void fullDiskKeepsRecordedData();
     void killedWriterLeavesAReadableFile();
-    void anErrorOfWritingBackEndsInFailed();
-    void anErrorOfTheLastWriteBackIsNotARecording();
-    void anErrorOfClosingIsNotARecording();
-    void aFolderThatLosesTheNameIsNoBeginning();
-    void impossibleFlushIsNoError();
+    void aWriteBackErrorEndsInFailed();
+    void anErrorOfTheLastWriteBackFailsTheRecording();
+    void anErrorWhenClosingFailsTheRecording();
+    void aFileThatDisappearsFromItsFolderPreventsTheStart();
+    void anUnsupportedFlushIsNotAnError();
 };
 
 void TestRecorder::writesOneRowPerPackage() {
@@ -223,7 +223,7 @@ void TestRecorder::writesOneRowPerPackage() {
     QCOMPARE(table->column("actual_digital_output_bits")->at(2499), 3.0);
 }
 
-void TestRecorder::gapsStandInTheLastColumn() {
+void TestRecorder::gapsAreRecordedInTheLastColumn() {
     Bench bench;
     Recorder recorder;
     QVERIFY(recorder.start({bench.path(), {"actual_q"}}, bench.receiver).ok());
@@ -268,7 +268,7 @@ void TestRecorder::everyNthPackageBecomesARow() {
     QCOMPARE(recorder.progress().lost, std::uint64_t(3));
 }
 
-void TestRecorder::ringOverrunIsAGapToo() {
+void TestRecorder::aRingOverrunIsAlsoAGap() {
     RtdePeer peer;
     auto options = to(peer.port());
     options.ringCapacity = 16;
@@ -336,7 +336,7 @@ void TestRecorder::recordsOnlyRequestedFields() {
              (std::vector<std::string>{"timestamp", "robot_mode", "packages_lost"}));
 }
 
-void TestRecorder::fieldsThatDoNotComeAreRefused() {
+void TestRecorder::unavailableFieldsAreRefused() {
     Bench bench;
     Recorder recorder;
     QFile old(bench.path());
@@ -410,7 +410,7 @@ void TestRecorder::csvIsNotWrittenUnderTheNameOfAnotherFormat() {
         recorder.start({.path = bench.path(qPrintable(name)), .format = csvFormat()}, bench.receiver).ok());
 }
 
-void TestRecorder::oneRecordingAtATime() {
+void TestRecorder::aSecondRecordingIsRefused() {
     Bench bench;
     Recorder recorder;
     QVERIFY(recorder.start({bench.path(), {"timestamp"}}, bench.receiver).ok());
@@ -435,14 +435,14 @@ void TestRecorder::recordsAgainAfterStop() {
     }
 }
 
-void TestRecorder::unwritablePlacesAreErrors_data() {
+void TestRecorder::unwritablePathsAreErrors_data() {
     QTest::addColumn<QString>("name");
     QTest::newRow("no such folder") << QStringLiteral("none/recording.csv");
     QTest::newRow("a folder") << QString();
     QTest::newRow("below a file") << QStringLiteral("file/recording.csv");
 }
 
-void TestRecorder::unwritablePlacesAreErrors() {
+void TestRecorder::unwritablePathsAreErrors() {
     QFETCH(QString, name);
     Bench bench;
     QFile file(bench.folder.filePath(QStringLiteral("file")));
@@ -609,7 +609,7 @@ void TestRecorder::killedWriterLeavesAReadableFile() {
 #endif
 }
 
-void TestRecorder::anErrorOfWritingBackEndsInFailed() {
+void TestRecorder::aWriteBackErrorEndsInFailed() {
     TreacherousFile::Story story{TreacherousFile::At::Sync};
     Bench bench;
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
@@ -624,7 +624,7 @@ void TestRecorder::anErrorOfWritingBackEndsInFailed() {
     QCOMPARE(recorder.progress().state, RecorderState::Failed);
 }
 
-void TestRecorder::anErrorOfTheLastWriteBackIsNotARecording() {
+void TestRecorder::anErrorOfTheLastWriteBackFailsTheRecording() {
     TreacherousFile::Story story{TreacherousFile::At::Sync};
     story.from = std::numeric_limits<int>::max();
     Bench bench;
@@ -645,7 +645,7 @@ void TestRecorder::anErrorOfTheLastWriteBackIsNotARecording() {
     QCOMPARE(second.error().code, ErrorCode::FileNotWritable);
 }
 
-void TestRecorder::anErrorOfClosingIsNotARecording() {
+void TestRecorder::anErrorWhenClosingFailsTheRecording() {
     TreacherousFile::Story story{TreacherousFile::At::Close};
     Bench bench;
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
@@ -659,7 +659,7 @@ void TestRecorder::anErrorOfClosingIsNotARecording() {
     QCOMPARE(readCsv(bench.path())->rows(), std::size_t(3));
 }
 
-void TestRecorder::aFolderThatLosesTheNameIsNoBeginning() {
+void TestRecorder::aFileThatDisappearsFromItsFolderPreventsTheStart() {
     TreacherousFile::Story story{TreacherousFile::At::Open};
     Bench bench;
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
@@ -667,7 +667,7 @@ void TestRecorder::aFolderThatLosesTheNameIsNoBeginning() {
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
 }
 
-void TestRecorder::impossibleFlushIsNoError() {
+void TestRecorder::anUnsupportedFlushIsNotAnError() {
     if (!QFile::exists(QStringLiteral("/dev/null"))) {
         QSKIP("no /dev/null here");
     }

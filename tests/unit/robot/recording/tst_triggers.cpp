@@ -91,20 +91,20 @@ class TestTriggers : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void conditionsAreReadAsTheyAreWritten_data();
-    void conditionsAreReadAsTheyAreWritten();
+    void conditionsRoundTrip_data();
+    void conditionsRoundTrip();
     void invalidConditionListsValidOnes();
-    void aConditionHasToComeTrue();
-    void bitsAndChanges();
+    void aConditionTriggersOnlyWhenItBecomesTrue();
+    void bitsAndChangesTrigger();
     void recordingEndsAfterTheSetTime();
-    void eachTimeGetsAFileWithTheTimeBefore();
+    void eachTriggerGetsAFileWithItsPreTriggerTime();
     void unknownColumnsAreRefused();
     void aStalledDiskNeverMakesTheReceiverWait();
-    void lessFreeThanAskedEndsInOrder();
+    void lowDiskSpaceEndsTheRecordingCleanly();
     void recordsMcapWithMessages();
 };
 
-void TestTriggers::conditionsAreReadAsTheyAreWritten_data() {
+void TestTriggers::conditionsRoundTrip_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("column");
     QTest::addColumn<int>("bit");
@@ -129,7 +129,7 @@ void TestTriggers::conditionsAreReadAsTheyAreWritten_data() {
                              << "runtime_state" << -1 << int(When::Equal) << 2.0;
 }
 
-void TestTriggers::conditionsAreReadAsTheyAreWritten() {
+void TestTriggers::conditionsRoundTrip() {
     QFETCH(QString, text);
     const auto trigger = RecordingTrigger::parse(text).value();
     QTEST(QString::fromStdString(trigger.column), "column");
@@ -148,7 +148,7 @@ void TestTriggers::invalidConditionListsValidOnes() {
     }
 }
 
-void TestTriggers::aConditionHasToComeTrue() {
+void TestTriggers::aConditionTriggersOnlyWhenItBecomesTrue() {
     using Verdict = TriggerWatch::Verdict;
     test::MadeSamples samples({"timestamp", "robot_mode"});
     auto watch =
@@ -167,7 +167,7 @@ void TestTriggers::aConditionHasToComeTrue() {
     QCOMPARE(add(7), Verdict::Begin);
 }
 
-void TestTriggers::bitsAndChanges() {
+void TestTriggers::bitsAndChangesTrigger() {
     using Verdict = TriggerWatch::Verdict;
     test::MadeSamples samples({"timestamp", "actual_digital_input_bits"});
     for (const bool changes : {false, true}) {
@@ -203,7 +203,7 @@ void TestTriggers::recordingEndsAfterTheSetTime() {
     QCOMPARE(verdicts[8], Verdict::End);
 }
 
-void TestTriggers::eachTimeGetsAFileWithTheTimeBefore() {
+void TestTriggers::eachTriggerGetsAFileWithItsPreTriggerTime() {
     Bench bench;
     Recorder recorder;
     RecorderOptions options{.path = bench.path("force.csv"), .fields = {"actual_TCP_force"}};
@@ -276,7 +276,7 @@ void TestTriggers::aStalledDiskNeverMakesTheReceiverWait() {
     QCOMPARE(recording->rows() + recording->gaps().front().packets, std::uint64_t(1000));
 }
 
-void TestTriggers::lessFreeThanAskedEndsInOrder() {
+void TestTriggers::lowDiskSpaceEndsTheRecordingCleanly() {
     Bench bench;
     Recorder recorder;
     RecorderOptions options{.path = bench.path("a.mcap"), .format = mcapFormat()};

@@ -50,13 +50,13 @@ class TestCodec : public QObject {
 private Q_SLOTS:
     void requestsHaveTheDocumentedBytes();
     void repliesHaveTheDocumentedBytes();
-    void setupExampleOfTheGuide();
+    void setupExampleOfTheGuideIsReproduced();
     void everyPackageRoundTrips_data();
     void everyPackageRoundTrips();
     void versionOneCarriesNoFrequencyAndNoRecipeId();
-    void textMessagesInBothVersionsAndDirections();
-    void longTextsAreCut();
-    void trailingCommaIsNoField();
+    void textMessagesRoundTripInBothVersions();
+    void longTextsAreTruncated();
+    void aTrailingCommaIsNotAField();
     void malformedPayloadsGiveAnError_data();
     void malformedPayloadsGiveAnError();
 };
@@ -97,7 +97,7 @@ void TestCodec::repliesHaveTheDocumentedBytes() {
     QCOMPARE(out, bytes({0, 19, 0x76, 0, 0, 0, 5, 0, 0, 0, 22, 0, 0, 0, 1, 0, 0x12, 0x88, 0xEC}));
 }
 
-void TestCodec::setupExampleOfTheGuide() {
+void TestCodec::setupExampleOfTheGuideIsReproduced() {
     const std::vector<std::string> names{"timestamp", "actual_q"};
     Bytes out;
     writeSetupOutputsRequest(out, ProtocolVersion::V2, 500, names);
@@ -220,7 +220,7 @@ void TestCodec::versionOneCarriesNoFrequencyAndNoRecipeId() {
     QCOMPARE(value, -2.0);
 }
 
-void TestCodec::textMessagesInBothVersionsAndDirections() {
+void TestCodec::textMessagesRoundTripInBothVersions() {
     const TextMessage text{TextLevel::Warning, "watch out", "tiller"};
     for (const auto version : {ProtocolVersion::V1, ProtocolVersion::V2}) {
         Bytes out;
@@ -243,7 +243,7 @@ void TestCodec::textMessagesInBothVersionsAndDirections() {
     QCOMPARE(out, withText(bytes({0, 7, 'M', 1}), "hot"));
 }
 
-void TestCodec::longTextsAreCut() {
+void TestCodec::longTextsAreTruncated() {
     Bytes out;
     writeClientText(out, {TextLevel::Info, std::string(300, 'a'), std::string(400, 'b')});
     const auto back = readClientText(only(out).payload).value();
@@ -251,7 +251,7 @@ void TestCodec::longTextsAreCut() {
     QCOMPARE(back.source, std::string(255, 'b'));
 }
 
-void TestCodec::trailingCommaIsNoField() {
+void TestCodec::aTrailingCommaIsNotAField() {
     const std::vector<std::string> names{"timestamp", "actual_q"};
     QCOMPARE(splitNames("timestamp,actual_q,"), names);
     QCOMPARE(splitNames("timestamp,actual_q"), names);

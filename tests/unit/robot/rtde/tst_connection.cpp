@@ -46,20 +46,20 @@ private Q_SLOTS:
     void speaksVersionOne();
     void survivesTextMessagesEverywhere();
     void sendsInputs();
-    void inputsWithoutOutputs();
+    void inputsWorkWithoutOutputs();
     void invalidRecipeCannotBeSent();
     void pausesAndStarts();
     void errorsNameHostAndPort_data();
     void errorsNameHostAndPort();
-    void mutePeerEndsInTimeout();
+    void aSilentPeerCausesATimeout();
     void cancelEndsTheWait();
-    void peerThatHangsUpMidHandshake_data();
-    void peerThatHangsUpMidHandshake();
-    void halfPackagesAreWaitedFor();
+    void aDisconnectDuringTheHandshakeIsReported_data();
+    void aDisconnectDuringTheHandshakeIsReported();
+    void partialPackagesAreCompleted();
     void garbageIsAProtocolError();
-    void dataThatDoNotFitAreMalformed();
+    void dataThatDoNotFitTheRecipeAreMalformed();
     void noticesTheEnd();
-    void floodOfTextDoesNotHoldTheReader();
+    void aFloodOfTextDoesNotBlockTheReader();
     void slowReaderOfInputsNeverBlocks();
     void closesAtOnceWhateverThePeerDoes();
 };
@@ -136,7 +136,7 @@ void TestConnection::sendsInputs() {
     QCOMPARE(peer.input("external_force_torque"), (std::vector<double>{1, 2, 3, 4, 5, 6}));
 }
 
-void TestConnection::inputsWithoutOutputs() {
+void TestConnection::inputsWorkWithoutOutputs() {
     RtdePeer peer;
     auto options = to(peer.port(), {});
     options.request.inputs.push_back({{"speed_slider_mask", "speed_slider_fraction"}, true});
@@ -194,7 +194,7 @@ void TestConnection::errorsNameHostAndPort() {
     QVERIFY2(connection.error().context.contains(peer), qPrintable(connection.error().context));
 }
 
-void TestConnection::mutePeerEndsInTimeout() {
+void TestConnection::aSilentPeerCausesATimeout() {
     ScriptedPeer peer([](ScriptedPeer::Link& link) { link.beMute(); });
     const auto connection = open(to(peer.port()), 100ms);
     QCOMPARE(connection.error().code, ErrorCode::Timeout);
@@ -214,14 +214,14 @@ void TestConnection::cancelEndsTheWait() {
     QCOMPARE(connection.error().code, ErrorCode::Cancelled);
 }
 
-void TestConnection::peerThatHangsUpMidHandshake_data() {
+void TestConnection::aDisconnectDuringTheHandshakeIsReported_data() {
     QTest::addColumn<int>("answers");
     for (int answers = 0; answers < 4; ++answers) {
         QTest::addRow("after %d answers", answers) << answers;
     }
 }
 
-void TestConnection::peerThatHangsUpMidHandshake() {
+void TestConnection::aDisconnectDuringTheHandshakeIsReported() {
     QFETCH(int, answers);
     ScriptedPeer peer([&](ScriptedPeer::Link& link) {
         int left = answers;
@@ -255,7 +255,7 @@ void TestConnection::peerThatHangsUpMidHandshake() {
              qPrintable(connection.error().context));
 }
 
-void TestConnection::halfPackagesAreWaitedFor() {
+void TestConnection::partialPackagesAreCompleted() {
     RtdePeer peer;
     auto connection = open(to(peer.port()));
     QVERIFY(connection.ok());
@@ -283,7 +283,7 @@ void TestConnection::garbageIsAProtocolError() {
     QVERIFY((*connection)->error().context.contains((*connection)->peer()));
 }
 
-void TestConnection::dataThatDoNotFitAreMalformed() {
+void TestConnection::dataThatDoNotFitTheRecipeAreMalformed() {
     for (const Bytes& wrong : {Bytes{0, 3, 'U'}, Bytes{0, 5, 'U', 1, 0}, Bytes{0, 4, 'U', 9}}) {
         RtdePeer peer;
         auto connection = open(to(peer.port()));
@@ -307,7 +307,7 @@ void TestConnection::noticesTheEnd() {
     QCOMPARE((*connection)->error().code, ErrorCode::ConnectionClosed);
 }
 
-void TestConnection::floodOfTextDoesNotHoldTheReader() {
+void TestConnection::aFloodOfTextDoesNotBlockTheReader() {
     // Sends text messages as fast as the connection accepts them, until the client disconnects.
     Bytes texts;
     for (int i = 0; i < 100; ++i) {

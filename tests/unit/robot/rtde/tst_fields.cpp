@@ -75,17 +75,17 @@ class TestFields : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void listsAgree();
+    void fieldListsAgree();
     void registersAreComplete();
     void namesAreUnique();
-    void namesThatDoNotExistAreNotFound();
+    void unknownNamesAreNotFound();
     void componentsAreNamedAsInRecordings();
     void availabilityFollowsTheSoftware();
     void everyOutputExistsOnTheNewestSoftware();
     void everyFieldIsDocumented();
 };
 
-void TestFields::listsAgree() {
+void TestFields::fieldListsAgree() {
     const auto check = [](std::span<const Names> lists, auto find, Direction direction, std::size_t& count) {
         for (const Names& names : lists) {
             for (const QString& name : QString::fromLatin1(names.list).split(QLatin1Char(' '))) {
@@ -137,7 +137,7 @@ void TestFields::namesAreUnique() {
     QCOMPARE(namesOf(inputFields()).size(), inputFields().size());
 }
 
-void TestFields::namesThatDoNotExistAreNotFound() {
+void TestFields::unknownNamesAreNotFound() {
     for (const char* name :
          {"", "Timestamp", "actual_qdd", "actual_moment", "output_int_register_48", "output_int_register_024",
           "output_int_register_-1", "timestamp ", "actual_q_0"}) {

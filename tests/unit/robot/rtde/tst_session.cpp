@@ -79,27 +79,27 @@ class TestSession : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void shakesHandsInOrder();
+    void handshakeIsInOrder();
     void fallsBackToVersionOne();
     void requestsOfferedFields();
     void dropsUnknownOutputsAndAsksAgain();
     void failsWhenNoOutputIsKnown();
-    void takesTheTypesTheRobotReports();
+    void usesTheTypesReportedByTheRobot();
     void dropsUnknownInputsAndAsksAgain();
-    void inputsInUseEndTheSessionWithTheirNames();
+    void inputsInUseEndTheSessionAndAreReported();
     void inputsInUseMayBeTolerated();
-    void unknownInputsAloneAreNoFailure();
+    void unknownInputsAloneAreNotAnError();
     void inputsAloneNeedNoStart();
-    void textMessagesMayComeAtAnyPoint();
-    void dataBeforeTheReplyToStartCounts();
+    void textMessagesMayArriveAtAnyTime();
+    void dataBeforeTheReplyToStartAreAccepted();
     void refusedStartIsAnError();
     void pausesAndResumes();
-    void repliesToNothingAreIgnored();
+    void unsolicitedRepliesAreIgnored();
     void wrongCountsAndGarbageAreErrors();
-    void listsTooLongForAControllerAreRefusedAtOnce();
+    void excessivelyLongListsAreRefusedImmediately();
 };
 
-void TestSession::shakesHandsInOrder() {
+void TestSession::handshakeIsInOrder() {
     SessionRequest request = outputs({"timestamp", "actual_q"}, 500);
     request.inputs.push_back({{"speed_slider_mask", "speed_slider_fraction"}, true});
     Talk talk(request);
@@ -195,7 +195,7 @@ void TestSession::failsWhenNoOutputIsKnown() {
     QVERIFY(talk.session.error().context.contains(QLatin1String("a, b")));
 }
 
-void TestSession::takesTheTypesTheRobotReports() {
+void TestSession::usesTheTypesReportedByTheRobot() {
     Talk talk(outputs({"timestamp", "actual_q"}));
     talk.acceptProtocol();
     talk.giveVersion();
@@ -220,7 +220,7 @@ void TestSession::dropsUnknownInputsAndAsksAgain() {
     QCOMPARE(talk.session.inputs().at(0).absent(), std::vector<std::string>{"tool_digital_output_mask"});
 }
 
-void TestSession::inputsInUseEndTheSessionWithTheirNames() {
+void TestSession::inputsInUseEndTheSessionAndAreReported() {
     SessionRequest request;
     request.inputs.push_back({{"input_int_register_0", "input_int_register_1", "speed_slider_mask"}, true});
     Talk talk(request);
@@ -250,7 +250,7 @@ void TestSession::inputsInUseMayBeTolerated() {
     QVERIFY(talk.session.inUse().at(1).empty());
 }
 
-void TestSession::unknownInputsAloneAreNoFailure() {
+void TestSession::unknownInputsAloneAreNotAnError() {
     SessionRequest request;
     request.inputs.push_back({{"input_int_register_24"}, true});
     Talk talk(request);
@@ -274,7 +274,7 @@ void TestSession::inputsAloneNeedNoStart() {
     QVERIFY(talk.sent.empty());
 }
 
-void TestSession::textMessagesMayComeAtAnyPoint() {
+void TestSession::textMessagesMayArriveAtAnyTime() {
     Talk talk(outputs({"timestamp"}));
     const auto text = [&](const char* words) {
         talk.answer([&](Bytes& out) {
@@ -302,7 +302,7 @@ void TestSession::textMessagesMayComeAtAnyPoint() {
     QCOMPARE(talk.session.texts().size(), std::size_t(32));
 }
 
-void TestSession::dataBeforeTheReplyToStartCounts() {
+void TestSession::dataBeforeTheReplyToStartAreAccepted() {
     Talk talk(outputs({"timestamp"}));
     talk.acceptProtocol();
     talk.giveVersion();
@@ -343,7 +343,7 @@ void TestSession::pausesAndResumes() {
     QCOMPARE(talk.session.state(), Session::State::Running);
 }
 
-void TestSession::repliesToNothingAreIgnored() {
+void TestSession::unsolicitedRepliesAreIgnored() {
     Talk talk(outputs({"timestamp"}));
     talk.sent.clear();
     talk.giveVersion();
@@ -382,7 +382,7 @@ void TestSession::wrongCountsAndGarbageAreErrors() {
     }
 }
 
-void TestSession::listsTooLongForAControllerAreRefusedAtOnce() {
+void TestSession::excessivelyLongListsAreRefusedImmediately() {
     std::vector<std::string> names;
     for (const Field& field : outputFields()) {
         names.push_back(field.name);

@@ -46,18 +46,18 @@ class TestSplitter : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void takesEverySegmentation();
-    void takesByteByByte();
-    void takesRandomSegmentsOfALongStream();
-    void reportsSizesThatCannotBe_data();
-    void reportsSizesThatCannotBe();
+    void acceptsEverySegmentation();
+    void acceptsSingleBytes();
+    void acceptsRandomSegmentsOfALongStream();
+    void reportsInvalidSizes_data();
+    void reportsInvalidSizes();
     void packagesBeforeAnErrorAreReturned();
-    void carriesTheLargestPackage();
+    void acceptsTheLargestPackage();
     void resumesAfterReset();
-    void hasNextSaysWhetherNextWouldGiveOne();
+    void hasNextMatchesNext();
 };
 
-void TestSplitter::takesEverySegmentation() {
+void TestSplitter::acceptsEverySegmentation() {
     const Bytes bytes = stream();
     QCOMPARE(expected().size(), std::size_t(4));
     // Tests all ways to cut the stream into three parts.
@@ -77,7 +77,7 @@ void TestSplitter::takesEverySegmentation() {
     }
 }
 
-void TestSplitter::takesByteByByte() {
+void TestSplitter::acceptsSingleBytes() {
     PackageSplitter splitter;
     std::vector<Taken> got;
     for (const std::uint8_t byte : stream()) {
@@ -89,7 +89,7 @@ void TestSplitter::takesByteByByte() {
     QVERIFY(got == expected());
 }
 
-void TestSplitter::takesRandomSegmentsOfALongStream() {
+void TestSplitter::acceptsRandomSegmentsOfALongStream() {
     // Long enough for the buffer to wrap around many times.
     std::mt19937 random(1);
     Bytes bytes;
@@ -126,7 +126,7 @@ void TestSplitter::takesRandomSegmentsOfALongStream() {
     QCOMPARE(splitter.fault(), PackageSplitter::Fault::None);
 }
 
-void TestSplitter::reportsSizesThatCannotBe_data() {
+void TestSplitter::reportsInvalidSizes_data() {
     QTest::addColumn<int>("size");
     QTest::addColumn<int>("limit");
     QTest::addColumn<int>("fault");
@@ -139,7 +139,7 @@ void TestSplitter::reportsSizesThatCannotBe_data() {
     QTest::newRow("text on the wrong port") << 0x5353 << 4093 << large;
 }
 
-void TestSplitter::reportsSizesThatCannotBe() {
+void TestSplitter::reportsInvalidSizes() {
     QFETCH(int, size);
     QFETCH(int, limit);
     QFETCH(int, fault);
@@ -165,7 +165,7 @@ void TestSplitter::packagesBeforeAnErrorAreReturned() {
     QCOMPARE(splitter.fault(), PackageSplitter::Fault::TooSmall);
 }
 
-void TestSplitter::carriesTheLargestPackage() {
+void TestSplitter::acceptsTheLargestPackage() {
     PackageSplitter splitter;
     Bytes bytes(kMaxPackageSize, 0x5A);
     bytes[0] = bytes[1] = 0xFF;
@@ -192,7 +192,7 @@ void TestSplitter::resumesAfterReset() {
     QVERIFY(takeAll(splitter) == expected());
 }
 
-void TestSplitter::hasNextSaysWhetherNextWouldGiveOne() {
+void TestSplitter::hasNextMatchesNext() {
     const Bytes bytes = stream();
     PackageSplitter splitter;
     for (std::size_t i = 0; i < bytes.size(); ++i) {

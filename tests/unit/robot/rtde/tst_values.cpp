@@ -15,9 +15,9 @@ class TestValues : public QObject {
 private Q_SLOTS:
     void everyTypeRoundTrips();
     void bytesAreBigEndian();
-    void integersAreHeldToTheirRange();
+    void integersAreLimitedToTheirRange();
     void boolIsTrueForAnythingButZero();
-    void wrongSizesAreRefusedAndTouchNothing();
+    void wrongSizesAreRefusedAndChangeNothing();
     void dataPackageCarriesRecipeIdOrNot();
 };
 
@@ -71,7 +71,7 @@ void TestValues::bytesAreBigEndian() {
     QCOMPARE(wire, expected);
 }
 
-void TestValues::integersAreHeldToTheirRange() {
+void TestValues::integersAreLimitedToTheirRange() {
     const ValueLayout layout({DataType::UInt8, DataType::UInt8, DataType::Int32, DataType::Int32,
                               DataType::UInt32, DataType::UInt64, DataType::Int32, DataType::UInt8});
     const std::array<double, 8> values{300, -1, 1e12, -1e12, -5, 1e30, std::nan(""), 1.6};
@@ -92,7 +92,7 @@ void TestValues::boolIsTrueForAnythingButZero() {
     QVERIFY((back == std::array<double, 3>{0, 1, 1}));
 }
 
-void TestValues::wrongSizesAreRefusedAndTouchNothing() {
+void TestValues::wrongSizesAreRefusedAndChangeNothing() {
     const ValueLayout layout({DataType::Double, DataType::Int32});
     for (const std::size_t size : {0U, 8U, 11U, 13U}) {
         const std::vector<std::uint8_t> wire(size, 0x40);

@@ -36,7 +36,7 @@ private Q_SLOTS:
         QCOMPARE(limiter.takeRemoved(kNsPerSecond), 0U);
     }
 
-    void aFloodIsCutToItsRateAndCounted() {
+    void aFloodIsLimitedToItsRateAndCounted() {
         MessageLimiter limiter({.burst = 10, .perSecond = 5});
         std::size_t passed = 0;
         std::uint64_t removed = 0;
@@ -56,7 +56,7 @@ private Q_SLOTS:
         QCOMPARE(reports, 10);
     }
 
-    void floodOfOneMessageTypeHidesNoOther() {
+    void aFloodOfOneMessageTypeHidesNoOthers() {
         MessageLimiter limiter({.burst = 10, .perSecond = 5});
         auto messages = messagesOf(MessageKind::Popup, 10'000);
         messages.push_back(messagesOf(MessageKind::ErrorCode, 1).front());
@@ -65,7 +65,7 @@ private Q_SLOTS:
         QCOMPARE(messages.back().kind, MessageKind::ErrorCode);
     }
 
-    void afterAPauseTheBurstIsBack() {
+    void aBurstIsPermittedAgainAfterAPause() {
         MessageLimiter limiter({.burst = 10, .perSecond = 5});
         auto messages = messagesOf(MessageKind::Text, 50);
         limiter.limit(messages, kNsPerSecond);

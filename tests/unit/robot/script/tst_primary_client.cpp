@@ -57,7 +57,7 @@ private Q_SLOTS:
         QVERIFY(!client.isConnected());
     }
 
-    void aMuteServerIsATimeout() {
+    void aSilentServerCausesATimeout() {
         RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
         PrimaryClient client(to(peer.port()));
         client.start();
@@ -75,7 +75,7 @@ private Q_SLOTS:
         QCOMPARE(client.malformedPackages(), 1U);
     }
 
-    void garbageEndsTheConnectionAndANewOneIsMade() {
+    void garbageCausesAReconnect() {
         RawPeer peer([first = true](RawPeer::Link& link) mutable {
             if (std::exchange(first, false)) {
                 link.send(QByteArray(100, '\xff'));
@@ -149,7 +149,7 @@ private Q_SLOTS:
         QCOMPARE(client.takeMessages().size(), 1000U);
     }
 
-    void aLongTextIsCut() {
+    void aLongTextIsTruncated() {
         RawPeer peer([](RawPeer::Link& link) {
             link.send(message(0, QByteArray(60'000, 'x')));
             link.send(robotState(robotModeData(7, false)));
@@ -165,7 +165,7 @@ private Q_SLOTS:
         QVERIFY(messages.front().text.startsWith("xxx"));
     }
 
-    void stopEndsTheWaitForAPeerThatIsMute() {
+    void stopEndsTheWaitForASilentPeer() {
         RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
         PrimaryClient client(to(peer.port()));
         client.start();

@@ -28,7 +28,7 @@ class TestPrimaryParser : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void textMessage() {
+    void textMessageIsParsed() {
         const auto m = only(message(0, "hello robot"));
         QCOMPARE(m.kind, MessageKind::Text);
         QCOMPARE(m.text, QStringLiteral("hello robot"));
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QCOMPARE(m.severity, MessageSeverity::Warning);
     }
 
-    void popupsOfBothLayouts() {
+    void popupsOfBothLayoutsAreParsed() {
         const auto newer =
             only(message(2, Wire().u32(5).u32(8).u8(1).u8(0).u8(1).u8(5).text("TitleSome text").bytes()));
         QCOMPARE(newer.kind, MessageKind::Popup);
@@ -132,7 +132,7 @@ private Q_SLOTS:
     }
 
     // The calibration is part of KinematicsInfo. It is used regardless of the order of the two packages.
-    void theCalibrationIsThatOfKinematicsInfo() {
+    void theCalibrationComesFromKinematicsInfo() {
         Wire own;
         for (int i = 0; i < 6; ++i) {
             own.u32(0xffffffff);
@@ -165,7 +165,7 @@ private Q_SLOTS:
         QCOMPARE(parser.state().safetyMode, SafetyMode::Normal);
     }
 
-    void howTheStreamIsCutDoesNotMatter() {
+    void theSegmentationOfTheStreamDoesNotMatter() {
         const QByteArray stream = versionMessage() +
                                   robotState(robotModeData(7, true) + configurationData()) +
                                   message(0, "one") + package(25, "ignored") + message(0, "two");
@@ -182,7 +182,7 @@ private Q_SLOTS:
         }
     }
 
-    void lengthsThatMakeNoSenseEndTheStream() {
+    void invalidLengthsEndTheStream() {
         for (const std::uint32_t length : {0U, 4U, 0xffffffffU, 0x7fffffffU}) {
             PrimaryParser parser;
             QVERIFY(!parser.feed(view(Wire().u32(length).u8(16).bytes()), 0));
@@ -193,7 +193,7 @@ private Q_SLOTS:
         }
     }
 
-    void packagesThatAreCutShortAreCountedAndSkipped() {
+    void truncatedPackagesAreCountedAndSkipped() {
         PrimaryParser parser;
         const QByteArray whole = message(7, Wire().i32(0).i32(0).u8(200).text("short").bytes());
         QVERIFY(parser.feed(view(whole), 0));
@@ -208,7 +208,7 @@ private Q_SLOTS:
     }
 
     // Real packages with random changes, and random bytes. The parser neither crashes nor hangs.
-    void noiseIsSurvived() {
+    void randomInputDoesNotCrash() {
         std::mt19937 random(1);
         const QByteArray good =
             versionMessage() + robotState(robotModeData(7, true) + configurationData()) +

@@ -67,7 +67,7 @@ class TestProgramStopper : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theWordLeavesOnTheConnectionThatIsOpenAlready() {
+    void theStopIsSentOnTheOpenConnection() {
         Heard heard;
         std::promise<void> heardOne;
         RawPeer peer([&, first = true, obey = obedient(heard)](RawPeer::Link& link) mutable {
@@ -96,7 +96,7 @@ private Q_SLOTS:
 
     // A controller that has lost the connection accepts data on it but never reads them. The clock is
     // stopped, so the second connection results from the request, not from elapsed time.
-    void itLeavesOnANewConnectionAtOnceToo() {
+    void theStopIsAlsoSentOnANewConnection() {
         Heard heard;
         native_socket::Descriptor forgotten = -1;
         RawPeer peer([&, first = true, obey = obedient(heard)](RawPeer::Link& link) mutable {
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(peer.clients(), 2);
     }
 
-    void nothingIsSentUnasked() {
+    void nothingIsSentWithoutARequest() {
         Heard heard;
         {
             RawPeer peer(obedient(heard));
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QCOMPARE(heard.lines(), QList<QByteArray>{QByteArray()});
     }
 
-    void aControllerThatHungUpIsToldOnTheNextConnection() {
+    void afterADisconnectTheStopIsSentOnTheNextConnection() {
         Heard heard;
         std::atomic<bool> back = false;
         RawPeer peer([&, obey = obedient(heard)](RawPeer::Link& link) {
@@ -172,7 +172,7 @@ private Q_SLOTS:
 
     // A connection opened in local control stays read-only after the switch to remote control. The clock is
     // stopped. The command is sent on the open connection and on one new connection, and is not repeated.
-    void aRefusalIsAnsweredByANewConnection() {
+    void aRefusalCausesANewConnection() {
         Heard heard;
         native_socket::Descriptor readOnly = -1;
         RawPeer peer([&, first = true, obey = obedient(heard)](RawPeer::Link& link) mutable {
@@ -202,7 +202,7 @@ private Q_SLOTS:
         native_socket::close(readOnly);
     }
 
-    void aRobotThatStaysInLocalSaysSo() {
+    void aRobotThatStaysInLocalIsReported() {
         RawPeer peer([](RawPeer::Link& link) {
             link.send(versionMessage() + stateWith(true));
             while (!link.isOver() && !link.readLine().isNull()) {
@@ -216,7 +216,7 @@ private Q_SLOTS:
         QCOMPARE(stopper.error().code, ErrorCode::RemoteControlRequired);
     }
 
-    void whatTheControllerRefusedOthersIsNotForUs() {
+    void refusalsForOtherClientsAreIgnored() {
         RawPeer peer([first = true](RawPeer::Link& link) mutable {
             const QByteArray refusals = std::exchange(first, false) ? refusal().repeated(3) : QByteArray();
             link.send(versionMessage() + refusals + stateWith(true));
@@ -237,7 +237,7 @@ private Q_SLOTS:
 
     // The command may be lost on the open connection and on the new one. It is sent again 0.3 s later on a
     // third connection.
-    void aProgramThatGoesOnIsToldAgain() {
+    void theStopIsRepeatedWhileTheProgramRuns() {
         Heard heard;
         VirtualClock clock;
         constexpr std::size_t kForgotten = 2;
@@ -278,7 +278,7 @@ private Q_SLOTS:
         }
     }
 
-    void aMuteControllerIsGivenUpAfterTwoSeconds() {
+    void aSilentControllerTimesOutAfterTwoSeconds() {
         VirtualClock clock;
         RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
         ProgramStopperOptions options = to(peer.port());
@@ -292,7 +292,7 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::Timeout);
     }
 
-    void whereNothingListensTheReasonIsNamed() {
+    void aRefusedConnectionIsReported() {
         VirtualClock clock;
         ProgramStopperOptions options = to(RawPeer::deadPort());
         options.clock = &clock;
@@ -304,7 +304,7 @@ private Q_SLOTS:
     }
 
     // requestStop() must not block its caller when the buffers of a peer that does not read are full.
-    void whoeverAsksNeverWaits() {
+    void requestStopNeverBlocks() {
         std::promise<void> done;
         RawPeer peer([wait = done.get_future().share()](RawPeer::Link&) { wait.wait(); });
         ProgramStopper stopper(to(peer.port()));
@@ -319,7 +319,7 @@ private Q_SLOTS:
     }
 
     // A client that takes control at this time must not lose it because of an earlier stop request.
-    void whatIsWithdrawnIsNotSentAnyMore() {
+    void aWithdrawnStopIsNotSent() {
         Heard heard;
         std::atomic<bool> back = false;
         {
@@ -342,7 +342,7 @@ private Q_SLOTS:
         QVERIFY(!heard.lines().contains("stop program"));
     }
 
-    void aNewConnectionIsMadeOnWish() {
+    void reconnectOpensANewConnection() {
         RawPeer peer([](RawPeer::Link& link) { link.beMute(); });
         ProgramStopper stopper(to(peer.port()));
         stopper.start();
@@ -352,7 +352,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
     }
 
-    void withoutItsThreadItIsNotConnected() {
+    void isNotConnectedWithoutItsThread() {
         ProgramStopper stopper(to(RawPeer::deadPort()));
         stopper.requestStop();
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::NotConnected);

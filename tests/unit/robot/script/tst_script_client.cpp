@@ -22,7 +22,7 @@ class TestScriptClient : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theProgramArrivesWholeAndEndsWithANewline() {
+    void theProgramArrivesCompleteAndEndsWithANewline() {
         std::promise<QByteArray> arrived;
         RawPeer peer([&](RawPeer::Link& link) { arrived.set_value(link.readAll()); });
         QString text = QStringLiteral("def f():\n");
@@ -39,7 +39,7 @@ private Q_SLOTS:
 
     // If data of the controller are unread, closing the connection becomes a reset, which could discard the
     // sent program.
-    void connectionIsClosedInOrder() {
+    void connectionIsClosedCleanly() {
         std::promise<bool> ended;
         std::promise<void> streamed;
         RawPeer peer([&](RawPeer::Link& link) {
@@ -82,7 +82,7 @@ private Q_SLOTS:
     }
 
     // Data received in the meantime do not prove that the controller reads.
-    void aControllerThatHungUpIsNoticedBeforeSending() {
+    void aDisconnectIsDetectedBeforeSending() {
         RawPeer peer([](RawPeer::Link& link) { link.send(QByteArray(100'000, 'x')); });
         ScriptClient client(QStringLiteral("127.0.0.1"), peer.port());
         QVERIFY(client.connect(soon()).ok());
@@ -110,7 +110,7 @@ private Q_SLOTS:
         QVERIFY(error.context.contains(QStringLiteral("127.0.0.1:%1").arg(port)));
     }
 
-    void noAddressIsNoAddress() {
+    void anEmptyAddressIsRefused() {
         QCOMPARE(ScriptClient(QStringLiteral("  ")).connect(soon()).error().code, ErrorCode::AddressInvalid);
         QCOMPARE(ScriptClient(QStringLiteral("127.0.0.1"), 70000).connect(soon()).error().code,
                  ErrorCode::AddressInvalid);
@@ -127,7 +127,7 @@ private Q_SLOTS:
 
     // If a controller does not read, the sender gives up at its deadline and closes the connection, so that
     // no partial program remains in the stream.
-    void aFullLineIsATimeoutAndEndsTheConnection() {
+    void aFullSendBufferTimesOutAndEndsTheConnection() {
         std::promise<void> done;
         RawPeer peer([&, wait = done.get_future().share()](RawPeer::Link&) { wait.wait(); });
         ScriptClient client(QStringLiteral("127.0.0.1"), peer.port());

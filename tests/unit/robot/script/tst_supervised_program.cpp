@@ -102,7 +102,7 @@ private Q_SLOTS:
     }
 
     // Some controllers may clear the inputs of a disconnected client, which also changes the number.
-    void clearedRegistersAreNoHeartbeat() {
+    void clearedRegistersAreNotAHeartbeat() {
         Bench bench(kEndless);
         QCOMPARE(bench.run(300, true), 300);
         bench.host.intIn[24] = bench.host.intIn[25] = bench.host.intIn[28] = 0;
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QCOMPARE(bench.host.intOut[26], 0);
     }
 
-    void aProgramThatIsDoneEnds() {
+    void aCompletedProgramEnds() {
         Bench bench(QStringLiteral("def brief():\n  sync()\nend\n"));
         QVERIFY(bench.run(300, true) <= 3);
     }
@@ -129,7 +129,7 @@ private Q_SLOTS:
             text.contains(QStringLiteral("rtde_set_watchdog(\"input_int_register_24\", 6.667, \"stop\")")));
     }
 
-    void linesAreTheUsersOwn_data() {
+    void lineNumbersAreThoseOfTheUser_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("name");
         QTest::newRow("one") << "# a comment\ndef mine():\n  a = 1\n  b = 2\nend\n"
@@ -141,7 +141,7 @@ private Q_SLOTS:
         QTest::newRow("secondary first") << "sec quick():\n  a = 1\nend\ndef mine():\n  b = 2\nend\n"
                                          << "mine";
     }
-    void linesAreTheUsersOwn() {
+    void lineNumbersAreThoseOfTheUser() {
         QFETCH(QString, text);
         QFETCH(QString, name);
         const SupervisedProgram made = supervised(text, heartbeat(), kVersion);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QVERIFY(bench.host.pins[1] && bench.host.pins[2]);
     }
 
-    void eachProgramIsSupervisedAndSecondaryOnesAreNot() {
+    void onlyPrimaryProgramsAreSupervised() {
         const auto count = [](const QString& text) {
             return supervised(text, heartbeat(), kVersion)
                 .text.count(QStringLiteral("thread tiller_heartbeat"));

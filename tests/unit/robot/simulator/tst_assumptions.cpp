@@ -97,7 +97,7 @@ class TestAssumptions : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyReadingIsTakenByItsWords() {
+    void everyVariantIsSelectedByItsName() {
         for (const BehaviourOptionInfo& info : assumptionTable()) {
             QVERIFY(info.readings.size() >= 2);
             for (const QString& reading : info.readings) {
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QVERIFY(!injectFault(controlBox, QStringLiteral("assume")).ok());
     }
 
-    void aScaledStopTakesAsMuchLonger() {
+    void aScaledStopTakesProportionallyLonger() {
         // 0.4 rad/s at 4 rad/s2 take 50 periods. At a fifth of the speed: ten periods.
         const int real = brakingPeriods("", 0.2);
         QVERIFY2(real >= 9 && real <= 12, qPrintable(QString::number(real)));
@@ -230,7 +230,7 @@ private Q_SLOTS:
         }
     }
 
-    void aPackageMayComeInTwoParts_data() {
+    void aPackageMayArriveInTwoParts_data() {
         QTest::addColumn<QByteArray>("assumption");
         QTest::addColumn<std::int32_t>("first");
         QTest::addColumn<double>("third");
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QTest::newRow("first half") << QByteArray("inputs=first-half") << 1 << 0.0;
         QTest::newRow("last half") << QByteArray("inputs=last-half") << 0 << 1.0;
     }
-    void aPackageMayComeInTwoParts() {
+    void aPackageMayArriveInTwoParts() {
         QFETCH(QByteArray, assumption);
         QFETCH(std::int32_t, first);
         QFETCH(double, third);
@@ -267,7 +267,7 @@ private Q_SLOTS:
         }
     }
 
-    void effectOnTheProgram_data() {
+    void faultsAffectTheProgramAsConfigured_data() {
         QTest::addColumn<QByteArray>("assumption");
         QTest::addColumn<QByteArray>("fault");
         QTest::addColumn<RuntimeState>("during");
@@ -290,7 +290,7 @@ private Q_SLOTS:
         row("", "remote off", Playing, "remote on", Playing);
         row("remote-to-local=ends", "remote off", Stopped, "remote on", Stopped);
     }
-    void effectOnTheProgram() {
+    void faultsAffectTheProgramAsConfigured() {
         QFETCH(QByteArray, assumption);
         QFETCH(QByteArray, fault);
         QFETCH(RuntimeState, during);
@@ -312,7 +312,7 @@ private Q_SLOTS:
         QCOMPARE(plant.programs().state(), after);
     }
 
-    void forceModeHoldsStillInAPauseOrGoesOn() {
+    void forceModeHoldsPositionOrContinuesInAPause() {
         for (const bool frees : {false, true}) {
             ControllerModel plant(with(frees ? "pause=frees" : ""));
             submit(plant,
@@ -339,7 +339,7 @@ private Q_SLOTS:
         QVERIFY(periods[true] < periods[false]);
     }
 
-    void aThreadMayBeginAPeriodLater() {
+    void aThreadMayStartAPeriodLater() {
         std::int32_t seen[2] = {0, 0};
         for (const bool later : {false, true}) {
             ControllerModel plant(with(later ? "thread-start=next-period" : ""));
@@ -379,13 +379,13 @@ private Q_SLOTS:
 
     // With deferred connections, a program that uses a camera does not end if the camera is switched on
     // later.
-    void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall_data() {
+    void aMissingServerEndsTheProgramAtStartOrAtTheCall_data() {
         QTest::addColumn<QByteArray>("assumption");
         QTest::addColumn<bool>("goesOn");
         QTest::newRow("connects") << QByteArray("rpc-factory=connects") << false;
         QTest::newRow("defers") << QByteArray("rpc-factory=defers") << true;
     }
-    void aServerThatIsAbsentEndsTheProgramAtOnceOrAtItsCall() {
+    void aMissingServerEndsTheProgramAtStartOrAtTheCall() {
         QFETCH(QByteArray, assumption);
         QFETCH(bool, goesOn);
         ControllerModel plant(with(assumption.constData()));

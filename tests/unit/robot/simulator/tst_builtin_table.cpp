@@ -279,8 +279,8 @@ private Q_SLOTS:
     }
 
     // Compiles each version switch of each series.
-    void everyFunctionComesWithItsVersion_data() { everyStateIsTrue_data(); }
-    void everyFunctionComesWithItsVersion() {
+    void everyFunctionExistsFromItsVersionOn_data() { everyListedSupportStateIsCorrect_data(); }
+    void everyFunctionExistsFromItsVersionOn() {
         QFETCH(int, index);
         const Builtin& b = urscript::builtins()[static_cast<std::size_t>(index)];
         const std::string source = "def t():\n" + b.name + "()\nend\n";
@@ -309,13 +309,13 @@ private Q_SLOTS:
         }
     }
 
-    void everyStateIsTrue_data() {
+    void everyListedSupportStateIsCorrect_data() {
         QTest::addColumn<int>("index");
         for (std::size_t i = 0; i < urscript::builtins().size(); ++i) {
             QTest::newRow(urscript::builtins()[i].name.c_str()) << static_cast<int>(i);
         }
     }
-    void everyStateIsTrue() {
+    void everyListedSupportStateIsCorrect() {
         QFETCH(int, index);
         const Builtin& b = urscript::builtins()[static_cast<std::size_t>(index)];
         SimulatorOptions options;

@@ -46,7 +46,7 @@ class TestDeviceTable : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void constantsAreWrittenAsInPrograms_data() {
+    void constantsUseTheProgramSyntax_data() {
         QTest::addColumn<QString>("value");
         const auto row = [](const char* text, const char* value) { QTest::newRow(text) << QString(value); };
         row("7", "7");
@@ -62,7 +62,7 @@ private Q_SLOTS:
         row("[1, True]", "error");
         row("", "error");
     }
-    void constantsAreWrittenAsInPrograms() {
+    void constantsUseTheProgramSyntax() {
         const Result<Value> value = constantValue(QTest::currentDataTag());
         QTEST(value ? QString::fromStdString(urscript::toStr(*value)) : QStringLiteral("error"), "value");
     }
@@ -88,7 +88,7 @@ private Q_SLOTS:
         QCOMPARE(answer(device, "stop", {Value(1)}), QStringLiteral("none"));
     }
 
-    void rowsThatAreTheSameAreUsedInTurn() {
+    void identicalRowsAreUsedInTurn() {
         DeviceTable device =
             table(QString(kHead) + "ready | | False\nother | | 1\nready | | False\nready | | True\n");
         for (const char* wanted : {"False", "False", "True", "True"}) {
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QCOMPARE(answer(device, "other", {}), QStringLiteral("1"));
     }
 
-    void linesAreAnsweredByTheirBeginning() {
+    void linesAreMatchedByTheirPrefix() {
         DeviceTable device = table(
             "protocol lines\naddress camera:8500\n"
             "TRIGGER | | OK\n"
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QCOMPARE(lineAnswer(device, "WHO"), QStringLiteral("none"));
     }
 
-    void whatIsWrongIsNamed_data() {
+    void errorsAreReported_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("reason");
         const auto row = [](const char* name, const QString& text, const char* reason) {
@@ -133,7 +133,7 @@ private Q_SLOTS:
         row("argument", QString(kHead) + "a | b | 1\n",
             "line 3: the argument 'b' is not a value of URScript");
     }
-    void whatIsWrongIsNamed() {
+    void errorsAreReported() {
         QFETCH(QString, text);
         QFETCH(QString, reason);
         const Result<DeviceTable> parsed = DeviceTable::parse(QStringLiteral("t"), text);
@@ -143,7 +143,7 @@ private Q_SLOTS:
     }
 
     // The server reads the values that the program writes, and the program reads those of the server.
-    void callsAndRepliesSurviveTheWay() {
+    void callsAndRepliesRoundTrip() {
         using namespace urscript;
         const std::vector<Value> values{Value(3),
                                         Value(0.5),

@@ -32,7 +32,7 @@ private Q_SLOTS:
         }
     }
 
-    void theExecutionTimeIsThatOfARobot() {
+    void theExecutionTimeIsRealistic() {
         SimulatorOptions options;
         options.poweredOn = true;
         ControllerModel plant(options);
@@ -50,7 +50,7 @@ private Q_SLOTS:
         QVERIFY(least > 0.4 && most < 1 && most > least);
     }
 
-    void registersAreReadByTheirNumber() {
+    void registersAreReadByTheirIndex() {
         ControllerModel plant{SimulatorOptions()};
         plant.registers().output.ints[47] = 47;
         plant.registers().input.doubles[0] = 0.5;
@@ -102,7 +102,7 @@ private Q_SLOTS:
         }
     }
 
-    void theRealtimeRecordIsFullBeforeItIsCut() {
+    void theRealtimeRecordIsCompleteBeforeTruncation() {
         ControllerModel plant{SimulatorOptions()};
         plant.arm().setPayload({1.5, {0.01, 0.02, 0.03}, Vector6::Constant(0.25)});
         plant.step();

@@ -23,7 +23,7 @@ class TestPowerSystem : public QObject {
     }
 
 private Q_SLOTS:
-    void powerOnGoesByWayOfBootingToIdle() {
+    void powerOnPassesBootingBeforeIdle() {
         PowerSystem power(false);
         power.powerOn();
         QCOMPARE(modes(power, 3), (QList<int>{4, 2, 5}));
@@ -43,13 +43,13 @@ private Q_SLOTS:
         QCOMPARE(modes(power, 5).back(), 7);
     }
 
-    void powerOnChangesNothingWhereThereIsPower() {
+    void powerOnChangesNothingWhenPowered() {
         PowerSystem power(true);
         power.powerOn();
         QCOMPARE(modes(power, 3), QList<int>{7});
     }
 
-    void powerOffTakesAMomentAndWins() {
+    void powerOffTakesTimeAndHasPriority() {
         PowerSystem power(false);
         power.releaseBrakes();
         modes(power, 1);
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QCOMPARE(modes(power, 5).back(), 3);
     }
 
-    void powerOnPressedWhileThePowerGoesOffIsNotLost() {
+    void powerOnDuringPowerOffIsNotLost() {
         PowerSystem power(true);
         power.powerOff();
         power.step(0.002);
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QCOMPARE(modes(power, 5), (QList<int>{7, 3}));
     }
 
-    void aControllerStartsDisconnectedAndWaitsForTheOperatorsConfirmation() {
+    void aControllerStartsDisconnectedUntilConfirmed() {
         PowerSystem power(false);
         power.boot(2, false);
         QVERIFY(!power.isPowered());

@@ -194,7 +194,7 @@ class TestProgramMutations : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theProgramIsGoodBeforeItIsDamaged() {
+    void theUndamagedProgramIsValid() {
         const QByteArray whole = everyNode();
         const auto program = pendant::readUrp(whole, "p", source(whole));
         QVERIFY2(program.ok(), qPrintable(program.error().context));

@@ -36,7 +36,7 @@ class TestProgramRunner : public QObject {
     }
 
 private Q_SLOTS:
-    void aProgramOfOnePeriodIsSeenPlayingForSome() {
+    void aOnePeriodProgramIsReportedPlayingForSeveral() {
         ControllerModel plant(running());
         submit(plant, "def p():\n  set_standard_digital_out(0, True)\nend\n");
         QCOMPARE(plant.programs().state(), RuntimeState::Stopped);
@@ -51,7 +51,7 @@ private Q_SLOTS:
         QCOMPARE(plant.telemetry().runtimeState, RuntimeState::Stopped);
     }
 
-    void aStopTakesPlaceInTime() {
+    void aStopIsCompletedInTime() {
         ControllerModel plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
@@ -62,7 +62,7 @@ private Q_SLOTS:
         QCOMPARE(plant.programs().state(), RuntimeState::Stopped);
     }
 
-    void aPausedProgramStandsStillAndGoesOn() {
+    void aPausedProgramHoldsPositionAndResumes() {
         ControllerModel plant(running());
         submit(plant,
                "def p():\n  i = 0\n  while True:\n    i = i + 1\n    write_output_integer_register(0, i)\n"
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QCOMPARE(plant.telemetry().jointMode, JointMode::PowerOff);
     }
 
-    void aStatementThatMovesNothingRunsBesideTheProgram() {
+    void aStatementWithoutMotionRunsInParallel() {
         ControllerModel plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
@@ -136,14 +136,14 @@ private Q_SLOTS:
         QVERIFY(std::abs(plant.arm().state().actualQ[0] - -1.5) < 1e-3);
     }
 
-    void aRefusedProgramLeavesTheRunningOneAlone_data() {
+    void aRefusedProgramDoesNotStopTheRunningOne_data() {
         QTest::addColumn<QString>("text");
         QTest::newRow("syntax") << "def p(:\nend\n";
         QTest::newRow("unknown name") << "def p():\n  nosuch()\nend\n";
         QTest::newRow("no end") << "def p():\n  x = 1\n";
         QTest::newRow("statement") << "movej([0,0,0,0,0,0]\n";
     }
-    void aRefusedProgramLeavesTheRunningOneAlone() {
+    void aRefusedProgramDoesNotStopTheRunningOne() {
         QFETCH(QString, text);
         ControllerModel plant(running());
         submit(plant,
@@ -157,7 +157,7 @@ private Q_SLOTS:
         QCOMPARE(plant.registers().output.ints[0], count + 50);
     }
 
-    void aProgramRefusedBySafetyLeavesThePausedOneAlone() {
+    void aProgramRefusedBySafetyDoesNotStopThePausedOne() {
         ControllerModel plant(running());
         submit(plant, kEndless);
         steps(plant, 5);
@@ -170,7 +170,7 @@ private Q_SLOTS:
         QCOMPARE(plant.pins().digitalOutputs, 0ULL);
     }
 
-    void aProgramSentBeforePowerOnGoesOnThroughIt() {
+    void aProgramSentBeforePowerOnContinues() {
         simulator::SimulatorOptions options;
         options.fastTransitions = true;
         ControllerModel plant(options);
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QCOMPARE(plant.programs().state(), RuntimeState::Playing);
     }
 
-    void pauseAndRunProgramAreUnderstoodOnTheScriptPorts() {
+    void pauseAndRunProgramWorkOnTheScriptPorts() {
         ControllerModel plant(running());
         simulator::urscript::SourceSplitter splitter;
         const auto feed = [&](const char* text) {
@@ -235,7 +235,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(plant.arm().state().actualQ[0] - -1.5) < 1e-3);
     }
 
-    void registersAndOutputsSurviveTheProgram() {
+    void registersAndOutputsKeepTheirValuesAfterTheProgram() {
         ControllerModel plant(running());
         submit(plant, "def p():\n  write_output_float_register(3, 1.5)\n  set_tool_voltage(24)\nend\n");
         steps(plant, 5);

@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(safety.mode(), SafetyMode::Normal);
     }
 
-    void aSecondStopDuringTheUnlockCounts() {
+    void aSecondStopDuringTheUnlockIsEffective() {
         SafetySystem safety;
         safety.protectiveStop();
         pass(safety, 6);
@@ -54,7 +54,7 @@ private Q_SLOTS:
         QVERIFY(!safety.unlockProtectiveStop(true));
     }
 
-    void theGravestCauseIsShown() {
+    void theMostSevereCauseIsShown() {
         SafetySystem safety;
         safety.set(SafetySystem::Input::Reduced, true);
         QCOMPARE(safety.mode(), SafetyMode::Reduced);
@@ -76,7 +76,7 @@ private Q_SLOTS:
         QVERIFY(safety.blocksPower());
     }
 
-    void theNewerSafeguardStopsShowInTheStatusAndDependOnTheOperationalMode() {
+    void newerSafeguardStopsDependOnTheOperationalMode() {
         SafetySystem safety;
         safety.set(SafetySystem::Input::AutomaticModeSafeguard, true);
         safety.set(SafetySystem::Input::ThreePositionEnabling, true);

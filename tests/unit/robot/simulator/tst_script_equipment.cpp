@@ -73,7 +73,7 @@ class TestScriptEquipment : public QObject {
 
 private Q_SLOTS:
     // ---- named frames
-    void framesAreFoundFromEachOther() {
+    void framesAreConvertedIntoEachOther() {
         Robot robot(running(kX));
         QCOMPARE(
             robot.told("add_frame(\"table\", p[1,0,0,0,0,1.570796326794897])\n"
@@ -87,7 +87,7 @@ private Q_SLOTS:
             (QByteArrayList{"p[0.5, 0, 0, 0, 0, 1.570796]", "p[0, 0.5, 0, 0, 0, 0]", "p[-0.5, 0, 0, 0, 0, 0]",
                             "p[0, 1, 0, 0, 0, -1.570796]", "table[part]", "TrueFalse"}));
     }
-    void attachedFramesGoWithTheArm() {
+    void attachedFramesMoveWithTheArm() {
         Robot robot(running(kX));
         QCOMPARE(
             robot.told("t = get_pose(\"tcp\", \"base\")\nadd_frame(\"held\", p[0,0,0.1,0,0,0], \"tcp\")\n"
@@ -103,7 +103,7 @@ private Q_SLOTS:
                             "textmsg(norm([d[0], d[1], d[2]]) < 0.11)"),
                  QByteArrayList{"True"});
     }
-    void framesAreMovedAndForgotten() {
+    void framesAreMovedAndDeleted() {
         Robot robot(running(kX));
         QCOMPARE(robot.told("add_frame(\"a\", p[1,0,0,0,0,0])\nadd_frame(\"b\", p[0,1,0,0,0,0], \"a\")\n"
                             "move_frame(\"a\", p[2,0,0,0,0,0])\ntextmsg(get_pose(\"b\", \"base\"))\n"
@@ -129,7 +129,7 @@ private Q_SLOTS:
         robot.told(body.toStdString());
         QCOMPARE(robot.error(), error);
     }
-    void attachedMassesAreThePayload() {
+    void attachedMassesFormThePayload() {
         Robot robot(running(kX));
         robot.told(
             "add_frame(\"a\", p[0,0,0.1,0,0,0], \"flange\")\nadd_frame(\"b\", p[0.1,0,0,0,0,0], \"a\")\n"
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(load.inertia[0] - 0.01) < 1e-9);
         QVERIFY(std::abs(load.inertia[1] - (0.01 + 2 * 0.05 * 0.05)) < 1e-9);
     }
-    void optimoveGoesToNamedFrames() {
+    void optimoveMovesToNamedFrames() {
         Robot robot(running(kX));
         robot.submit(
             "add_frame(\"goal\", pose_trans(get_actual_tcp_pose(), p[0,0,-0.05,0,0,0]))\n"
@@ -175,7 +175,7 @@ private Q_SLOTS:
         robot.steps(40);
         QVERIFY(!Pins::bit(robot.plant.pins().digitalOutputs, kToolPin));
     }
-    void outputsOfAListAreHighWhileAProgramRuns() {
+    void listedOutputsAreHighWhileAProgramRuns() {
         Robot robot;
         robot.told("set_runstate_outputs([1, 4])");
         robot.submit("sleep(0.05)");
@@ -213,7 +213,7 @@ private Q_SLOTS:
         robot.told("set_tool_output_mode(2)");
         QVERIFY(robot.error().startsWith("Range error"));
     }
-    void theModbusMapKeepsItsValues() {
+    void modbusRegistersKeepTheirValues() {
         Robot robot;
         robot.told("write_port_bit(7, True)\nwrite_port_register(130, 65535)\nwrite_port_register(131, -5)");
         QCOMPARE(robot.told("textmsg([read_port_register(130), read_port_register(131)])\n"
@@ -224,7 +224,7 @@ private Q_SLOTS:
     }
 
     // ---- operator requests
-    void aQuestionIsShownAndItsAnswerTaken() {
+    void aQuestionIsShownAndItsAnswerUsed() {
         Robot robot;
         robot.submit(
             "n = request_integer_from_primary_client(\"How many?\")\ntextmsg(n + 1)\n"
@@ -295,7 +295,7 @@ private Q_SLOTS:
         QCOMPARE(robot.error(), QByteArray());
         QCOMPARE(told, (QByteArrayList{"True", "True"}));
     }
-    void theJacobiansChangeIsItsDerivative() {
+    void theJacobianDerivativeMatchesItsChange() {
         Robot robot;
         // Over a short time, the Jacobian is the integral of its derivative.
         QCOMPARE(robot.told("q = [0.3,-1.2,1.4,-0.9,-1.5,0.2]\nqd = [0.1,0.4,-0.3,0.2,0.5,-0.6]\nh = 0.0001\n"
@@ -312,7 +312,7 @@ private Q_SLOTS:
     }
 
     // ---- errors
-    void aFailingSecondaryProgramIsNamedAsOne() {
+    void aFailingSecondaryProgramIsReportedAsSecondary() {
         Robot robot;
         robot.submit("sleep(1)");
         robot.steps(3);
@@ -329,7 +329,7 @@ private Q_SLOTS:
         QCOMPARE(robot.plant.safety().mode(), SafetyMode::ProtectiveStop);
         QCOMPARE(robot.plant.programs().state(), RuntimeState::Stopped);
     }
-    void infiniteSpeedsAreRefusedWithTheirName() {
+    void infiniteSpeedsAreRefusedByName() {
         Robot robot;
         robot.told("speedj([1 / 0.0,0,0,0,0,0], 1, 0.1)");
         QCOMPARE(
@@ -338,7 +338,7 @@ private Q_SLOTS:
         robot.told("speedl([0,0,0,0,0,0], 0 / 0.0, 0.1)");
         QCOMPARE(robot.error(), QByteArray("Type error: speedl argument 'a' must be a number, not float"));
     }
-    void infiniteAccelerationIsAsMuchAsThereIs() {
+    void infiniteAccelerationUsesTheMaximum() {
         // The last step of a spline divides by a time of zero. Clients rely on the result.
         Robot robot;
         robot.submit(

@@ -81,7 +81,7 @@ class TestSoftwareVersions : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyFieldComesWithItsVersion_data() {
+    void everyFieldExistsFromItsVersionOn_data() {
         QTest::addColumn<const rtde::Field*>("field");
         for (const auto& fields : {rtde::outputFields(), rtde::inputFields()}) {
             for (const rtde::Field& field : fields) {
@@ -91,7 +91,7 @@ private Q_SLOTS:
             }
         }
     }
-    void everyFieldComesWithItsVersion() {
+    void everyFieldExistsFromItsVersionOn() {
         QFETCH(const rtde::Field*, field);
         const auto has = [&](SoftwareVersion software, bool isListed = false) {
             return field->direction == rtde::Direction::Output ? hasOutput(field->name, software, isListed)
@@ -119,7 +119,7 @@ private Q_SLOTS:
     }
 
     // Source: dashboard guide and client tables. The "latest" columns apply where they disagree.
-    void everyDashboardCommandComesWithItsVersion_data() {
+    void everyDashboardCommandExistsFromItsVersionOn_data() {
         QTest::addColumn<QString>("cb3");  // "-": never
         QTest::addColumn<QString>("eSeries");
         QTest::addColumn<QString>("latestCb3");
@@ -152,7 +152,7 @@ private Q_SLOTS:
         row("generate flight report", "3.13", "5.8");
         row("generate support file .", "3.13", "5.8");
     }
-    void everyDashboardCommandComesWithItsVersion() {
+    void everyDashboardCommandExistsFromItsVersionOn() {
         const auto knows = [](const SoftwareVersion& software, bool isListed) {
             ControllerModel plant(with(software, isListed));
             ProgramStore store(QString(), [] { return pendant::PendantSource(); });
@@ -181,7 +181,7 @@ private Q_SLOTS:
     }
 
     // In older versions, the rest of the line is a program name.
-    void installationsAreLoadedFrom32On() {
+    void installationsAreLoadedSince32() {
         for (const bool knows : {false, true}) {
             ControllerModel plant(with({3, knows ? 2U : 1U, 0, 0}));
             ProgramStore store(QString(), [] { return pendant::PendantSource(); });
@@ -205,7 +205,7 @@ private Q_SLOTS:
         }
     }
 
-    void everyRobotApiCallComesWithItsVersion_data() {
+    void everyRobotApiCallExistsFromItsVersionOn_data() {
         QTest::addColumn<QByteArray>("method");
         QTest::addColumn<bool>("in11");
         QTest::addColumn<bool>("in12");
@@ -224,7 +224,7 @@ private Q_SLOTS:
         row("GET", "/programs/v1/", false, true);
         row("POST", "/programs/v1/", false, true);
     }
-    void everyRobotApiCallComesWithItsVersion() {
+    void everyRobotApiCallExistsFromItsVersionOn() {
         QFETCH(QByteArray, method);
         const auto knows = [&](unsigned minor) {
             ControllerModel plant(with({10, minor, 0, 0}));

@@ -14,7 +14,7 @@ class TestLockStep : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyPacketIsTakenInAndAnswered() {
+    void everyPacketIsReceivedAndAnswered() {
         RobotFixture robot;
         const auto receiver = robot.bench.makeReceiver();
         QVERIFY(robot.bench.whileTimePasses([&] { return receiver->waitForData(RobotFixture::limit()); }));
@@ -26,7 +26,7 @@ private Q_SLOTS:
         QCOMPARE(packets.lost(), std::uint64_t(0));
     }
 
-    void faultsOfTheLinkAreStepsLikeOthers_data() {
+    void linkFaultsWorkInLockStep_data() {
         QTest::addColumn<QString>("fault");
         QTest::addColumn<bool>("keepsControl");
         QTest::newRow("lost") << "link lost" << false;
@@ -36,7 +36,7 @@ private Q_SLOTS:
         QTest::newRow("mute") << "silence on" << false;
         QTest::newRow("half open") << "half-open" << false;
     }
-    void faultsOfTheLinkAreStepsLikeOthers() {
+    void linkFaultsWorkInLockStep() {
         QFETCH(QString, fault);
         QFETCH(bool, keepsControl);
         RobotFixture robot;
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QCOMPARE(stoppedAt(), stoppedAt());
     }
 
-    void timeStandsStillWithoutAFlow() {
+    void timeDoesNotAdvanceWithoutSteps() {
         RobotFixture robot;
         const double before = robot.bench.robot().truth().timestamp;
         QTest::qWait(20);

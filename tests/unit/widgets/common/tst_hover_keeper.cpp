@@ -50,7 +50,7 @@ class TestHoverKeeper : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aFingerLeavesNoPointerBehind() {
+    void aTouchLeavesNoHoverState() {
         const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
         Bench bench;
         for (QWidget* key : {static_cast<QWidget*>(&bench.key), static_cast<QWidget*>(&bench.hold)}) {

@@ -92,7 +92,7 @@ private Q_SLOTS:
         }
     }
 
-    void millimetresUnlessChosenOtherwise() {
+    void millimetresAreTheDefault() {
         QCOMPARE(format::length(0.2), QStringLiteral("200.00 mm"));
         QCOMPARE(format::lengthNumber(-0.0124, 1, true), QStringLiteral("−12.4"));
         QCOMPARE(format::shortLength(0.00005), QStringLiteral("0.05 mm"));
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(format::metresPerUnit(), 0.001);
     }
 
-    void inchesEverywhereOnceChosen() {
+    void inchesApplyEverywhereOnceSelected() {
         applyNotation(*qApp, {LengthUnit::Inches, RotationNotation::RollPitchYaw});
         QCOMPARE(format::length(0.254), QStringLiteral("10.000 in"));
         QCOMPARE(format::shortLength(0.00005), QStringLiteral("0.0020 in"));
@@ -119,7 +119,7 @@ private Q_SLOTS:
         QCOMPARE(format::metresPerUnit(), 0.0254);
     }
 
-    void aPoseHasItsUnitsOnce() {
+    void aPoseShowsItsUnitsOnce() {
         const Pose pose(0.12, 0.08, 0.15, 0, 0, 1.5707963267948966);
         QCOMPARE(format::pose(pose),
                  QStringLiteral("X 120.00 Y 80.00 Z 150.00 mm RX 0.00 RY 0.00 RZ 90.00°"));
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QCOMPARE(told, 1);
     }
 
-    void aChoiceIsNeverMadeByWheel() {
+    void theWheelNeverChangesASelection() {
         ChoiceBox box;
         box.addItems({"Base", "tray", "table"});
         box.show();
@@ -163,7 +163,7 @@ private Q_SLOTS:
         QCOMPARE(box.currentIndex(), 0);
     }
 
-    void aKeyWithOtherWordsHasAnotherName() {
+    void accessibleNamesFollowTheButtonText() {
         SegmentedControl control({"1", "10 mm"});
         control.setNames("step", "Step");
         QCOMPARE(control.segment(1)->accessibleName(), QStringLiteral("Step: 10 mm"));

@@ -184,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(!notice.isVisible());
     }
 
-    void aNoticeWithACauseComesBackAfterThoseOverIt() {
+    void aNoticeReappearsAfterThoseAboveItEnd() {
         NoticeBar notice;
         notice.show(NoticeBar::Kind::Warning, {.title = "damaged", .text = {}, .cause = "file"});
         notice.show(NoticeBar::Kind::Warning, {.title = "taken", .text = {}, .cause = "lock"});
@@ -210,7 +210,7 @@ private Q_SLOTS:
 
     // Closing a notice may show the next one. A second click at the same position must not close the next
     // notice unread.
-    void aSecondClickDoesNotCloseTheNoticeThatTheFirstBrought() {
+    void aSecondClickDoesNotCloseTheNoticeOfTheFirst() {
         NoticeBar notice;
         notice.resize(400, 120);
         notice.show(NoticeBar::Kind::Warning, QStringLiteral("first"), QStringLiteral("text"),

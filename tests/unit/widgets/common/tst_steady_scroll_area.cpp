@@ -34,7 +34,7 @@ private:
     };
 
 private Q_SLOTS:
-    void theFocusOfSomethingHiddenScrollsNothing() {
+    void focusOnAHiddenWidgetDoesNotScroll() {
         Page page;
         QVERIFY(QTest::qWaitForWindowActive(&page.area));
         QVERIFY(page.near->hasFocus());
@@ -43,7 +43,7 @@ private Q_SLOTS:
         QCOMPARE(page.scrolled(), 0);
     }
 
-    void theFocusOfSomethingDisabledScrollsNothing() {
+    void focusOnADisabledWidgetDoesNotScroll() {
         Page page;
         QVERIFY(QTest::qWaitForWindowActive(&page.area));
         page.near->setEnabled(false);
@@ -51,7 +51,7 @@ private Q_SLOTS:
         QCOMPARE(page.scrolled(), 0);
     }
 
-    void aTabKeyBringsTheNextIntoSight() {
+    void tabScrollsTheNextWidgetIntoView() {
         Page page;
         QVERIFY(QTest::qWaitForWindowActive(&page.area));
         QTest::keyClick(page.near, Qt::Key_Tab);

@@ -88,7 +88,7 @@ private Q_SLOTS:
         QCOMPARE(qApp->palette().color(QPalette::Window), Theme::light().background);
     }
 
-    void digitsOfBothFacesHaveOneWidth() {
+    void digitsOfBothFontsHaveTheSameWidth() {
         for (const QFont& font : {textFont(15), numberFont(15)}) {
             const QFontMetrics metrics(font);
             for (char digit = '1'; digit <= '9'; ++digit) {

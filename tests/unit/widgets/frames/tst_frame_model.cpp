@@ -72,7 +72,7 @@ private Q_SLOTS:
                     .endsWith("in"));
     }
 
-    void waypointsMoveWithTheirFrameAndComeBack() {
+    void waypointsMoveWithTheirFrameAndUndoRestoresThem() {
         const Pose before = placeOf(0);
         const Pose jointsBefore = placeOf(2);
         Frame moved = tray_;
@@ -88,7 +88,7 @@ private Q_SLOTS:
         QVERIFY((placeOf(0).position - before.position).norm() > 0.04);
     }
 
-    void nothingIsAStepWhenNothingChanged() {
+    void unchangedValuesAddNoUndoStep() {
         document_->changeFrame(0, tray_, "x");
         QCOMPARE(document_->undoStack().count(), 0);
         QVERIFY(model_->setData(model_->index(0, FrameModel::Name), "tray", Qt::EditRole));
@@ -104,7 +104,7 @@ private Q_SLOTS:
         QVERIFY(document_->frames().find(tray_.id)->T_base_frame == tray_.T_base_frame);
     }
 
-    void deletingLeavesNoWaypointWithoutItsFrame() {
+    void deletingAFrameLeavesNoOrphanedWaypoint() {
         const Pose first = placeOf(0);
         document_->removeFrame(0);
         QCOMPARE(model_->rowCount(), 1);
@@ -146,7 +146,7 @@ private Q_SLOTS:
         QCOMPARE(document_->undoStack().count(), 0);
     }
 
-    void aGoodNameIsTakenAndUndone() {
+    void aValidNameIsAppliedAndUndone() {
         QVERIFY(model_->setData(model_->index(0, FrameModel::Name), "  Tray A ", Qt::EditRole));
         QCOMPARE(cell(0, FrameModel::Name), QString("Tray A"));
         QVERIFY(document_->frames().findByName("Tray A") != nullptr);

@@ -76,7 +76,7 @@ private Q_SLOTS:
         QVERIFY(table()->isVisible());
     }
 
-    void aFrameFromTheTcpIsThePresentPose() {
+    void aFrameFromTheTcpUsesTheCurrentPose() {
         const Pose tcp(-0.2, -0.5, 0.1, 0.4, -0.2, 1.1);
         feed(tcp);
         QTest::keyClick(tab_.get(), Qt::Key_T, Qt::ShiftModifier);
@@ -89,7 +89,7 @@ private Q_SLOTS:
         QCOMPARE(names(), QStringList({"frame 1"}));
     }
 
-    void threePointsByKeyboardAlone() {
+    void aFrameIsTaughtWithTheKeyboardAlone() {
         feed(kCorner);
         QTest::keyClick(tab_.get(), Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(teacher()->isVisible());
@@ -224,7 +224,7 @@ private Q_SLOTS:
         QVERIFY(!notice()->isVisible());
     }
 
-    void renameInPlaceWithF2() {
+    void f2RenamesInPlace() {
         feed(kCorner);
         tab_->teachFromTcp();
         QTest::keyClick(table(), Qt::Key_F2);
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QCOMPARE(names(), QStringList({"frame 1"}));
     }
 
-    void aBadNameIsRefusedInWords() {
+    void anInvalidNameIsRefusedWithAReason() {
         feed(kCorner);
         tab_->teachFromTcp();
         QVERIFY(!tab_->model().setData(tab_->model().index(0, FrameModel::Name), "Base", Qt::EditRole));
@@ -247,7 +247,7 @@ private Q_SLOTS:
         QCOMPARE(names(), QStringList({"frame 1"}));
     }
 
-    void figuresAreTypedAndTheOthersKeepTheirDigits() {
+    void enteringOneValueKeepsTheOthersExact() {
         const Pose tcp(-0.123456789, -0.5, 0.1, 0, 0, 0.3);
         feed(tcp);
         tab_->teachFromTcp();
@@ -283,7 +283,7 @@ private Q_SLOTS:
         QCOMPARE(document_->undoStack().count(), 1);
     }
 
-    void duplicateAndDeleteByKeys() {
+    void framesAreDuplicatedAndDeletedByKey() {
         feed(kCorner);
         tab_->teachFromTcp();
         QTest::keyClick(table(), Qt::Key_D, Qt::ControlModifier);

@@ -17,7 +17,7 @@ class TestHoldGuard : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void pressBeginsAndReleaseEnds() {
+    void pressStartsAndReleaseEnds() {
         Scene s;
         s.press();
         QCOMPARE(s.target.begun, 1);
@@ -39,7 +39,7 @@ private Q_SLOTS:
         s.release();
     }
 
-    void theTimerRefreshesWithoutHelp() {
+    void theTimerRefreshesTheMotion() {
         Scene s;
         s.press();
         QTRY_VERIFY_WITH_TIMEOUT(s.target.holds >= 3, 60'000);
@@ -197,7 +197,7 @@ private Q_SLOTS:
         QCOMPARE(s.target.ends, QList<StopCause>{StopCause::ControlLost});
     }
 
-    void droppedMotionNeedsANewPress() {
+    void anEndedMotionNeedsANewPress() {
         Scene s;
         QSignalSpy ended(&s.key->guard(), &HoldGuard::ended);
         s.press();
@@ -252,7 +252,7 @@ private Q_SLOTS:
         s.expectStopped(StopCause::Released);
     }
 
-    void boundedStepRunsOnAfterRelease() {
+    void aBoundedStepContinuesAfterRelease() {
         Scene s;
         s.target.bounded = true;
         s.press();

@@ -147,7 +147,7 @@ private Q_SLOTS:
         QCOMPARE(c.widget.received, (QStringList{"press", "release"}));
     }
 
-    void theReleaseIsDeliveredWithoutAReplyAfterTheLongestTime() {
+    void theReleaseIsDeliveredAfterTheMaximumWait() {
         Cell c;
         c.send(QEvent::KeyPress, 100);
         c.send(QEvent::KeyRelease, 760);

@@ -51,7 +51,7 @@ private Q_SLOTS:
         session_.reset();
     }
 
-    void terminalsAreNamedAsPrinted() {
+    void terminalsUseThePrintedNames() {
         QCOMPARE(IoTab::terminal(false, 0), QString("DI 0"));
         QCOMPARE(IoTab::terminal(true, 7), QString("DO 7"));
         QCOMPARE(IoTab::terminal(false, 8), QString("CI 0"));
@@ -70,7 +70,7 @@ private Q_SLOTS:
         }
     }
 
-    void stateIsShownInWords() {
+    void stateIsShownAsText() {
         feed(withBits(1, 0));
         QTRY_COMPARE_WITH_TIMEOUT(tab_->input(0)->stateWord(), QString("on"), 60'000);
         QCOMPARE(tab_->input(1)->stateWord(), QString("off"));
@@ -136,7 +136,7 @@ private Q_SLOTS:
     }
 
     // The analog values belong to the same sample as the bits, not to a newer one.
-    void analogValuesAreOfTheSampleShown() {
+    void analogValuesMatchTheShownSample() {
         test::SampleStream stream;
         stream.set(stream.add(1.0, 1), "standard_analog_input0", 12);
         stream.frame([this](const SampleBatch& batch) { Q_EMIT session_->samplesReceived(batch); });
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QCOMPARE(asked_.size(), 1);
     }
 
-    void namesAreGivenInPlaceAndKept() {
+    void namesAreEditedInPlaceAndSaved() {
         QSignalSpy changed(tab_.get(), &IoTab::namesChanged);
         tab_->output(0)->rename();
         auto* editor = tab_->output(0)->findChild<QLineEdit*>();

@@ -145,7 +145,7 @@ class TestDevices : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void deadZoneCurveAndDominantAxis() {
+    void deadZoneCurveAndDominantAxisApply() {
         DeviceShape shape;
         shape.deadZone = 0.08;
         shape.exponent = 2.2;
@@ -169,13 +169,13 @@ private Q_SLOTS:
         QCOMPARE(shaped(raw, shape)[1], 0.0);
     }
 
-    void aDeviceThatIsNotSwitchedOnMovesNothing() {
+    void aDisabledDeviceMovesNothing() {
         Bench b;
         b.push(0, 1.0);
         QVERIFY(b.targets.isEmpty());
     }
 
-    void itMovesWithTheDeadManAndStopsWithoutIt() {
+    void motionRequiresTheEnablingButton() {
         Bench b;
         b.devices.use(b.device());
         b.push(2, 0.0);
@@ -193,7 +193,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
     }
 
-    void switchedOnWithTheStickOutItWaitsForNeutral() {
+    void anEnabledDeviceWaitsForNeutral() {
         Bench b;
         b.push(0, 1.0);
         b.devices.use(b.device());
@@ -247,7 +247,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 2U);
     }
 
-    void aDeviceThatLiesStillMaySayNothing() {
+    void anIdleDeviceMayStopReporting() {
         Bench b;
         b.devices.use(b.device());
         b.push(0, 0.0);
@@ -275,7 +275,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
     }
 
-    void aReaderThatNeverComesBackStopsTheArm() {
+    void aBlockedReaderStopsTheArm() {
         Bench b;
         b.devices.use(b.device());
         b.push(0, 0.0);
@@ -291,7 +291,7 @@ private Q_SLOTS:
         QCOMPARE(b.ends, QList<StopCause>{StopCause::DeviceLost});
     }
 
-    void aDeviceThatLiesStillDoesNotDisturbTheKeyboard() {
+    void anIdleDeviceDoesNotAffectTheKeyboard() {
         Bench b;
         b.devices.use(b.device());
         b.push(0, 0.0);
@@ -307,7 +307,7 @@ private Q_SLOTS:
         QCOMPARE(b.ends, QList<StopCause>{StopCause::Released});
     }
 
-    void anotherTuningStopsTheArmAndHoldsForTheKind() {
+    void aNewTuningStopsTheArmAndAppliesToTheDeviceType() {
         Bench b;
         QSignalSpy tuned(&b.devices, &DeviceJog::tuned);
         b.devices.use(b.device());
@@ -330,7 +330,7 @@ private Q_SLOTS:
         QCOMPARE(b.devices.shape(*b.device()).exponent, DeviceTuning::kMaxExponent);
     }
 
-    void theStopKeyStopsAndAsksForNeutral() {
+    void theStopKeyStopsAndRequiresNeutral() {
         Bench b;
         QSignalSpy stop(&b.devices, &DeviceJog::stopPressed);
         b.devices.use(b.device());
@@ -358,7 +358,7 @@ private Q_SLOTS:
         QCOMPARE(refused.count(), 1);
     }
 
-    void theTrainerSaysWhichWayItWillGo() {
+    void theTrainerShowsTheDirectionOfMotion() {
         Bench b;
         DeviceTrainer trainer(
             b.devices, [&b] { return b.selection; }, [] { return control::MotionLimits(); });
@@ -381,7 +381,7 @@ private Q_SLOTS:
         QVERIFY(!trainer.findChild<QCheckBox*>("device.use")->isEnabled());
     }
 
-    void aGamepadOfTheSystemThatHangsStopsTheArm() {
+    void aHangingSystemGamepadStopsTheArm() {
 #ifdef TILLER_HAS_SDL
         const VirtualPad pad;
         if (!pad.isThere()) {
@@ -422,7 +422,7 @@ private Q_SLOTS:
 #endif
     }
 
-    void aGamepadOfTheSystemIsReadThroughSdl() {
+    void aSystemGamepadIsReadThroughSdl() {
 #ifdef TILLER_HAS_SDL
         GamepadSource source;
         const int index = SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, SDL_CONTROLLER_AXIS_MAX,

@@ -493,13 +493,13 @@ class TestHoldCampaign : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void nothingMovesThatNobodyHolds_data() {
+    void nothingMovesWithoutAHeldInput_data() {
         QTest::addColumn<quint32>("seed");
         for (int part = 0; part < kParts; ++part) {
             QTest::addRow("part %d", part) << kSeed + static_cast<quint32>(part);
         }
     }
-    void nothingMovesThatNobodyHolds() {
+    void nothingMovesWithoutAHeldInput() {
         QFETCH(quint32, seed);
         World world(seed);
         // Painting is not needed.

@@ -362,7 +362,7 @@ class TestHoldRules : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyRuleHasATrial() {
+    void everyRuleHasATestCase() {
         QSet<QString> tried;
         for (const Trial& trial : kTrials) {
             tried.insert(QLatin1String(trial.rule));
@@ -377,7 +377,7 @@ private Q_SLOTS:
 
     // A window manager grabs the keyboard for its own shortcuts, and Qt grabs it for its menus. The focus
     // returns in both cases.
-    void theDisplayServerReportsAreNotAllFocusLosses() {
+    void keyboardGrabsAreNotFocusLosses() {
         Hands h;
         Holder holder(h, wayOf("pad"));
         holder.prepare();
@@ -435,13 +435,13 @@ private Q_SLOTS:
         QVERIFY(!hands.witness.isWanted());
     }
 
-    void aLongHoldIsNotTooLongBefore_data() {
+    void aLongHoldContinuesUntilItsLimit_data() {
         QTest::addColumn<int>("way");
         for (int way = 0; way < kWayCount; ++way) {
             QTest::newRow(kWays[way].name) << way;
         }
     }
-    void aLongHoldIsNotTooLongBefore() {
+    void aLongHoldContinuesUntilItsLimit() {
         QFETCH(int, way);
         Hands hands;
         Holder holder(hands, kWays[way]);
@@ -454,7 +454,7 @@ private Q_SLOTS:
         QVERIFY(hands.arm.ends.isEmpty());
     }
 
-    void theLongestHoldIsChosenAndCountedDown() {
+    void theMaximumHoldTimeIsSetAndCountedDown() {
         Hands hands;
         hands.terms.longestNs = 6 * kNsPerSecond;
         Holder holder(hands, wayOf("pad"));
@@ -480,8 +480,8 @@ private Q_SLOTS:
         QVERIFY2(hands.arm.moves(), "a new press moves");
     }
 
-    void nothingBeginsInAnInactiveWindow_data() { aLongHoldIsNotTooLongBefore_data(); }
-    void nothingBeginsInAnInactiveWindow() {
+    void nothingStartsInAnInactiveWindow_data() { aLongHoldContinuesUntilItsLimit_data(); }
+    void nothingStartsInAnInactiveWindow() {
         QFETCH(int, way);
         Hands hands;
         Holder holder(hands, kWays[way]);
@@ -498,7 +498,7 @@ private Q_SLOTS:
         QCOMPARE(hands.arm.next, 0U);
     }
 
-    void devicesBeginNothingWhileSomethingIsOpen_data() {
+    void devicesStartNothingWhileAPopupIsOpen_data() {
         QTest::addColumn<int>("way");
         QTest::addColumn<bool>("menu");
         for (int way = 0; way < kWayCount; ++way) {
@@ -508,7 +508,7 @@ private Q_SLOTS:
             }
         }
     }
-    void devicesBeginNothingWhileSomethingIsOpen() {
+    void devicesStartNothingWhileAPopupIsOpen() {
         QFETCH(int, way);
         QFETCH(bool, menu);
         Hands hands;
@@ -540,7 +540,7 @@ private Q_SLOTS:
         QVERIFY2(hands.arm.moves(), "a new press moves again");
     }
 
-    void twoHandsAtOnceEndWhatIsHeld_data() {
+    void aSecondInputEndsTheHeldMotion_data() {
         QTest::addColumn<int>("first");
         QTest::addColumn<int>("second");
         const auto code = [](const Way& way) { return isByKeys(way.by) ? way.code : 0; };
@@ -559,7 +559,7 @@ private Q_SLOTS:
             }
         }
     }
-    void twoHandsAtOnceEndWhatIsHeld() {
+    void aSecondInputEndsTheHeldMotion() {
         QFETCH(int, first);
         QFETCH(int, second);
         Hands hands;
@@ -586,7 +586,7 @@ private Q_SLOTS:
         QVERIFY2(hands.arm.moves(), "a new press moves again");
     }
 
-    void aSecondHandBeginsNothing() {
+    void aSecondInputStartsNothing() {
         Hands hands;
         Holder holder(hands, wayOf("pad"));
         holder.prepare();
@@ -597,8 +597,8 @@ private Q_SLOTS:
         QCOMPARE(hands.arm.next, 1U);
     }
 
-    void nothingBeginsWhileTheWitnessIsMute_data() { aLongHoldIsNotTooLongBefore_data(); }
-    void nothingBeginsWhileTheWitnessIsMute() {
+    void nothingStartsWithoutKeyStateReplies_data() { aLongHoldContinuesUntilItsLimit_data(); }
+    void nothingStartsWithoutKeyStateReplies() {
         QFETCH(int, way);
         Hands hands;
         Holder holder(hands, kWays[way]);
@@ -640,8 +640,8 @@ private Q_SLOTS:
         QVERIFY2(!hands.arm.moves(), "a second button ends the first hold");
     }
 
-    void withoutAWitnessMotionsGoOn_data() { aLongHoldIsNotTooLongBefore_data(); }
-    void withoutAWitnessMotionsGoOn() {
+    void motionsContinueWithoutAKeyStateProbe_data() { aLongHoldContinuesUntilItsLimit_data(); }
+    void motionsContinueWithoutAKeyStateProbe() {
         QFETCH(int, way);
         Hands hands;
         hands.witness.there = false;
@@ -655,7 +655,7 @@ private Q_SLOTS:
         QVERIFY(!hands.arm.moves());
     }
 
-    void theWitnessHasTimeToAnswerTheFirstQuestion() {
+    void theFirstKeyStateReplyMayBeLate() {
         // The first press starts the motion before the result of the key-state check is available.
         Hands hands;
         Holder holder(hands, wayOf("pad"));
@@ -670,7 +670,7 @@ private Q_SLOTS:
         QVERIFY(hands.arm.moves());
     }
 
-    void aShortStepNeedsNobodyWhoHolds() {
+    void aShortStepNeedsNoHold() {
         Hands hands;
         hands.arm.moveNs = 400 * kNsPerMs;
         hands.column->findChild<SegmentedControl*>(QStringLiteral("jogMotion"))->setCurrentIndex(2);
@@ -687,7 +687,7 @@ private Q_SLOTS:
         QVERIFY2(!hands.arm.moves(), "any stop ends it");
     }
 
-    void aQuietFingerLeadsTheArmABoundedWay_data() {
+    void aMotionlessFingerMovesTheArmABoundedDistance_data() {
         QTest::addColumn<int>("speedClass");
         QTest::addColumn<double>("metresPerSecond");
         const auto& classes = speedClasses();
@@ -695,7 +695,7 @@ private Q_SLOTS:
             QTest::addRow("%d", i) << i << classes.at(static_cast<std::size_t>(i)).tcp;
         }
     }
-    void aQuietFingerLeadsTheArmABoundedWay() {
+    void aMotionlessFingerMovesTheArmABoundedDistance() {
         QFETCH(int, speedClass);
         QFETCH(double, metresPerSecond);
         Hands hands;
@@ -714,7 +714,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(metresPerSecond * seconds)));
     }
 
-    void oneHandDoesNotLetGoForAnother() {
+    void releasingOneInputDoesNotReleaseAnother() {
         // A stick that was stopped while deflected does not restart the motion because a key was tapped.
         Hands hands;
         Holder stick(hands, wayOf("gamepad"));

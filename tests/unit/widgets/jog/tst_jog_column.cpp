@@ -81,7 +81,7 @@ private Q_SLOTS:
         s.release("jog.X+");
     }
 
-    void taughtFrameCanBeChosenOnceThereIsOne() {
+    void aTaughtFrameCanBeSelectedOnceItExists() {
         JogScene s;
         auto* slot = s.column.findChild<QAbstractButton*>(QStringLiteral("jogFrame.3"));
         QVERIFY(!slot->isEnabled());
@@ -164,7 +164,7 @@ private Q_SLOTS:
         QCOMPARE(s.session.ends, QList<StopCause>{StopCause::Released});
     }
 
-    void freedriveLooksAtTheForcesFirst() {
+    void freedriveChecksTheForcesFirst() {
         JogScene s;
         s.state.tcpForce.force = {0, 0, -24};
         s.state.payloadMass = 0.5;
@@ -197,7 +197,7 @@ private Q_SLOTS:
         s.release("freedriveKey");
     }
 
-    void untilContactIsSlowHeldAndNamesItsForce() {
+    void untilContactIsSlowHeldAndShowsItsForce() {
         JogScene s;
         s.column.selectors().setSpeedClass(4);
         s.column.selectors().setUntilContact(15);
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(gone.count() >= 1);
     }
 
-    void aGhostUnderTheRestingPointerGoesWithControl() {
+    void losingControlHidesTheGhostUnderThePointer() {
         JogScene s;
         QSignalSpy wanted(&s.column, &JogColumn::ghostWanted);
         QSignalSpy gone(&s.column, &JogColumn::ghostHidden);

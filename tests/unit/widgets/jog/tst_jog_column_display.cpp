@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(!s.key("jog.X+")->isConfirmed());
     }
 
-    void nothingMovesWhenTheArmCannotAndTheReasonIsShown_data() {
+    void anArmThatCannotMoveShowsTheReason_data() {
         QTest::addColumn<int>("which");
         QTest::addColumn<StopCause>("cause");
         QTest::newRow("stale data") << 0 << StopCause::DataStale;
@@ -127,7 +127,7 @@ private Q_SLOTS:
         QTest::newRow("said by the session") << 6 << StopCause::ControlLost;
         QTest::newRow("disconnected") << 7 << StopCause::LinkLost;
     }
-    void nothingMovesWhenTheArmCannotAndTheReasonIsShown() {
+    void anArmThatCannotMoveShowsTheReason() {
         QFETCH(int, which);
         QFETCH(StopCause, cause);
         JogScene s;
@@ -215,7 +215,7 @@ private Q_SLOTS:
         QVERIFY(column.findChild<JogPad*>()->reason().isEmpty());
     }
 
-    void poseShowsMillimetresDegreesAndTheWaySinceThePress() {
+    void poseShowsUnitsAndTheDistanceSinceThePress() {
         JogScene s;
         auto* pose = s.column.findChild<PoseView*>();
         QCOMPARE(pose->positionText(0), QStringLiteral("−143.50"));
@@ -235,7 +235,7 @@ private Q_SLOTS:
     }
 
     // The data of an arm at standstill fluctuate slightly.
-    void aReadOutIsPaintedOnlyWhenItsTextChanges() {
+    void aReadoutRepaintsOnlyWhenItsTextChanges() {
         JogScene s({390, 948});
         auto* pose = s.column.findChild<PoseView*>();
         auto* row = s.column.findChild<JointRow*>(QStringLiteral("joint.2"));
@@ -261,7 +261,7 @@ private Q_SLOTS:
     }
 
     // The marker is a separate widget. While the arm moves, nothing else in the column is repainted.
-    void aMarkerThatMovesPaintsNothingElse() {
+    void aMovingMarkerRepaintsOnlyItself() {
         JogScene s({390, 948});
         auto* rows = s.column.findChild<JointRows*>();
         auto* bar = s.column.findChild<JointBar*>(QStringLiteral("joint.2.bar"));
@@ -282,7 +282,7 @@ private Q_SLOTS:
         QVERIFY(s.column.findChild<LimiterLine*>()->limiter().what.contains(QStringLiteral("Elbow")));
     }
 
-    void smallWindowFoldsTheJointsButNeverThePad() {
+    void aSmallWindowCollapsesTheJointsButNeverThePad() {
         JogScene s({360, 580});
         auto* joints = s.column.findChild<JointRows*>();
         auto* pose = s.column.findChild<PoseView*>();
@@ -302,7 +302,7 @@ private Q_SLOTS:
     }
 
     // Joint positions and pose fit on a screen of 1600 x 900.
-    void theJointsUnfoldWhereThereIsRoom() {
+    void theJointsExpandWhenTheyFit() {
         JogScene s({360, 725});
         QCoreApplication::processEvents();
         auto* joints = s.column.findChild<JointRows*>();

@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
     }
 
-    void aReleaseIsKnownByItsKey_data() {
+    void aReleaseIsIdentifiedByItsScanCode_data() {
         QTest::addColumn<quint32>("code");
         QTest::addColumn<int>("pressed");
         QTest::addColumn<int>("released");
@@ -100,7 +100,7 @@ private Q_SLOTS:
         QTest::newRow("armed hold key, written differently")
             << scan::kHome << int(Qt::Key_Home) << int(Qt::Key_7);
     }
-    void aReleaseIsKnownByItsKey() {
+    void aReleaseIsIdentifiedByItsScanCode() {
         QFETCH(quint32, code);
         QFETCH(int, pressed);
         QFETCH(int, released);
@@ -116,7 +116,7 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
     }
 
-    void altReleasedUnderShiftIsCalledMeta() {
+    void altReleasedUnderShiftIsReportedAsMeta() {
         Bench b;
         b.down(scan::kAlt, Qt::Key_Alt, kWithAlt);
         b.down(scan::kRight, Qt::Key_Right, kWithAlt);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
     }
 
-    void underShiftAltStillTurns() {
+    void altStillSelectsRotationUnderShift() {
         Bench b;
         b.down(scan::kShift, Qt::Key_Shift, kWithShift);
         b.down(scan::kAlt, Qt::Key_Meta, {Qt::AltModifier | Qt::ShiftModifier});
@@ -145,7 +145,7 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
     }
 
-    void aModifierThatComesOrGoesEndsTheMotion_data() {
+    void aModifierChangeEndsTheMotion_data() {
         QTest::addColumn<quint32>("code");
         QTest::addColumn<int>("key");
         QTest::addColumn<bool>("before");
@@ -158,7 +158,7 @@ private Q_SLOTS:
             }
         }
     }
-    void aModifierThatComesOrGoesEndsTheMotion() {
+    void aModifierChangeEndsTheMotion() {
         QFETCH(quint32, code);
         QFETCH(int, key);
         QFETCH(bool, before);
@@ -186,14 +186,14 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
     }
 
-    void aModifierWhosePressWasNotSeenEndsTheMotionToo() {
+    void aModifierWithAnUnseenPressEndsTheMotion() {
         Bench b;
         b.down(scan::kUp, Qt::Key_Up);
         b.down(scan::kRight, Qt::Key_Right, {Qt::ControlModifier});
         QCOMPARE(b.ends, QList<StopCause>{StopCause::SelectionChanged});
     }
 
-    void theSignIsTheKeyThatHasIt_data() {
+    void theSignFollowsTheKeyboardLayout_data() {
         QTest::addColumn<int>("key");
         QTest::addColumn<bool>("shift");
         QTest::addColumn<int>("direction");
@@ -203,7 +203,7 @@ private Q_SLOTS:
         QTest::newRow("jp, - with Shift writes =") << int(Qt::Key_Equal) << true << 0;
         QTest::newRow("fr, 8 without Shift writes _") << int(Qt::Key_Underscore) << false << 0;
     }
-    void theSignIsTheKeyThatHasIt() {
+    void theSignFollowsTheKeyboardLayout() {
         QFETCH(int, key);
         QFETCH(bool, shift);
         QFETCH(int, direction);
@@ -220,7 +220,7 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
     }
 
-    void aPressOfAKeyThatIsDownAlreadyEndsTheMotion() {
+    void pressingAPressedKeyEndsTheMotion() {
         Bench b;
         b.down(scan::kRight, Qt::Key_Right);
         b.down(scan::kRight, Qt::Key_Right);
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(b.moves());
     }
 
-    void aReleaseOfAKeyThatWasNotDownEndsTheMotion() {
+    void releasingAnUnpressedKeyEndsTheMotion() {
         Bench b;
         b.down(scan::kRight, Qt::Key_Right);
         b.up(scan::kLeft, Qt::Key_Left);
@@ -238,7 +238,7 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
     }
 
-    void keysWithoutANumberEndByAnythingThatDoesNotFit() {
+    void keysWithoutAScanCodeEndOnAnyMismatch() {
         Bench b;
         b.down(0, Qt::Key_1);
         b.down(0, Qt::Key_Plus);
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QVERIFY2(!b.moves(), "a repeat is no press");
     }
 
-    void autoRepeatInPairsBeginsNothing() {
+    void autoRepeatInPairsStartsNothing() {
         // A display server without information about key repeats: a release and a press with the same
         // timestamp.
         Bench b;
@@ -282,7 +282,7 @@ private Q_SLOTS:
         QVERIFY(!b.moves());
     }
 
-    void opposedKeysStopAndTakingOneAwayMovesNothing() {
+    void opposedKeysStopAndReleasingOneMovesNothing() {
         Bench b;
         b.down(scan::kRight, Qt::Key_Right);
         b.down(scan::kLeft, Qt::Key_Left);
@@ -295,7 +295,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 2U);
     }
 
-    void anAxisAndAJointAtOnceStop() {
+    void anAxisAndAJointTogetherStop() {
         Bench b;
         b.down(scan::kRight, Qt::Key_Right);
         b.down(scan::k1, Qt::Key_1);
@@ -305,7 +305,7 @@ private Q_SLOTS:
         QVERIFY2(!b.moves(), "letting go begins nothing");
     }
 
-    void aHoldKeyAndAnyOtherStop() {
+    void aHoldKeyAndAnyOtherKeyStop() {
         Bench b;
         b.down(scan::kHome, Qt::Key_Home);
         QVERIFY(b.home.isHolding());
@@ -328,7 +328,7 @@ private Q_SLOTS:
         QCOMPARE(b.next, 1U);
     }
 
-    void aLetterIsMeantByItsPlaceWhereTheLayoutHasNone_data() {
+    void nonLatinLayoutsUseTheKeyPosition_data() {
         QTest::addColumn<quint32>("code");
         QTest::addColumn<int>("written");
         QTest::addColumn<int>("meant");
@@ -345,7 +345,7 @@ private Q_SLOTS:
         QTest::newRow("no letter") << quint32(110) << int(Qt::Key_Home) << int(Qt::Key_Home);
         QTest::newRow("no number") << quint32(0) << 0x0410 << 0x0410;
     }
-    void aLetterIsMeantByItsPlaceWhereTheLayoutHasNone() {
+    void nonLatinLayoutsUseTheKeyPosition() {
         QFETCH(quint32, code);
         QFETCH(int, written);
         QFETCH(int, meant);

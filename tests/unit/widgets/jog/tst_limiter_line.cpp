@@ -50,13 +50,13 @@ private:
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
 
-    void theWayOutIsNeverCutOff_data() {
+    void theEscapeDirectionIsNeverCutOff_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("1920x1080") << QSize(390, 948);
         QTest::newRow("1280x720") << QSize(360, 588);
         QTest::newRow("least") << QSize(352, 560);
     }
-    void theWayOutIsNeverCutOff() {
+    void theEscapeDirectionIsNeverCutOff() {
         QFETCH(QSize, size);
         JogScene scene(size);
         auto* line = scene.column.findChild<LimiterLine*>();
@@ -74,7 +74,7 @@ private Q_SLOTS:
     }
 
     // A refusal ends with the required action.
-    void aSentenceIsBrokenNotCutOff() {
+    void aSentenceIsWrappedNotCutOff() {
         LimiterLine line;
         line.resize(344, 38);
         const QString sentence =

@@ -192,7 +192,7 @@ private Q_SLOTS:
         QTest::keyClick(s.window.windowHandle(), Qt::Key_Escape);
         QCOMPARE(s.stops, QList<StopCause>{StopCause::Escape});
     }
-    void aDialogGetsItsKeysWhileNothingIsToBeStopped() {
+    void aDialogGetsItsKeysWhenNothingNeedsStopping() {
         Scene s;
         s.use = StopKeys::Use::Control;
         QDialog dialog(&s.window);
@@ -206,7 +206,7 @@ private Q_SLOTS:
         QVERIFY(!dialog.isVisible());
         QVERIFY(s.stops.isEmpty());
     }
-    void noInputMethodKeepsTheKeysThatMeanStop() {
+    void inputMethodsDoNotConsumeTheStopKeys() {
         Scene s;
         const auto enabled = [&s] {
             QInputMethodQueryEvent query(Qt::ImEnabled | Qt::ImHints);
@@ -219,7 +219,7 @@ private Q_SLOTS:
         s.use = StopKeys::Use::Control;
         QVERIFY(enabled());
     }
-    void dialogsOfThePlatformAreNotUsed() {
+    void nativeDialogsAreNotUsed() {
         Scene s;
         QVERIFY(QCoreApplication::testAttribute(Qt::AA_DontUseNativeDialogs));
     }
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QCOMPARE(s.edit->text(), QStringLiteral("ab"));
         QCOMPARE(s.stops, QList<StopCause>{StopCause::Space});
     }
-    void stopIsSentEvenWhenNothingSeemsToMove() {
+    void stopIsSentEvenWhenNoMotionIsReported() {
         Scene s;
         s.use = StopKeys::Use::StopAndControl;
         QTest::keyClick(s.button, Qt::Key_Escape);
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QCOMPARE(clicked.count(), 1);
     }
     // The palette can be closed, and a name can be typed, while the robot is switched off.
-    void withoutDataTheKeysGoOnWhenNothingMovedBefore() {
+    void withoutDataKeysWorkNormallyWhenNothingMoved() {
         Dark s;
         s.tell(LinkState::Live, false);
         s.clock.advanceNs(2 * kNsPerSecond);
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QTest::keyClicks(&s.edit, QStringLiteral("a b"));
         QCOMPARE(s.edit.text(), QStringLiteral("a b"));
     }
-    void withoutDataTheFirstStopIsAStopWhenSomethingMovedBefore() {
+    void withoutDataTheFirstKeyStopsWhenSomethingMoved() {
         Dark s;
         s.tell(LinkState::Live, true);
         s.tell(LinkState::Stale, true);
@@ -290,7 +290,7 @@ private Q_SLOTS:
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
     // An operator who only monitors a robot must not stop a production program by typing.
-    void aProgramOfOthersRunsOnWhileWeMonitor() {
+    void aForeignProgramContinuesWhileMonitoring() {
         for (const ControlState control : {ControlState::None, ControlState::Refused}) {
             Dark s;
             s.state.control = control;
@@ -323,7 +323,7 @@ private Q_SLOTS:
         s.press(Qt::Key_Escape);
         QCOMPARE(s.passed, QList<int>{Qt::Key_Escape});
     }
-    void theKeysDoNotStopOnceControlWasGivenBack() {
+    void theKeysDoNotStopAfterControlWasReleased() {
         Dark s;
         s.tell(LinkState::Live, true);
         s.state.control = ControlState::None;

@@ -66,7 +66,7 @@ private Q_SLOTS:
     }
 
     // A later message must not be displayed above an earlier one.
-    void onlyNeighboursAreCountedTogether() {
+    void onlyConsecutiveRepeatsAreCounted() {
         const auto say = [this](Severity severity, const char* text) {
             tab_->append(severity, text, Origin::Robot);
             time_ = time_.addSecs(1);
@@ -119,7 +119,7 @@ private Q_SLOTS:
         QVERIFY(tab_->shownText().contains("Remove the obstacle"));
     }
 
-    void filterBySeverityAndByWords() {
+    void rowsAreFilteredBySeverityAndText() {
         tab_->append(Severity::Info, "Jog stopped: released");
         tab_->append(Severity::Warning, "Late packets");
         tab_->append(Severity::Error, "Link lost: no packets");
@@ -145,7 +145,7 @@ private Q_SLOTS:
         QVERIFY(!nothing->isVisible());
     }
 
-    void copyTakesTheSelectionOrEverythingShown() {
+    void copyUsesTheSelectionOrAllShownRows() {
         tab_->append(Severity::Info, "one");
         tab_->append(Severity::Warning, "two\nlines");
         QTest::mouseClick(tab_->findChild<QToolButton*>("log.copy"), Qt::LeftButton);
@@ -158,7 +158,7 @@ private Q_SLOTS:
         QCOMPARE(QApplication::clipboard()->text(), QString("2024-09-17 14:02:11.000\tInfo\tone\n"));
     }
 
-    void exportWritesWhatIsShown() {
+    void exportWritesTheShownRows() {
         tab_->append(Severity::Info, "one");
         tab_->append(Severity::Error, "zwei Ä");
         tab_->findChild<SegmentedControl*>("log.severity")->setCurrentIndex(2);
@@ -171,7 +171,7 @@ private Q_SLOTS:
                 ErrorCode::FileNotWritable);
     }
 
-    void oldestRowsGoBeyondTheCapacity() {
+    void oldestRowsAreDroppedAtTheCapacity() {
         for (int n = 0; n < LogModel::kCapacity + 10; ++n) {
             tab_->append(Severity::Info, QString::number(n));
         }
@@ -179,7 +179,7 @@ private Q_SLOTS:
         QCOMPARE(cell(0, LogModel::Text), QString("10"));
     }
 
-    void newestLineIsInSightUnlessTheReaderScrolledBack() {
+    void newestLineIsVisibleUnlessScrolledBack() {
         for (int n = 0; n < 100; ++n) {
             tab_->append(Severity::Info, QString::number(n));
         }
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QCOMPARE(table()->rowAt(2), 0);
     }
 
-    void anIncidentsRowOpensItsRecording() {
+    void anIncidentRowOpensItsRecording() {
         QSignalSpy wanted(tab_.get(), &LogTab::recordingWanted);
         auto* key = tab_->findChild<QToolButton*>("log.openRecording");
         tab_->append(Severity::Error, "Protective stop");
@@ -216,7 +216,7 @@ private Q_SLOTS:
         QCOMPARE(rows(), 3);
     }
 
-    void theTextHasTheWidthThatTheOtherColumnsDoNotNeed() {
+    void theTextColumnUsesTheRemainingWidth() {
         tab_->append(Severity::Info, "Connected");
         tab_->append(Severity::Warning, "Elbow near its limit");
         tab_->append(Severity::Error, "Protective stop");

@@ -209,7 +209,7 @@ private Q_SLOTS:
         QVERIFY(near(b.view().window().end(), 61, 0.003));
     }
 
-    void pauseFreezesTheViewWhileDataGoOn() {
+    void pauseFreezesTheViewWhileDataContinue() {
         Bench b;
         QTest::mouseClick(b.button("plots.pause"), Qt::LeftButton);
         b.runTo(75);
@@ -221,7 +221,7 @@ private Q_SLOTS:
         QCOMPARE(b.button("plots.pause")->text(), QString("Pause"));
     }
 
-    void theWindowIsChosenFromTheMenu() {
+    void theTimeWindowIsSelectedFromTheMenu() {
         Bench b;
         for (QAction* action : b.button("plots.span")->menu()->actions()) {
             action->trigger();
@@ -231,7 +231,7 @@ private Q_SLOTS:
         QCOMPARE(b.button("plots.span")->menu()->actions().size(), 6);
     }
 
-    void draggingGoesBackInHistory() {
+    void draggingScrollsBackInHistory() {
         Bench b;
         QWidget* viewport = b.view().viewport();
         const double held = 50;
@@ -354,7 +354,7 @@ private Q_SLOTS:
         QVERIFY(!b.curve(b.id("actual_current_1")).isVisible());
     }
 
-    void aNameInALegendIsReadWithControl() {
+    void controlClickOnALegendNameSelectsTheReadout() {
         Bench b;
         b.clickLegend(b.id("actual_current_2"), Qt::ControlModifier);
         QVERIFY(b.view().readoutSignal() == b.id("actual_current_2"));
@@ -365,7 +365,7 @@ private Q_SLOTS:
         QVERIFY(!b.view().isHidden(b.id("actual_current_2")));
     }
 
-    void theWheelOverTheValuesZoomsThem() {
+    void theWheelOverTheValueAxisZoomsIt() {
         Bench b;
         const double span = b.forces().range().max() - b.forces().range().min();
         const double time = b.view().window().span();
@@ -424,7 +424,7 @@ private Q_SLOTS:
     }
 
     // The zero offset is not kept, because another robot may have a tool with a different weight.
-    void anotherRobotIsNotZeroed() {
+    void theZeroIsClearedForAnotherRobot() {
         Bench b;
         QTest::mouseClick(b.button("plots.zero"), Qt::LeftButton);
         Q_EMIT b.session.linkBegan();
@@ -454,7 +454,7 @@ private Q_SLOTS:
         QVERIFY(b.view().window().follows());
     }
 
-    void thereIsNoValueInAGap() {
+    void aGapHasNoValue() {
         Bench b;
         b.next += 2000;  // a gap of four seconds
         b.runTo(70);
@@ -474,7 +474,7 @@ private Q_SLOTS:
         QVERIFY(!std::isnan(column(65).left));
     }
 
-    void aCurveIsDrawnWhereItsValuesAre() {
+    void aCurveIsDrawnAtItsValues() {
         SeriesBuffer history(1);
         std::array<float, 1> row{};
         for (int i = 0; i < 4000; ++i) {
@@ -554,7 +554,7 @@ private Q_SLOTS:
     }
 
     // The gap is too short to be reported in the header, but it is still not drawn as a motion.
-    void aShortSilenceIsNotDrawnAsMotion() {
+    void aShortOutageIsNotDrawnAsMotion() {
         Bench b;
         Q_EMIT b.session.stateChanged(running(60, true));
         b.next = 30'400;  // 0.8 s later
@@ -586,7 +586,7 @@ private Q_SLOTS:
 
     // Independent of the colours of the window: white background, with a title, without buttons, and with
     // vector lines wherever possible.
-    void picturesAreForPaper() {
+    void exportedPicturesAreSuitableForPrinting() {
         applyTheme(*qApp, Theme::dark());
         const auto light = qScopeGuard([] { applyTheme(*qApp, Theme::light()); });
         Bench b;
@@ -727,7 +727,7 @@ private Q_SLOTS:
         QVERIFY(analysis->canvas().message().contains("longer"));
     }
 
-    void lanesWithoutRoomLieOverNoCurve() {
+    void lanesWithoutSpaceDoNotCoverCurves() {
         Bench b;
         QTest::mouseClick(b.button("plots.valuesKey"), Qt::LeftButton);
         const auto lowest = [&] {
@@ -746,7 +746,7 @@ private Q_SLOTS:
         }
     }
 
-    void theKindOfAnalysisStaysUnderThePointer() {
+    void theAnalysisSelectorStaysUnderThePointer() {
         Bench b;
         b.menu("plots.layout.analysis")->trigger();
         b.view().addSignals({"actual_q_1"});
@@ -763,7 +763,7 @@ private Q_SLOTS:
         QCOMPARE(b.dock.minimumSizeHint().width(), least);
     }
 
-    void oneSignalOverAnother() {
+    void oneSignalIsPlottedOverAnother() {
         Bench b;
         b.menu("plots.layout.analysis")->trigger();
         auto* analysis = b.dock.findChild<PlotAnalysis*>();
@@ -791,7 +791,7 @@ private Q_SLOTS:
 
     /// A recording of several hours: the values next to the plots are calculated in the background, and the
     /// panel stays responsive.
-    void aLongRecordingIsMeasuredAsAWhole() {
+    void statisticsCoverAWholeLongRecording() {
         const test::Long recorded;
         Bench b;
         b.dock.resize(1500, 700);
@@ -861,7 +861,7 @@ private Q_SLOTS:
     }
 
     /// The menu of a curve derives signals from columns with any name.
-    void theMenuDerivesFromForeignColumns() {
+    void theMenuDerivesSignalsFromForeignColumns() {
         Bench b;
         QTemporaryDir folder;
         const QString path = folder.filePath("a {strange} one = 2.csv");
@@ -1075,7 +1075,7 @@ private Q_SLOTS:
         QVERIFY(b.view().panes()[0]->shows(b.id("actual_q_1")));
     }
 
-    void signalsThatDoNotComeAnywayAreAskedFor() {
+    void additionalSignalsAreRequested() {
         Bench b;
         QSignalSpy asked(&b.dock.store(), &SignalStore::furtherFieldsChanged);
         b.drop(b.forces().area().center(), {"tcp_force_scalar"});
@@ -1095,7 +1095,7 @@ private Q_SLOTS:
     }
 
     // ---- performance
-    void aViewThatMovesOnPaintsItsNewColumnsOnly() {
+    void aScrollingViewPaintsOnlyItsNewColumns() {
         Bench b;
         const int columns = static_cast<int>(b.forces().curves()[0]->columns().size());
         QVERIFY(columns > 1000);
@@ -1334,7 +1334,7 @@ private Q_SLOTS:
         QVERIFY(dock.exportTo(folder.filePath("all.png")));
     }
 
-    void recordingsInOnePlotDiffer() {
+    void recordingsInOnePlotAreDistinguishable() {
         Bench b;
         QTemporaryDir folder;
         for (const char* name : {"a.csv", "b.csv"}) {
@@ -1518,7 +1518,7 @@ private Q_SLOTS:
         QVERIFY(band->isHidden());
     }
 
-    void aRecordingWithoutARobotIsShownByItself() {
+    void aRecordingIsShownWithoutARobot() {
         RobotSession session;
         session.shutDown();
         PlotDock dock(session);
@@ -1562,7 +1562,7 @@ private Q_SLOTS:
         QCOMPARE(b.dock.pages().count(), 1);
     }
 
-    void thePicturesGoToTheClipboard() {
+    void picturesAreCopiedToTheClipboard() {
         Bench b;
         QApplication::clipboard()->clear();
         auto* menu = b.button("plots.layout")->menu();
@@ -1572,7 +1572,7 @@ private Q_SLOTS:
     }
 
     // ---- the same mouse actions and keys as in other parts of the application
-    void theMiddleButtonPansAndShiftFramesAndADoubleClickShowsAll() {
+    void mouseButtonsPanZoomToARangeAndShowAll() {
         Bench b;
         QWidget* viewport = b.view().viewport();
         QTest::mousePress(viewport, Qt::MiddleButton, {}, b.at(50));
@@ -1617,7 +1617,7 @@ private Q_SLOTS:
         QCOMPARE(background.name(), Theme::dark().raised.name());
     }
 
-    void bothSchemesDrawWithoutAWarning() {
+    void bothThemesDrawWithoutAWarning() {
         Bench b;
         applyTheme(*qApp, Theme::dark());
         QVERIFY(!b.dock.grab().isNull());

@@ -71,7 +71,7 @@ private Q_SLOTS:
         QCOMPARE(window.end(), 101.0);
         QCOMPARE(window.behind(), 0.0);
     }
-    void pauseKeepsTheViewWhileDataGoOn() {
+    void pauseKeepsTheViewWhileDataContinue() {
         TimeWindow window;
         window.setHistory(0, 100);
         window.pause();
@@ -108,7 +108,7 @@ private Q_SLOTS:
     }
 
     // ---- scale
-    void scaleHoldsTheCurvesBetweenRoundLines_data() {
+    void scaleEnclosesTheCurvesWithRoundValues_data() {
         QTest::addColumn<double>("low");
         QTest::addColumn<double>("high");
         for (const auto& [low, high] : {std::pair(-20.0, 20.0),
@@ -121,7 +121,7 @@ private Q_SLOTS:
             QTest::addRow("%g ... %g", low, high) << low << high;
         }
     }
-    void scaleHoldsTheCurvesBetweenRoundLines() {
+    void scaleEnclosesTheCurvesWithRoundValues() {
         QFETCH(double, low);
         QFETCH(double, high);
         for (const int lines : {2, 3, 4, 6}) {
@@ -140,7 +140,7 @@ private Q_SLOTS:
                     std::abs(mantissa - 5) < 1e-6);
         }
     }
-    void scaleGrowsAtOnceAndShrinksOnlyAfterAWhile() {
+    void scaleGrowsImmediatelyAndShrinksWithADelay() {
         AxisRange range(1);
         range.reset(-2, 2);
         QVERIFY(range.fit(-2, 30, 0.025));
@@ -190,7 +190,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(range.max() - range.min() - span) < 1e-9);
     }
 
-    void scaleIgnoresWhatIsNoNumber() {
+    void scaleIgnoresNonFiniteValues() {
         AxisRange range(1);
         range.reset(-2, 2);
         const double max = range.max();
@@ -279,7 +279,7 @@ private Q_SLOTS:
     }
 
     // ---- lane
-    void laneJoinsWhatIsTheSameAndCutsToTheView() {
+    void laneMergesEqualValuesAndClipsToTheView() {
         StateLane lane;
         for (int i = 0; i <= 100; ++i) {
             const bool moving = i >= 40 && i < 70;
@@ -309,7 +309,7 @@ private Q_SLOTS:
         lane.forgetBefore(299);
         QVERIFY(lane.segments().size() <= 102);
     }
-    void laneSaysWhatTheRobotDoes() {
+    void laneShowsTheRobotActivity() {
         SessionState state = running();
         QCOMPARE(laneEntry(state, {}).label, QString("At standstill"));
         state.moving = true;
@@ -343,13 +343,13 @@ private Q_SLOTS:
         QCOMPARE(f.feed.gaps(), std::uint64_t{0});
         QCOMPARE(f.frame(), 0);
     }
-    void whatTheRobotDoesNotSendIsNoNumber() {
+    void missingFieldsAreNan() {
         Fed f;
         f.add(5, 1);
         f.frame();
         QVERIFY(std::isnan(f.store.value(f.store.find("actual_current_0"), 0)));
     }
-    void aRingThatRanOverIsAGapAndCounted() {
+    void aRingOverrunIsACountedGap() {
         Fed f;
         f.add(1.000, 1);
         f.add(1.002, 2);
@@ -363,7 +363,7 @@ private Q_SLOTS:
         QVERIFY(f.history.gapBefore(2));
         QVERIFY(!f.history.gapBefore(3));
     }
-    void packetsTheControllerSkippedAreAGap() {
+    void packetsSkippedByTheControllerAreAGap() {
         Fed f;
         f.add(1.000, 1);
         f.add(1.002, 2);
@@ -374,7 +374,7 @@ private Q_SLOTS:
         f.frame();
         QVERIFY(f.history.gapBefore(3));
     }
-    void aConnectionMadeAnewIsAGap() {
+    void aReconnectIsAGap() {
         Fed f;
         f.add(1.000, 1);
         f.add(1.002, 2);
@@ -383,7 +383,7 @@ private Q_SLOTS:
         QVERIFY(!f.history.gapBefore(1));
         QVERIFY(f.history.gapBefore(2));
     }
-    void aControllerThatRestartsGoesOnAfterAGap() {
+    void dataContinueAfterAControllerRestartWithAGap() {
         Fed f;
         f.add(500.000, 1);
         f.add(500.002, 2);
@@ -398,14 +398,14 @@ private Q_SLOTS:
         QCOMPARE(f.feed.plotTime(0.004), f.history.time(3));
     }
     // The controller's time does not show how long the connection was interrupted before a restart.
-    void aSilenceIsAsLongAsItWasOnThisComputer_data() {
+    void anOutageHasTheDurationOfTheLocalClock_data() {
         QTest::addColumn<double>("timeBehind");
         QTest::addColumn<bool>("newLink");
         QTest::newRow("restarted") << 0.002 << false;
         QTest::newRow("another robot, younger") << 3.0 << true;
         QTest::newRow("another robot, older") << 90'000.0 << true;
     }
-    void aSilenceIsAsLongAsItWasOnThisComputer() {
+    void anOutageHasTheDurationOfTheLocalClock() {
         QFETCH(double, timeBehind);
         QFETCH(bool, newLink);
         Fed f;
@@ -431,7 +431,7 @@ private Q_SLOTS:
     }
 
     // ---- additionally requested signals
-    void furtherSignalsStandAtTheSameTimes() {
+    void additionalSignalsUseTheSameTimes() {
         Fed f;
         const int scalar = f.store.find("tcp_force_scalar");
         QVERIFY(scalar >= 0 && f.store.buffer(scalar) == nullptr);
@@ -497,7 +497,7 @@ private Q_SLOTS:
         const auto changes = store.changes(bit, 0, store.live().end());
         QCOMPARE(changes, (std::vector<std::int64_t>{20'000, 30'000, 40'000, 40'001}));
     }
-    void aModeIsALaneOfItsWords() {
+    void aModeIsALaneWithItsNames() {
         SignalStore store;
         const int mode = store.find("robot_mode");
         const auto column = static_cast<std::size_t>(store.column(mode));
@@ -520,7 +520,7 @@ private Q_SLOTS:
     }
 
     // ---- layout
-    void anArrangementIsReadAsItWasWritten() {
+    void anArrangementRoundTrips() {
         PlotLayout layout;
         layout.pages = {PageLayout::standard(),
                         {"Mine",
@@ -533,7 +533,7 @@ private Q_SLOTS:
         QVERIFY(read.ok());
         QVERIFY(*read == layout);
     }
-    void whatIsNoArrangementIsRefusedAndWhatIsTooMuchCut() {
+    void invalidArrangementsAreRefusedAndLongOnesTruncated() {
         for (const char* bad : {"", "{", "[]", "{}", "{\"pages\":[]}", "7"}) {
             QCOMPARE(PlotLayout::fromJson(bad).error().code, ErrorCode::FileCorrupt);
         }
@@ -597,7 +597,7 @@ private Q_SLOTS:
         QCOMPARE(lines[1], QByteArray("10.02,,,5,"));
         QCOMPARE(lines[11].split(',')[3], QByteArray("10"));
     }
-    void csvThatCannotBeWrittenSaysSoAndKeepsTheOldFile() {
+    void aFailedCsvExportIsReportedAndKeepsTheOldFile() {
         Fed f;
         QTemporaryDir folder;
         const QString path = folder.filePath("old.csv");

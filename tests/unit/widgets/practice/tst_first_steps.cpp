@@ -104,7 +104,7 @@ private Q_SLOTS:
         QVERIFY(!isDone(FirstStep::GoTo));
     }
 
-    void teachingTicksWherePastingDoesNot() {
+    void teachingTicksButPastingDoesNot() {
         show(liveState());
         document_->insertWaypoints(0, {taughtAt(moved(1, 0.3))}, "Paste");
         QVERIFY2(!isDone(FirstStep::Teach), "the arm stands elsewhere");
@@ -200,7 +200,7 @@ private Q_SLOTS:
         }
     }
 
-    void aViewWithoutRoomShowsTheTitleOnly() {
+    void aSmallViewShowsOnlyTheTitle() {
         QWidget view;
         view.resize(480, 100);
         FirstStepsCard card(*steps_, view);
@@ -250,7 +250,7 @@ private Q_SLOTS:
         QVERIFY(!card.isFolded());
     }
 
-    void aHiddenCardHandsTheFocusToTheView() {
+    void aHiddenCardMovesTheFocusToTheView() {
         QWidget window;
         auto* layout = new QVBoxLayout(&window);
         auto* view = new QWidget;

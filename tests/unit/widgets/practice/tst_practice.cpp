@@ -159,7 +159,7 @@ private Q_SLOTS:
 
     // ---- the card
 
-    void theCardFollowsAndItsKeysStay() {
+    void theCardUpdatesButItsButtonsStayInPlace() {
         QWidget view;
         view.resize(480, 500);
         PracticeCard card(*practice_, view);

@@ -69,7 +69,7 @@ private:
 private Q_SLOTS:
     void init() { project_ = {}; }
 
-    void everyTaskHasItsWords() {
+    void everyTaskHasItsTexts() {
         QSet<QString> names;
         for (const PracticeTask task : kPracticeTasks) {
             names.insert(practiceName(task));
@@ -82,7 +82,7 @@ private Q_SLOTS:
 
     // ---- recover
 
-    void recoverNeedsTheStopTheWayBackAndControl() {
+    void recoverNeedsTheStopRecoveryAndControl() {
         const auto check = practiceCheck(PracticeTask::Recover, project_);
         check->follow(liveState(), project_);
         QVERIFY2(!check->passed(), "there was no stop yet");
@@ -127,7 +127,7 @@ private Q_SLOTS:
         QVERIFY2(check->passed(), qPrintable(check->text()));
     }
 
-    void otherFramesDoNot_data() {
+    void otherFramesFail_data() {
         QTest::addColumn<double>("yaw");
         QTest::addColumn<double>("tip");
         QTest::addColumn<double>("away");
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QTest::newRow("upside down") << 90.0 << 180.0 << 0.0 << "Z";
         QTest::newRow("typed, not taken") << 90.0 << 0.0 << 0.05 << "not taught with the arm";
     }
-    void otherFramesDoNot() {
+    void otherFramesFail() {
         QFETCH(double, yaw);
         QFETCH(double, tip);
         QFETCH(double, away);
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QVERIFY2(check->passed(), qPrintable(check->text()));
     }
 
-    void otherPlacesDoNot_data() {
+    void otherPositionsFail_data() {
         QTest::addColumn<double>("x");
         QTest::addColumn<double>("y");
         QTest::addColumn<double>("turned");
@@ -188,7 +188,7 @@ private Q_SLOTS:
         QTest::newRow("turned") << 0.020 << 0.0 << 0.1 << true;
         QTest::newRow("typed in figures") << 0.020 << 0.0 << 0.0 << false;
     }
-    void otherPlacesDoNot() {
+    void otherPositionsFail() {
         QFETCH(double, x);
         QFETCH(double, y);
         QFETCH(double, turned);
@@ -236,7 +236,7 @@ private Q_SLOTS:
         QVERIFY(check->passed());
     }
 
-    void aSpeedCapIsNoReachLimit() {
+    void aSpeedCapIsNotAReachLimit() {
         const auto check = practiceCheck(PracticeTask::FindLimit, project_);
         check->follow(jogging({0, -0.8, 0.3}, control::LimiterKind::TcpSpeed, 0.2), project_);
         check->follow(jogging({0, -0.5, 0.3}, control::LimiterKind::None, 1), project_);

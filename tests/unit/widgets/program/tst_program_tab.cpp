@@ -99,7 +99,7 @@ private Q_SLOTS:
         QCOMPARE(document_->undoStack().undoText(), QString("Delete steps"));
     }
 
-    void stepsGoToOtherProgramsAsText() {
+    void stepsAreCopiedToOtherProgramsAsText() {
         openTray();
         tree().selectIds({steps()[3].id});
         tree().setFocus();

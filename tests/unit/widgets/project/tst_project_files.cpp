@@ -70,7 +70,7 @@ private Q_SLOTS:
         document_.reset();
     }
 
-    void aFileOfANewerTillerAsksForAnUpdateAndBlamesNoRobot() {
+    void aFileOfANewerVersionAsksForAnUpdate() {
         QFile file(path_);
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(R"({"format": "tiller-session", "version": 99, "frames": [], "waypoints": []})");
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QCOMPARE(content(), before);
     }
 
-    void aFileOfAnEarlierTillerIsOpenedAndSavedAsAProject() {
+    void aFileOfAnEarlierVersionIsSavedAsAProject() {
         document_->insertWaypoints(0, {named("home")}, "Teach");
         files_->saveAs(path_);
         QByteArray old = content();
@@ -125,7 +125,7 @@ private Q_SLOTS:
         QCOMPARE(files_->store().path(), directory_->filePath("cell-8.tiller"));
     }
 
-    void aDamagedFileOffersWhatCanBeRead() {
+    void aDamagedFileOffersTheReadablePart() {
         document_->insertWaypoints(0, {named("a"), named("b"), named("c")}, "Teach");
         files_->saveAs(path_);
         QFile file(path_);
@@ -177,7 +177,7 @@ private Q_SLOTS:
     }
 
     // The state after starting with a damaged file: there is no file to save the work in.
-    void workWithoutAFileIsAskedAbout() {
+    void closingWithoutAFileAsksForConfirmation() {
         QVERIFY(files_->mayLeave(nullptr));
         document_->insertWaypoints(0, {named("a")}, "Teach");
         {
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QVERIFY(!files_->store().isModified());
     }
 
-    void workThatCannotBeSavedIsAskedAbout() {
+    void closingWithAFailedSaveAsksForConfirmation() {
         const QString folder = directory_->filePath("gone");
         QVERIFY(QDir().mkdir(folder));
         files_->open(folder + "/x.tiller");
@@ -222,7 +222,7 @@ private Q_SLOTS:
         QVERIFY(std::any_of(resolved.begin(), resolved.end(), isOfDamage));
     }
 
-    void aProjectOpenElsewhereOffersTakeoverAndCopy() {
+    void aProjectOpenInAnotherWindowOffersTakeoverAndCopy() {
         document_->insertWaypoints(0, {named("a")}, "Teach");
         files_->saveAs(path_);
         UndoableDocument otherDocument;
@@ -242,7 +242,7 @@ private Q_SLOTS:
     }
 
     // The notice may appear under the pointer of a user who is about to click another one.
-    void theFirstAnswerToAForeignChangeKeepsBothVersions() {
+    void theDefaultAnswerToAnExternalChangeKeepsBothVersions() {
         files_->open(path_);
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
@@ -255,7 +255,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 1);
     }
 
-    void aForeignChangeThatIsTakenBackResolvesItsNotice() {
+    void aRevertedExternalChangeClosesItsNotice() {
         files_->open(path_);
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
@@ -276,7 +276,7 @@ private Q_SLOTS:
         QCOMPARE(resolved[0][0].toString(), cause);
     }
 
-    void aFileThatCannotBeReadAnyMoreIsReported() {
+    void aFileThatBecomesUnreadableIsReported() {
         files_->open(path_);
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(files_->store().saveNow().ok());
@@ -286,7 +286,7 @@ private Q_SLOTS:
         QVERIFY(notice_.has_value());
     }
 
-    void keptWorkIsOfferedAndOpened() {
+    void recoveredWorkIsOfferedAndOpened() {
         const QString folder = directory_->filePath("Unsaved");
         {
             project::CopyKeeper keeper(folder);
@@ -327,7 +327,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().at(0).name, QString("a"));
     }
 
-    void keptWorkIsDiscardedOnRequest() {
+    void recoveredWorkIsDiscardedOnRequest() {
         const QString folder = directory_->filePath("Unsaved");
         for (const char* name : {"first", "second"}) {
             project::CopyKeeper keeper(folder);
@@ -362,7 +362,7 @@ private Q_SLOTS:
         QVERIFY2(document_->waypoints().isEmpty(), "nothing was opened");
     }
 
-    void newProjectsGoToTheDocuments() {
+    void newProjectsAreSavedInTheDocumentsFolder() {
         QVERIFY2(projectFolder().endsWith("/Tiller"), qPrintable(projectFolder()));
         QVERIFY2(!projectFolder().contains("/."), qPrintable(projectFolder()));
     }

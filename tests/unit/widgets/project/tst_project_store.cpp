@@ -55,7 +55,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(path_)->waypoints.at(0).name, QString("home"));
     }
 
-    void changesWithoutAPauseAreSavedToo() {
+    void continuousChangesAreAlsoSaved() {
         QVERIFY(store_->openOrStart(path_).ok());
         QTimer changes;
         connect(&changes, &QTimer::timeout, this, [this] {
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(path_), before);
     }
 
-    void openingACopyLosesNothingOfTheProjectBefore() {
+    void openingACopyLosesNoChangesOfThePreviousProject() {
         const QString sample = directory_->filePath("sample.tiller");
         QVERIFY(project::saveProject(sample, {}).ok());
         QVERIFY(store_->openOrStart(path_).ok());
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 0);
     }
 
-    void openingShowsTheFileAndForgetsTheHistory() {
+    void openingShowsTheFileAndClearsTheHistory() {
         project::Project cell;
         cell.waypoints.append(named("a"));
         cell.robot = RobotModelId::UR10e;
@@ -153,7 +153,7 @@ private Q_SLOTS:
         QCOMPARE(contentOf(other), before);
     }
 
-    void recoveredFileIsPutAsideAtTheFirstSave() {
+    void aRecoveredFileIsBackedUpAtTheFirstSave() {
         project::Project cell;
         cell.waypoints.append(named("a"));
         cell.waypoints.append(named("b"));
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QCOMPARE(store_->statusText(), QString("x.tiller — saved"));
     }
 
-    void savingElsewhereThatFailsKeepsTheOldPlace() {
+    void aFailedSaveAsKeepsTheOldPath() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("home")}, "Teach");
         QVERIFY(!store_->saveAs(directory_->filePath("no/such/folder.tiller")).ok());
@@ -261,7 +261,7 @@ private Q_SLOTS:
         QVERIFY(other.isModified());
     }
 
-    void whenTheOtherWindowClosesSavingWorks() {
+    void savingWorksAfterTheOtherWindowCloses() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("first")}, "Teach");
         QVERIFY(store_->saveNow().ok());
@@ -276,7 +276,7 @@ private Q_SLOTS:
         QCOMPARE(project::loadProject(path_)->waypoints.size(), 2);
     }
 
-    void aForeignChangeWaitsForTheOperator() {
+    void anExternalChangeWaitsForTheOperator() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(store_->saveNow().ok());
@@ -331,7 +331,7 @@ private Q_SLOTS:
     }
 
     // Another window is about to save under the first free name.
-    void aNameThatIsTakenMeanwhileIsLeftToTheOther() {
+    void aFileCreatedByAnotherWindowIsNotReplaced() {
         QVERIFY(store_->openOrStart(path_).ok());
         document_->insertWaypoints(0, {named("mine")}, "Teach");
         QVERIFY(store_->saveNow().ok());
@@ -348,7 +348,7 @@ private Q_SLOTS:
         QVERIFY(theirs.ok() && theirs->outcome == project::ProjectAccess::Outcome::Saved);
     }
 
-    void ourOwnSavesAreNoForeignChange() {
+    void ownSavesAreNotExternalChanges() {
         QVERIFY(store_->openOrStart(path_).ok());
         QSignalSpy changed(store_.get(), &ProjectStore::changedByOther);
         for (int i = 0; i < 5; ++i) {
@@ -389,7 +389,7 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder).entryList({"*.tiller"}, QDir::Files), QStringList());
     }
 
-    void workThatCannotBeSavedAtTheEndIsKept() {
+    void unsavableWorkIsKeptAtExit() {
         const QString folder = directory_->filePath("Unsaved");
         const QString gone = directory_->filePath("gone");
         QVERIFY(QDir().mkdir(gone));

@@ -62,7 +62,7 @@ class TestArmMesh : public QObject {
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
 
-    void everyFaceIsSeenFromOutside() {
+    void everyFacePointsOutwards() {
         for (const RobotModel& model : robotModels()) {
             for (const Mesh& mesh : armMesh(model)) {
                 QVERIFY(!mesh.triangles.empty());
@@ -108,7 +108,7 @@ private Q_SLOTS:
         }
     }
 
-    void theFlangeEndsWhereTheKinematicsEnds() {
+    void theFlangeMatchesTheKinematics() {
         for (const RobotModel& model : robotModels()) {
             const Mesh flange = armMesh(model)[6];
             float end = -1;
@@ -121,7 +121,7 @@ private Q_SLOTS:
 
     // Creates images for visual inspection. The test only checks that there are pixels with the colours of
     // the arm.
-    void everyModelInTwoPoses() {
+    void everyModelIsDrawnInTwoPoses() {
         constexpr int kWidth = 360;
         constexpr int kHeight = 340;
         constexpr int kColumns = 7;

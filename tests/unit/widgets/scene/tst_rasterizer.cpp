@@ -50,7 +50,7 @@ private:
     }
 
 private Q_SLOTS:
-    void theNearerHidesTheFartherInAnyOrder() {
+    void nearFacesHideFarOnesInAnyOrder() {
         const Camera eye = camera(kSize);
         for (const bool farFirst : {true, false}) {
             Rasterizer raster;
@@ -114,7 +114,7 @@ private Q_SLOTS:
     }
 
     // Only the changed part is redrawn. It must join the unchanged part without a seam.
-    void aPartIsAsInTheWhole() {
+    void aPartialRedrawMatchesAFullRedraw() {
         const Camera eye = camera(kSize);
         Rasterizer raster;
         const auto fill = [&] {
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QCOMPARE(qAlpha(image.pixel(150, 2)), 0);
     }
 
-    void aFinerScreenGetsAFinerPicture() {
+    void aHighDpiScreenGetsAHighResolutionPicture() {
         const Camera eye = camera(kSize);
         Rasterizer raster;
         raster.begin(kSize, eye);

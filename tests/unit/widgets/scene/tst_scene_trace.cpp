@@ -24,7 +24,7 @@ private:
     }
 
 private Q_SLOTS:
-    void aStraightWayNeedsTwoPoints() {
+    void aStraightPathNeedsTwoPoints() {
         SceneTrace trace;
         for (int i = 0; i <= 200; ++i) {
             trace.extend(i * 0.016, Eigen::Vector3d(i * 0.001, 0, 0.3));
@@ -48,7 +48,7 @@ private Q_SLOTS:
     }
 
     // The arm moves back and forth on one line. The turning point must be kept.
-    void aTurnBackIsACorner() {
+    void aReversalIsACorner() {
         SceneTrace trace;
         double time = 0;
         for (int i = 0; i <= 100; ++i) {
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(trace.points().size() <= 1);
     }
 
-    void backwardTimeRestartsTheTrail() {
+    void timeRunningBackwardsRestartsTheTrail() {
         SceneTrace trace;
         trace.extend(50, {0, 0, 0});
         trace.extend(51, {0.1, 0, 0});

@@ -161,7 +161,7 @@ class TestSceneView : public QObject {
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
 
-    void aPointStraightAheadIsInTheMiddle() {
+    void aPointStraightAheadIsCentred() {
         Camera camera;
         camera.reset(1.08);
         camera.setViewport({800, 600});
@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(!camera.project(behind).visible());
     }
 
-    void theWholeReachOfAnUprightArmIsOnTheScreen() {
+    void theWholeReachOfAnUprightArmIsVisible() {
         for (const RobotModel& model : robotModels()) {
             Camera camera;
             camera.reset(collision::uprightHeight(model));
@@ -200,7 +200,7 @@ private Q_SLOTS:
         }
     }
 
-    void theToolFrameIsDrawnWhereKinematicsSaysItIs() {
+    void theToolFrameIsDrawnAtTheComputedPose() {
         SceneView view;
         view.resize(930, 520);
         SessionState state = live(kStance);
@@ -271,7 +271,7 @@ private Q_SLOTS:
         QVERIFY(countBlue(picture(view)) > 500);
     }
 
-    void draggingOrbitsTheWheelZoomsADoubleClickResets() {
+    void dragOrbitsWheelZoomsAndDoubleClickResets() {
         SceneView view;
         view.resize(600, 400);
         view.show();
@@ -300,14 +300,14 @@ private Q_SLOTS:
     }
 
     // At every window size, the arm is large and not in the lower half of the view.
-    void theArmFillsThePicture_data() {
+    void theArmFillsTheView_data() {
         QTest::addColumn<QSize>("size");
         QTest::newRow("as designed") << QSize(930, 520);
         QTest::newRow("small") << QSize(520, 340);
         QTest::newRow("wide") << QSize(1400, 400);
         QTest::newRow("high") << QSize(420, 800);
     }
-    void theArmFillsThePicture() {
+    void theArmFillsTheView() {
         QFETCH(QSize, size);
         ShownView view(size);
         const QRectF arm = coveredBy(view, kStance);
@@ -328,7 +328,7 @@ private Q_SLOTS:
         QVERIFY(coveredBy(view, kStance).height() > 0.3 * view.height());
     }
 
-    void theGhostAndTheWaypointsAreInThePicture() {
+    void theGhostAndTheWaypointsAreVisible() {
         ShownView view({630, 340});
         const double alone = view.camera().distance();
         view.setGhost(uprightGhost());
@@ -353,7 +353,7 @@ private Q_SLOTS:
         QVERIFY(view.camera().distance() <= near);
     }
 
-    void theArmStaysInThePictureWhileItMoves() {
+    void theArmStaysVisibleWhileItMoves() {
         ShownView view;
         for (int i = 0; i <= 60; ++i) {
             JointPositions q = kStance;
@@ -366,7 +366,7 @@ private Q_SLOTS:
     }
 
     // An operator who zooms or pans keeps that view until the complete view is requested.
-    void viewChosenByTheOperatorIsKept() {
+    void aViewSetByTheOperatorIsKept() {
         ShownView view;
         const Camera before = view.camera();
         QTest::mousePress(&view, Qt::RightButton, {}, {300, 200});
@@ -391,7 +391,7 @@ private Q_SLOTS:
         QCOMPARE(view.camera().azimuth(), before.azimuth());
     }
 
-    void theArrowsWithShiftMoveThePicture() {
+    void shiftAndArrowKeysPanTheView() {
         ShownView view;
         const Eigen::Vector3d base = Eigen::Vector3d::Zero();
         const QPointF before = onScreen(view, base);
@@ -403,7 +403,7 @@ private Q_SLOTS:
         QVERIFY(view.camera().azimuth() != azimuth);
     }
 
-    void theKeysLookFromTheStandardSides_data() {
+    void theButtonsSelectTheStandardViews_data() {
         QTest::addColumn<QString>("key");
         QTest::addColumn<int>("right");  // base axis pointing right, and base axis pointing up
         QTest::addColumn<int>("up");
@@ -411,7 +411,7 @@ private Q_SLOTS:
         QTest::newRow("side") << "scene.side" << 1 << 2;
         QTest::newRow("top") << "scene.top" << 0 << 1;
     }
-    void theKeysLookFromTheStandardSides() {
+    void theButtonsSelectTheStandardViews() {
         QFETCH(QString, key);
         QFETCH(int, right);
         QFETCH(int, up);
@@ -431,7 +431,7 @@ private Q_SLOTS:
         QVERIFY((view.viewRotation() - first).norm() < 1e-9);
     }
 
-    void theKeysAreLeftOutOfAVerySmallPicture() {
+    void theButtonsAreHiddenInAVerySmallView() {
         ShownView view({600, 400});
         auto* keys = view.findChild<QWidget*>("scene.keys");
         QVERIFY(keys->isVisible() && view.rect().contains(keys->geometry()));
@@ -441,7 +441,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(keys->isVisible(), 60'000);
     }
 
-    void namesDoNotLieOnEachOther() {
+    void labelsDoNotOverlap() {
         ShownView view({930, 520});
         const Eigen::Vector3d tcp =
             kinematics::forwardTcp(robotModel(RobotModelId::UR5e).dh, kStance).position;

@@ -94,7 +94,7 @@ private Q_SLOTS:
         applyTheme(*qApp, Theme::light());
     }
 
-    void showsWhatTheRobotConfirms() {
+    void showsTheStateConfirmedByTheRobot() {
         FakeSession session;
         HeaderBar header(session.port());
         header.resize(1920, HeaderBar::kHeight);
@@ -124,7 +124,7 @@ private Q_SLOTS:
         QCOMPARE(header.findChild<StateChip*>("lastStopChip")->text(), QStringLiteral("62 ms · 3.1 mm"));
     }
 
-    void everyModeReachesItsChip() {
+    void everyModeIsShownInItsChip() {
         FakeSession session;
         HeaderBar header(session.port());
         SessionState state = movingState();
@@ -145,7 +145,7 @@ private Q_SLOTS:
         }
     }
 
-    void withoutDataNoModeIsClaimed() {
+    void withoutDataNoModeIsShown() {
         FakeSession session;
         HeaderBar header(session.port());
         SessionState state = movingState();
@@ -159,7 +159,7 @@ private Q_SLOTS:
                  StateChip::Emphasis::Alarm);
     }
 
-    void simulationSignIsThereExactlyWhenSimulated() {
+    void simulationSignIsShownOnlyWhenSimulated() {
         FakeSession session;
         HeaderBar header(session.port());
         header.show();
@@ -174,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(!header.findChild<SimulationChip*>()->isVisible());
     }
 
-    void oneButtonTakesTheNextStep_data() {
+    void oneButtonPerformsTheNextStep_data() {
         QTest::addColumn<RobotMode>("mode");
         QTest::addColumn<SafetyMode>("safety");
         QTest::addColumn<QString>("asked");
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QTest::newRow("control") << RobotMode::Running << SafetyMode::Normal
                                  << QStringLiteral("take control");
     }
-    void oneButtonTakesTheNextStep() {
+    void oneButtonPerformsTheNextStep() {
         QFETCH(RobotMode, mode);
         QFETCH(SafetyMode, safety);
         QFETCH(QString, asked);
@@ -203,7 +203,7 @@ private Q_SLOTS:
     }
 
     // An operator who presses Space wants to stop the arm.
-    void spaceNeverTakesTheNextStep() {
+    void spaceNeverPerformsTheNextStep() {
         FakeSession session;
         HeaderBar header(session.port());
         header.show();
@@ -219,7 +219,7 @@ private Q_SLOTS:
         QCOMPARE(session.asked, QStringList{QStringLiteral("power on")});
     }
 
-    void aStepThatChangesByItselfLosesTheFocus() {
+    void anAutomaticStepChangeRemovesTheFocus() {
         FakeSession session;
         HeaderBar header(session.port());
         header.show();
@@ -275,7 +275,7 @@ private Q_SLOTS:
         QCOMPARE(session.speeds.size(), 1);
     }
 
-    void aStopLeadsToTheRecoveryPageAndNothingElse() {
+    void aStopOffersOnlyTheRecoveryPage() {
         FakeSession session;
         HeaderBar header(session.port());
         header.show();
@@ -298,7 +298,7 @@ private Q_SLOTS:
         QVERIFY(session.asked.isEmpty());
     }
 
-    void controlIsNotOfferedInALocalThatRefuses() {
+    void controlIsNotOfferedInAGatedLocalMode() {
         FakeSession session;
         HeaderBar header(session.port());
         header.show();
@@ -322,7 +322,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(button->isVisible() && button->isEnabled(), 60'000);
     }
 
-    void inControlThereIsNoButton() {
+    void noStepButtonIsShownInControl() {
         FakeSession session;
         HeaderBar header(session.port());
         header.show();
@@ -345,7 +345,7 @@ private Q_SLOTS:
             QStringLiteral("Software stop. Not an emergency stop. Power stays on.\n")));
     }
 
-    void stopCanBeTouched() {
+    void stopRespondsToTouch() {
         FakeSession session;
         HeaderBar header(session.port());
         header.resize(1920, HeaderBar::kHeight);
@@ -364,7 +364,7 @@ private Q_SLOTS:
         QTest::mouseMove(slider, QPoint(x + by, 30));
         QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(x + by, 30));
     }
-    void sliderKeepsAboveTwoPercentAndIgnoresTheWheel() {
+    void sliderStaysAboveTwoPercentAndIgnoresTheWheel() {
         FakeSession session;
         HeaderBar header(session.port());
         header.resize(1920, HeaderBar::kHeight);
@@ -496,7 +496,7 @@ private Q_SLOTS:
     }
 
     // A disabled button normally passes its focus on, in this case to the speed slider.
-    void theFocusDoesNotGoFromTheKeyToTheSlider() {
+    void theFocusDoesNotMoveFromTheButtonToTheSlider() {
         FakeSession session;
         HeaderBar header(session.port());
         header.resize(1280, HeaderBar::kHeight);
@@ -524,7 +524,7 @@ private Q_SLOTS:
         QTRY_VERIFY2_WITH_TIMEOUT(button->hasFocus(), "who walks by keyboard goes on where he was", 60'000);
     }
 
-    void draggingTakesPrecedenceOverTheReport() {
+    void draggingTakesPrecedenceOverReceivedValues() {
         SpeedChip slider;
         slider.resize(230, 47);
         slider.setReported(0.35, true);
@@ -584,7 +584,7 @@ private Q_SLOTS:
         }
     }
 
-    void theOrdinaryWordsAreWholeInTheSmallestWindow() {
+    void commonTextsAreCompleteInTheSmallestWindow() {
         FakeSession session;
         HeaderBar header(session.port());
         header.resize(1264, HeaderBar::kHeight);
@@ -603,7 +603,7 @@ private Q_SLOTS:
     }
 
     // Checked in every language. Texts do not overlap.
-    void everyModeIsWhole_data() {
+    void everyModeIsShownInFull_data() {
         QTest::addColumn<QString>("language");
         QTest::addColumn<int>("width");
         for (const char* language : {"en", "de", "es", "fr", "ja", "zh_CN"}) {
@@ -612,7 +612,7 @@ private Q_SLOTS:
             }
         }
     }
-    void everyModeIsWhole() {
+    void everyModeIsShownInFull() {
         QFETCH(QString, language);
         QFETCH(int, width);
         QTranslator texts;
@@ -711,7 +711,7 @@ private Q_SLOTS:
                  "STOP is whole");
     }
 
-    void followsASession() {
+    void showsTheStateOfASession() {
         RobotSession session;
         HeaderBar header(session);
         QCOMPARE(header.shownStep(), NextStep::Connect);

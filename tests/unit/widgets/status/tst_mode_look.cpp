@@ -12,7 +12,7 @@ class TestModeLook : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyRobotModeHasItsOwnWordsAndShape() {
+    void everyRobotModeHasItsOwnTextAndShape() {
         QSet<QString> texts;
         QSet<int> shapes;
         for (const RobotMode mode : robotModes()) {
@@ -38,7 +38,7 @@ private Q_SLOTS:
         QCOMPARE(robotModeLook(RobotMode::Running, true).shape, Shape::Triangle);
     }
 
-    void everySafetyModeHasItsOwnWordsAndAdvice() {
+    void everySafetyModeHasItsOwnTextAndAdvice() {
         QSet<QString> texts;
         for (const SafetyMode mode : safetyStatuses()) {
             const ModeLook look = safetyModeLook(mode);
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(safetyModeLook(SafetyMode::Reduced).emphasis, Emphasis::Normal);
     }
 
-    void everyProgramStateHasItsOwnWordsAndIcon() {
+    void everyProgramStateHasItsOwnTextAndIcon() {
         QSet<QString> texts;
         QSet<QString> icons;
         for (const RuntimeState runtime : runtimeStates()) {
@@ -77,7 +77,7 @@ private Q_SLOTS:
         QCOMPARE(icons.size(), qsizetype(runtimeStates().size()));
     }
 
-    void theSafetyStatusTellsCausesApartAndTheCautiousValueWins() {
+    void safetyStatusCausesDifferAndTheSaferValueIsUsed() {
         SessionState state;
         state.safetyMode = SafetyMode::SafeguardStop;
         state.safetyStatus = SafetyMode::AutomaticModeSafeguardStop;
@@ -91,7 +91,7 @@ private Q_SLOTS:
         QCOMPARE(state.safety(), SafetyMode::ProtectiveStop);
     }
 
-    void aForeignProgramIsNamed() {
+    void aForeignProgramIsShown() {
         SessionState state;
         state.link = LinkState::Live;
         state.sequence = 1;
@@ -103,14 +103,14 @@ private Q_SLOTS:
         QVERIFY(controlLook(state).advice.contains(QStringLiteral("pick.urp")));
     }
 
-    void numberFromNewerSoftwareIsNeverTakenForNormal() {
+    void anUnknownModeNumberIsNeverShownAsNormal() {
         const ModeLook look = safetyModeLook(static_cast<SafetyMode>(77));
         QCOMPARE(look.emphasis, Emphasis::Alarm);
         QVERIFY(look.text.contains(QStringLiteral("77")));
         QVERIFY(robotModeLook(static_cast<RobotMode>(99), true).emphasis != Emphasis::Moving);
     }
 
-    void nextStepLeadsFromNothingToControl() {
+    void nextStepLeadsFromDisconnectedToControl() {
         SessionState state;
         QCOMPARE(nextStep(state), NextStep::Connect);
         state.link = LinkState::Connecting;
@@ -137,7 +137,7 @@ private Q_SLOTS:
         }
     }
 
-    void everyStepHasWordsAndAdvice() {
+    void everyStepHasTextAndAdvice() {
         for (const auto step : {NextStep::Connect, NextStep::PowerOn, NextStep::ReleaseBrakes,
                                 NextStep::Recover, NextStep::TakeControl}) {
             QVERIFY(!nextStepText(step).isEmpty());

@@ -57,7 +57,7 @@ private Q_SLOTS:
         line.showMessage(Severity::Info, QStringLiteral("Connected"));
         QCOMPARE(label->palette().color(QPalette::WindowText), Theme::light().secondary);
     }
-    void theRemedyStaysWhereRoomIsShort() {
+    void theSolutionStaysVisibleWhenSpaceIsShort() {
         StatusLine line;
         line.resize(700, StatusLine::kHeight);
         line.show();
@@ -72,7 +72,7 @@ private Q_SLOTS:
     }
 
     // The log keeps the message. The status line would show it as if the problem still existed.
-    void aWarningEndsWithItsTrouble() {
+    void aWarningEndsWithItsCause() {
         StatusLine line;
         line.show();
         SessionState state;
@@ -101,7 +101,7 @@ private Q_SLOTS:
         line.applyState(state);
         QCOMPARE(line.messageText(), QString());
     }
-    void aMessageIsWholeWhereThereIsRoom() {
+    void aMessageIsShownInFullWhenItFits() {
         StatusLine line;
         line.resize(1200, StatusLine::kHeight);
         line.show();
@@ -121,7 +121,7 @@ private Q_SLOTS:
         applyTheme(*qApp, Theme::light());
         QCOMPARE(label->palette().color(QPalette::WindowText), Theme::light().warning);
     }
-    void theProjectIsNamed() {
+    void theProjectNameIsShown() {
         StatusLine line;
         line.show();
         line.setProjectText(QStringLiteral("cell-7.tiller — saved"));

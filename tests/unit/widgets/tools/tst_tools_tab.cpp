@@ -72,7 +72,7 @@ private Q_SLOTS:
         session_.reset();
     }
 
-    void tcpOfTheRobotIsKeptNamedAndTyped() {
+    void tcpOfTheRobotIsAddedNamedAndEdited() {
         SessionState state = liveState();
         state.tcpOffset = Pose(0.01, 0, 0.15, 0, 0, 0);
         feed(state);
@@ -234,7 +234,7 @@ private Q_SLOTS:
         everythingGoesThereAndBack(1);
     }
 
-    void worstPoseIsNamedAndTakenAgain() {
+    void theWorstPoseIsReportedAndReplaced() {
         const Pose tool(0, 0, 0.17, 0, 0, 0);
         const Eigen::Vector3d point(-0.35, -0.25, 0.1);
         const std::vector<Eigen::Vector3d> turns = {
@@ -256,7 +256,7 @@ private Q_SLOTS:
         QVERIFY(document_->tooling().tools.isEmpty());
     }
 
-    void alikePosesAreRefusedWithAdvice() {
+    void similarPosesAreRefusedWithAdvice() {
         feed(liveState());
         click("tcp.teach");
         for (int i = 0; i < 4; ++i) {
@@ -266,7 +266,7 @@ private Q_SLOTS:
         QVERIFY(!button("tcp.teacher.make")->isEnabled());
     }
 
-    void rotationFromOnePoseAndFromThree() {
+    void rotationIsTaughtFromOneOrThreePoses() {
         const Pose tool(0, 0, 0.17, 0, 0.4, 0);
         const Eigen::Vector3d point(-0.35, -0.25, 0.1);
         feed(liveState());
@@ -306,7 +306,7 @@ private Q_SLOTS:
         QVERIFY((rotationMatrix(three.rotation) - rotationMatrix(tool.rotation)).norm() < 1e-7);
     }
 
-    void payloadIsTypedAndPresetsAreAdded() {
+    void payloadsAreEnteredAndPresetsAdded() {
         tab_->showPage(ToolsTab::Payloads);
         SessionState state = liveState();
         state.payloadMass = 1.5;
@@ -329,7 +329,7 @@ private Q_SLOTS:
         everythingGoesThereAndBack(4);
     }
 
-    void otherPayloadOnTheRobotIsAskedAbout() {
+    void aDifferentPayloadOnTheRobotAsks() {
         project::Tooling tooling;
         tooling.payloads = {{QUuid::createUuid(), "empty", 0.9, {0, 0, 0.05}, std::nullopt, {}, {}}};
         tooling.activePayload = tooling.payloads.at(0).id;
@@ -344,7 +344,7 @@ private Q_SLOTS:
         QVERIFY(document_->tooling() == tooling);
     }
 
-    void truthOfThePayloadIsWeighed() {
+    void payloadCheckMeasuresTheActualMass() {
         tab_->showPage(ToolsTab::Payloads);
         SessionState state = liveState();
         state.payloadMass = 1;
@@ -368,7 +368,7 @@ private Q_SLOTS:
         QVERIFY(notice("payload.page")->title().contains("The arm moved"));
     }
 
-    void fourPosesWeighAPayload() {
+    void fourPosesMeasureAPayload() {
         tab_->showPage(ToolsTab::Payloads);
         feed(liveState());
         click("payload.weigh");
@@ -414,7 +414,7 @@ private Q_SLOTS:
         QVERIFY(moves_.empty());
     }
 
-    void homeIsSetHereAndAskedAboutTheSecondTime() {
+    void settingHomeAsksBeforeReplacingIt() {
         tab_->showPage(ToolsTab::Positions);
         feed(liveState());
         click("position.setHome");
@@ -429,7 +429,7 @@ private Q_SLOTS:
         everythingGoesThereAndBack(2);
     }
 
-    void positionsAreAddedTypedTouchedUpAndChosen() {
+    void positionsAreAddedEditedTouchedUpAndSelected() {
         tab_->showPage(ToolsTab::Positions);
         feed(liveState());
         click("position.add");
@@ -451,7 +451,7 @@ private Q_SLOTS:
         everythingGoesThereAndBack(6);
     }
 
-    void safeHeightIsTakenAndTyped() {
+    void safeHeightIsTaughtAndEntered() {
         tab_->showPage(ToolsTab::Positions);
         const SessionState state = liveState();
         feed(state);

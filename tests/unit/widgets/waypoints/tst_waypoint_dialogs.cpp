@@ -86,7 +86,7 @@ private Q_SLOTS:
         session_.reset();
     }
 
-    void propertiesOfManyAreChangedWhereTicked() {
+    void onlyTickedPropertiesAreChangedForAllSelected() {
         select({0, 2});
         inDialog("waypoint.action.properties", [](QDialog& dialog) {
             auto* group = dialog.findChild<QComboBox*>("waypoint.properties.group");
@@ -189,7 +189,7 @@ private Q_SLOTS:
         QCOMPARE(bytes(), was);
     }
 
-    void patternIsMadeChangedAndFollowsItsCorner() {
+    void patternIsCreatedEditedAndFollowsItsCorner() {
         makePattern();
         QCOMPARE(document_->waypoints().size(), 4 + 5);
         QCOMPARE(document_->waypoints().at(3).name, QString("tray 1.1"));
@@ -216,7 +216,7 @@ private Q_SLOTS:
         thereAndBack(3);
     }
 
-    void placeMovedByHandStaysWhenThePatternChanges() {
+    void aManuallyMovedCellStaysWhenThePatternChanges() {
         makePattern();
         project::Waypoint moved = document_->waypoints().at(4);
         moved.pose.position.z() += 0.01;
@@ -231,7 +231,7 @@ private Q_SLOTS:
         thereAndBack(3);
     }
 
-    void deletedPlaceIsLeftOutFromThenOn() {
+    void aDeletedCellStaysExcluded() {
         makePattern();
         select({4});
         trigger("waypoint.action.delete");
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QCOMPARE(bytes(), before_);
     }
 
-    void frameThatGoesTakesNoPatternAlong() {
+    void deletingAFrameKeepsItsPattern() {
         project::Pattern pattern;
         pattern.id = QUuid::createUuid();
         pattern.name = "rack";
@@ -318,12 +318,12 @@ private Q_SLOTS:
         thereAndBack(3);
     }
 
-    void csvAndJsonGoOutAndComeBack_data() {
+    void csvAndJsonRoundTrip_data() {
         QTest::addColumn<QString>("name");
         QTest::newRow("csv") << "points.csv";
         QTest::newRow("json") << "points.json";
     }
-    void csvAndJsonGoOutAndComeBack() {
+    void csvAndJsonRoundTrip() {
         QFETCH(QString, name);
         project::Waypoint point = document_->waypoints().at(1);
         point.name = "end; \"of\", row";
@@ -355,7 +355,7 @@ private Q_SLOTS:
         QCOMPARE(bytes(), without);
     }
 
-    void damagedImportsAreNamedAndChangeNothing_data() {
+    void damagedImportsAreReportedAndChangeNothing_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QString>("said");
@@ -368,7 +368,7 @@ private Q_SLOTS:
         QTest::newRow("json") << "a.json" << QByteArray("{ \"format\": 1 }") << "not a Tiller project";
         QTest::newRow("binary") << "a.json" << QByteArray(300, '\xff') << "line 1";
     }
-    void damagedImportsAreNamedAndChangeNothing() {
+    void damagedImportsAreReportedAndChangeNothing() {
         QFETCH(QString, name);
         QFETCH(QByteArray, content);
         QFETCH(QString, said);
@@ -420,7 +420,7 @@ private Q_SLOTS:
         QVERIFY(tab_->findChild<WaypointDetails*>()->headline().contains("cell of “tray”"));
     }
 
-    void duplicateAndTeachStartWithoutHistoryAndPlace() {
+    void duplicatedAndTaughtWaypointsHaveNoHistoryOrCell() {
         makePattern();
         select({4});
         trigger("waypoint.action.duplicate");

@@ -79,7 +79,7 @@ private Q_SLOTS:
         document_.reset();
     }
 
-    void columnsReadAsTheDesignHasThem() {
+    void columnsHaveTheDesignedFormat() {
         QCOMPARE(model_->index(1, WaypointModel::Number).data(Qt::AccessibleTextRole).toString(),
                  QString("# 2"));
         QCOMPARE(cell(*model_, 0, WaypointModel::Move), QString("J"));
@@ -107,7 +107,7 @@ private Q_SLOTS:
 
     // An empty project adopts the model of the connected arm. Waypoints restored by undo were taught with the
     // previous arm.
-    void undoBringsBackTheArmOfItsPlaces() {
+    void undoRestoresTheModelOfTheWaypoints() {
         project::Project cell = document_->project();
         cell.robot = RobotModelId::UR5e;
         document_->setProject(cell);
@@ -159,7 +159,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(document_->waypoints().at(2).toolSpeed - 0.1) < 1e-15);
     }
 
-    void nothingChangedIsNoUndoStep() {
+    void unchangedValuesAddNoUndoStep() {
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Name), "home", Qt::EditRole));
         QVERIFY(model_->setData(model_->index(0, WaypointModel::Move), "J", Qt::EditRole));
         document_->moveWaypointsBefore({1}, 1);
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QCOMPARE(document_->undoStack().count(), 0);
     }
 
-    void changingTheFrameKeepsThePlace() {
+    void changingTheFrameKeepsThePosition() {
         const Pose before = *project::poseInBase(document_->waypoints().at(2), document_->frames());
         QVERIFY(model_->setData(model_->index(2, WaypointModel::Frame), "Tray A", Qt::EditRole));
         const Waypoint& moved = document_->waypoints().at(2);
@@ -240,7 +240,7 @@ private Q_SLOTS:
         }
     }
 
-    void tableOfTextMayComeReorderedAndWithCommas() {
+    void textTablesMayBeReorderedAndUseCommas() {
         const std::vector<Waypoint> points = {document_->waypoints().at(0)};
         QStringList lines = waypoint_clipboard::toText(points, {}).split('\n');
         QStringList heading = lines[0].split('\t');
@@ -256,7 +256,7 @@ private Q_SLOTS:
         QVERIFY(waypoint_clipboard::fromText(lines[1], {}).ok());
     }
 
-    void badTableOfTextIsRefusedWithItsPlace() {
+    void anInvalidTextTableIsRefusedWithTheCell() {
         QString text = waypoint_clipboard::toText({document_->waypoints().at(0)}, {});
         text.replace("\t60\t", "\tfast\t");
         const auto back = waypoint_clipboard::fromText(text, {});
@@ -266,7 +266,7 @@ private Q_SLOTS:
         QVERIFY(waypoint_clipboard::fromText("", {})->empty());
     }
 
-    void goingThereKeepsTheCaps() {
+    void goToRespectsTheSpeedCaps() {
         const control::MotionLimits limits;
         Waypoint joint = at("j", kStart);
         joint.joints[0] += 1.0;
@@ -293,7 +293,7 @@ private Q_SLOTS:
                 ErrorCode::NoSolution);
     }
 
-    void farReachingArmTurnsSlowerForTheSameToolSpeed() {
+    void anExtendedArmRotatesSlowerAtTheSameToolSpeed() {
         const JointPositions stretched(0, -0.1, 0.05, 0, 0.5, 0);
         JointPositions turned = stretched;
         turned[0] += 0.5;

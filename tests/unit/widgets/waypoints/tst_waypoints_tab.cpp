@@ -113,7 +113,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 0);
     }
 
-    void teachKeepsJointsAndPoseAndStandsAfterTheSelection() {
+    void teachStoresJointsAndPoseAfterTheSelection() {
         teachThree();
         QCOMPARE(names(), QStringList({"waypoint 1", "waypoint 2", "waypoint 3"}));
         tab_->selectRow(0);
@@ -165,7 +165,7 @@ private Q_SLOTS:
         QVERIFY(!notice()->isVisible());
     }
 
-    void renameInPlaceWithF2() {
+    void f2RenamesInPlace() {
         teachThree();
         tab_->selectRow(1);
         QTest::keyClick(table(), Qt::Key_F2);
@@ -196,7 +196,7 @@ private Q_SLOTS:
     }
 
     // Letters typed in the list search for a name. The following letters of a word are not commands.
-    void aWordTypedAtTheListIsNoCommand() {
+    void typingAWordInTheListIsNotACommand() {
         const int interval = QApplication::keyboardInputInterval();
         const auto restore = qScopeGuard([interval] { QApplication::setKeyboardInputInterval(interval); });
         QApplication::setKeyboardInputInterval(60'000);
@@ -249,7 +249,7 @@ private Q_SLOTS:
         QCOMPARE(QRect(table()->mapTo(tab_.get(), QPoint(0, 0)), table()->size()), list);
     }
 
-    void duplicateDeleteAndOrderByKeys() {
+    void waypointsAreDuplicatedDeletedAndMovedByKey() {
         teachThree();
         tab_->selectRow(0);
         QTest::keyClick(table(), Qt::Key_D, Qt::ControlModifier);
@@ -384,7 +384,7 @@ private Q_SLOTS:
         QCOMPARE(arm_.moves.size(), std::size_t(1));
     }
 
-    void theLetterGOfAKeyboardThatRepeatsInPairsBeginsOnce() {
+    void theLetterGStartsOnceDespitePairedAutoRepeat() {
         teachThree();
         feed(liveState(moved(0, 0.3)));
         tab_->selectRow(1);
@@ -418,7 +418,7 @@ private Q_SLOTS:
         QTest::mouseRelease(goTo(), Qt::LeftButton);
     }
 
-    void losingControlStopsTheArmAndGreysTheKeyWithItsReason() {
+    void losingControlStopsTheArmAndDisablesGoToWithAReason() {
         teachThree();
         feed(liveState(moved(0, 0.3)));
         tab_->selectRow(1);
@@ -453,7 +453,7 @@ private Q_SLOTS:
         QVERIFY(notice()->isVisible());
     }
 
-    void unreachableWaypointCannotBeGoneTo() {
+    void goToIsRefusedForAnUnreachableWaypoint() {
         teachThree();
         project::Waypoint far = document_->waypoints().at(1);
         far.ruling = project::TargetKind::Pose;
@@ -535,7 +535,7 @@ private Q_SLOTS:
         QCOMPARE(document_->waypoints().size(), 3);
     }
 
-    void aPoseIsTypedAndTheJointsFollow() {
+    void aPoseIsEnteredAndTheJointsFollow() {
         feed(liveState());
         tab_->teach();
         tab_->selectRow(0);
@@ -576,7 +576,7 @@ private Q_SLOTS:
         QVERIFY(document_->reach(0).ok());
     }
 
-    void theFrameIsChosenInTheDetailsAndThePlaceStays() {
+    void changingTheFrameInTheDetailsKeepsThePosition() {
         project::Project cell;
         project::Frame tray;
         tray.id = QUuid::createUuid();

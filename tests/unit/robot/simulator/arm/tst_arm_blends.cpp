@@ -42,15 +42,15 @@ class TestArmBlends : public QObject {
 private Q_SLOTS:
     void cornerIsPassedWithinTheRadius_data();
     void cornerIsPassedWithinTheRadius();
-    void firstMoveReturnsWhereTheZoneBegins();
+    void firstMoveReturnsAtTheStartOfTheBlend();
     void commonOrientationIsKeptThroughTheCorner();
     void straightContinuationKeepsItsSpeed();
     void processMoveKeepsItsSpeedThroughCorners();
-    void withoutFollowerTheArmRestsAtTheTarget();
-    void lateFollowerStillJoinsSmoothly();
+    void withoutANextMoveTheArmStopsAtTheTarget();
+    void aLateNextMoveStillJoinsSmoothly();
     void overlappingBlendSkipsTheWaypoint();
-    void recordedPathRunsThrough();
-    void pauseInTheCornerGoesOn();
+    void recordedPathRunsWithoutStopping();
+    void aPauseInTheCornerResumes();
 };
 
 void TestArmBlends::cornerIsPassedWithinTheRadius_data() {
@@ -96,7 +96,7 @@ void TestArmBlends::cornerIsPassedWithinTheRadius() {
     QVERIFY2(arm.worstAcceleration < 20, arm.worst().c_str());
 }
 
-void TestArmBlends::firstMoveReturnsWhereTheZoneBegins() {
+void TestArmBlends::firstMoveReturnsAtTheStartOfTheBlend() {
     WatchedArm arm;
     arm.finish(go(arm, Move::J, kA, with(Move::J, 0)));
     const MotionStart one = go(arm, Move::L, kB, with(Move::L, 0.05));
@@ -174,7 +174,7 @@ void TestArmBlends::processMoveKeepsItsSpeedThroughCorners() {
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
 }
 
-void TestArmBlends::withoutFollowerTheArmRestsAtTheTarget() {
+void TestArmBlends::withoutANextMoveTheArmStopsAtTheTarget() {
     for (const Move kind : {Move::J, Move::L, Move::P}) {
         WatchedArm arm;
         arm.finish(go(arm, Move::J, kA, with(Move::J, 0)));
@@ -187,7 +187,7 @@ void TestArmBlends::withoutFollowerTheArmRestsAtTheTarget() {
     }
 }
 
-void TestArmBlends::lateFollowerStillJoinsSmoothly() {
+void TestArmBlends::aLateNextMoveStillJoinsSmoothly() {
     for (const Move kind : {Move::J, Move::L, Move::P}) {
         WatchedArm arm;
         arm.finish(go(arm, Move::J, kA, with(Move::J, 0)));
@@ -226,7 +226,7 @@ void TestArmBlends::overlappingBlendSkipsTheWaypoint() {
     QVERIFY((arm.tcp() - kC.position).norm() < 1e-7);
 }
 
-void TestArmBlends::recordedPathRunsThrough() {
+void TestArmBlends::recordedPathRunsWithoutStopping() {
     WatchedArm arm;
     arm.finish(go(arm, Move::J, Pose(-0.140, -0.400, 0.100, 0, 3.14, 0), with(Move::J, 0)));
     const MoveParameters blend{.a = 0.8, .v = 0.5, .r = 0.099};
@@ -240,7 +240,7 @@ void TestArmBlends::recordedPathRunsThrough() {
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
 }
 
-void TestArmBlends::pauseInTheCornerGoesOn() {
+void TestArmBlends::aPauseInTheCornerResumes() {
     WatchedArm free;
     WatchedArm held;
     Eigen::Vector3d corner = Eigen::Vector3d::Zero();

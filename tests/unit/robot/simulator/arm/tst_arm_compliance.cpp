@@ -33,13 +33,13 @@ private Q_SLOTS:
     void noisyForceModeStillHolds();
     void badForceModeIsRefused();
     void handMovesTheArmInFreedrive();
-    void freedriveStaysWithoutAHand();
+    void theArmStaysInFreedriveWithoutForce();
     void freedriveKeepsTheLockedAxes();
     void freedriveIgnoresMoves();
     void wrongPayloadDriftsInFreedrive();
     void freedriveStatusReportsSingularities();
     void hardContactIsAProtectiveStop();
-    void abortEndsBoth();
+    void abortEndsForceModeAndFreedrive();
 };
 
 void TestArmCompliance::forceModeHoldsTenNewtonOnASurface_data() {
@@ -211,7 +211,7 @@ void TestArmCompliance::handMovesTheArmInFreedrive() {
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
 }
 
-void TestArmCompliance::freedriveStaysWithoutAHand() {
+void TestArmCompliance::theArmStaysInFreedriveWithoutForce() {
     WatchedArm arm(false);
     const JointPositions q = arm.state().targetQ;
     arm->compliance().startFreedrive();
@@ -289,7 +289,7 @@ void TestArmCompliance::hardContactIsAProtectiveStop() {
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
 }
 
-void TestArmCompliance::abortEndsBoth() {
+void TestArmCompliance::abortEndsForceModeAndFreedrive() {
     WatchedArm arm;
     arm->compliance().startForceMode(pushDown(20));
     arm.run(0.5);

@@ -25,10 +25,10 @@ class TestArmMoves : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void moveJLastsAsTheTestVectorSays();
-    void moveLLastsAsTheTestVectorSays();
+    void moveJTakesTheTimeOfTheTestVector();
+    void moveLTakesTheTimeOfTheTestVector();
     void moveJEndsExactlyOnTarget();
-    void moveLKeepsTheLineAndTurnsInStep();
+    void moveLFollowsTheLineAndRotatesSynchronously();
     void pureRotationTakesTimeAndKeepsThePoint();
     void timeHasPriority();
     void infeasibleTimeIsStretched();
@@ -39,28 +39,28 @@ private Q_SLOTS:
     void jointTargetOutOfRangeIsRefused();
     void poseWithoutSolutionIsRefusedByMoveJ();
     void unreachableLineIsAProtectiveStop();
-    void lineTowardsAFarPointIsFollowedToTheEndOfTheReach();
+    void lineToADistantPointIsFollowedUpToTheReachLimit();
     void lineThroughASingularityStopsBeforeIt();
     void lineNearASingularityIsSlowed();
     void badArgumentsAreRefused_data();
     void badArgumentsAreRefused();
     void nothingMovesWithoutPower();
     void slowSliderKeepsThePath();
-    void pauseStaysOnThePathAndGoesOn();
+    void pauseStaysOnThePathAndResumes();
     void holdStopsSpeedCommandsToo();
     void moveFromMotionStartsSmoothly();
-    void abandonedMoveComesToRest();
+    void abandonedMoveComesToAStandstill();
     void referencePosesAreReachable();
 };
 
-void TestArmMoves::moveJLastsAsTheTestVectorSays() {
+void TestArmMoves::moveJTakesTheTimeOfTheTestVector() {
     WatchedArm arm(true, RobotModelId::UR5e, kFrom);
     const double t = arm.finish(arm->motion().moveJ(kTo, {.a = 3.4, .v = 3.1}));
     QVERIFY2(std::abs(t - 1.372) <= kTick, qPrintable(QString::number(t)));
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
 }
 
-void TestArmMoves::moveLLastsAsTheTestVectorSays() {
+void TestArmMoves::moveLTakesTheTimeOfTheTestVector() {
     WatchedArm arm(true, RobotModelId::UR5e, kTo);
     arm.finish(arm->motion().moveL(Pose(-0.203, 0.263, 0.559, 0.68, -1.083, -2.076), {.a = 2.5, .v = 2.5}));
     const double t = arm.finish(
@@ -78,7 +78,7 @@ void TestArmMoves::moveJEndsExactlyOnTarget() {
     QVERIFY(!arm->motion().isActive());
 }
 
-void TestArmMoves::moveLKeepsTheLineAndTurnsInStep() {
+void TestArmMoves::moveLFollowsTheLineAndRotatesSynchronously() {
     WatchedArm arm;
     const Pose start = arm.state().targetTcpPose;
     Pose goal = shifted(start, 0.2, 0.05, 0.1);
@@ -239,7 +239,7 @@ void TestArmMoves::unreachableLineIsAProtectiveStop() {
 }
 
 // Programs that probe a surface move towards a distant point and stop before reaching it.
-void TestArmMoves::lineTowardsAFarPointIsFollowedToTheEndOfTheReach() {
+void TestArmMoves::lineToADistantPointIsFollowedUpToTheReachLimit() {
     for (const double distance : {1.0, 2.0, 1000.0}) {
         WatchedArm arm;
         arm.finish(arm->motion().moveJ(JointPositions(0, -1.5, 1.6, -1.7, -1.57, 0), {.a = 1.4, .v = 1.05}));
@@ -349,7 +349,7 @@ void TestArmMoves::slowSliderKeepsThePath() {
     QCOMPARE(arm.state().speedFraction, 0.25);
 }
 
-void TestArmMoves::pauseStaysOnThePathAndGoesOn() {
+void TestArmMoves::pauseStaysOnThePathAndResumes() {
     WatchedArm arm;
     const Pose start = arm.state().targetTcpPose;
     const Pose goal = shifted(start, 0.25, 0, 0.1);
@@ -409,7 +409,7 @@ void TestArmMoves::moveFromMotionStartsSmoothly() {
     QVERIFY2(arm.worstAcceleration < 10, arm.worst().c_str());
 }
 
-void TestArmMoves::abandonedMoveComesToRest() {
+void TestArmMoves::abandonedMoveComesToAStandstill() {
     WatchedArm arm;
     const MotionStart move = arm->motion().moveJ(kTo, {.a = 1.4, .v = 1.05});
     arm.run(0.8);

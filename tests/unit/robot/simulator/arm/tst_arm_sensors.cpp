@@ -23,27 +23,27 @@ private Q_SLOTS:
     void massMatrixGivesTheTorquesOfAcceleration();
     void forceOnTheFlangeLoadsTheJoints();
     void payloadAddsItsTorque();
-    void zeroingBehindAPayloadTakesTheNewPayload();
-    void configuredPayloadIsNotFelt();
-    void wrongPayloadIsFelt();
+    void zeroingAfterAPayloadChangeUsesTheNewPayload();
+    void configuredPayloadIsCompensated();
+    void wrongPayloadCausesAForceReading();
     void zeroingRemovesTheReading();
     void inertiaOfTheLoadIsCompensated();
     void handForceIsReported();
-    void forcesShowInTheJointTorques();
-    void accelerometerFeelsGravityInTheToolFrame();
+    void forcesAffectTheJointTorques();
+    void accelerometerMeasuresGravityInTheToolFrame();
     void mountingChangesTheTorques();
-    void noiseIsSmallSeededAndStandstillIsVisible();
+    void noiseIsSmallSeededAndAllowsStandstillDetection();
     void constantAccelerationHasConstantReadings();
-    void actualFollowsWithALittleLag();
+    void actualValuesFollowWithASmallLag();
     void temperaturesRiseSlowly();
     void supplyFollowsThePower();
-    void brakingTurnsMotionIntoHeat();
-    void tcpOffsetShowsAtOnceWithoutMotion();
-    void momentumOfOneTurningJoint();
-    void theBaseBearsTheArmAndItsMotion();
-    void historyGoesBackStepByStep();
-    void contactIsFoundWithItsBeginning();
-    void everyModelCarriesItself();
+    void brakingDissipatesEnergyAsHeat();
+    void aTcpOffsetTakesEffectImmediatelyWithoutMotion();
+    void momentumOfOneRotatingJointIsCorrect();
+    void theBaseForceIncludesWeightAndMotion();
+    void historyReturnsEarlierSteps();
+    void contactIsReportedWithItsStart();
+    void everyModelSupportsItsOwnWeight();
 };
 
 void TestArmSensors::gravityTorquesMatchTheRecordedRobot() {
@@ -100,7 +100,7 @@ void TestArmSensors::forceOnTheFlangeLoadsTheJoints() {
 }
 
 // The payload is set and the sensor is zeroed in the same step, as in set_payload().
-void TestArmSensors::zeroingBehindAPayloadTakesTheNewPayload() {
+void TestArmSensors::zeroingAfterAPayloadChangeUsesTheNewPayload() {
     for (const bool hangs : {true, false}) {
         WatchedArm arm;
         if (hangs) {
@@ -129,7 +129,7 @@ void TestArmSensors::payloadAddsItsTorque() {
     QVERIFY(std::abs(std::abs(arm.state().targetMoment[1] - before) - 3 * 9.82 * lever) < 1e-6);
 }
 
-void TestArmSensors::configuredPayloadIsNotFelt() {
+void TestArmSensors::configuredPayloadIsCompensated() {
     WatchedArm arm;
     arm->setPayload({.mass = 2, .centreOfGravity = {0, 0, 0.1}});
     arm.run(0.01);
@@ -137,7 +137,7 @@ void TestArmSensors::configuredPayloadIsNotFelt() {
     QVERIFY(std::abs(arm.state().ftRawWrench.force.norm() - 2 * 9.82) < 1e-9);
 }
 
-void TestArmSensors::wrongPayloadIsFelt() {
+void TestArmSensors::wrongPayloadCausesAForceReading() {
     WatchedArm arm;
     arm->environment().setLoad(Payload{.mass = 1.5});
     arm->setPayload({.mass = 0.5});
@@ -184,7 +184,7 @@ void TestArmSensors::handForceIsReported() {
     QVERIFY((arm.state().wrenchFromCurrents.force - Eigen::Vector3d(4, -5, 6)).norm() < 0.01);
 }
 
-void TestArmSensors::forcesShowInTheJointTorques() {
+void TestArmSensors::forcesAffectTheJointTorques() {
     WatchedArm arm;
     arm->environment().setHandWrench({{0, 0, -20}, {0, 0, 0}});
     arm.run(0.004);
@@ -197,7 +197,7 @@ void TestArmSensors::forcesShowInTheJointTorques() {
     QVERIFY(std::abs(pushed - loaded.state().externalTorque[1]) < 1e-6);
 }
 
-void TestArmSensors::accelerometerFeelsGravityInTheToolFrame() {
+void TestArmSensors::accelerometerMeasuresGravityInTheToolFrame() {
     WatchedArm arm;
     arm.run(0.01);
     const Eigen::Matrix3d R = rotationMatrix(arm.state().actualFlangePose.rotation);
@@ -219,7 +219,7 @@ void TestArmSensors::mountingChangesTheTorques() {
     QVERIFY(std::abs(arm.state().toolAccelerometer.norm() - 9.82) < 1e-9);
 }
 
-void TestArmSensors::noiseIsSmallSeededAndStandstillIsVisible() {
+void TestArmSensors::noiseIsSmallSeededAndAllowsStandstillDetection() {
     WatchedArm a(false);
     WatchedArm b(false);
     double noise = 0;
@@ -286,7 +286,7 @@ void TestArmSensors::constantAccelerationHasConstantReadings() {
     QCOMPARE(steady, 150);
 }
 
-void TestArmSensors::actualFollowsWithALittleLag() {
+void TestArmSensors::actualValuesFollowWithASmallLag() {
     WatchedArm arm(false);
     arm.finish(arm->motion().speedJ(JointVelocities(1, 0, 0, 0, 0, 0), 4, 1.0));
     const double lag = arm.state().targetQ[0] - arm.state().actualQ[0];
@@ -317,7 +317,7 @@ void TestArmSensors::supplyFollowsThePower() {
     QCOMPARE(arm.state().mainVoltage, 48.0);
 }
 
-void TestArmSensors::brakingTurnsMotionIntoHeat() {
+void TestArmSensors::brakingDissipatesEnergyAsHeat() {
     WatchedArm arm;
     arm.run(0.1);
     const double before = arm.state().energyBraked;
@@ -331,7 +331,7 @@ void TestArmSensors::brakingTurnsMotionIntoHeat() {
     QVERIFY(arm.state().energyConsumed > braked);
 }
 
-void TestArmSensors::tcpOffsetShowsAtOnceWithoutMotion() {
+void TestArmSensors::aTcpOffsetTakesEffectImmediatelyWithoutMotion() {
     WatchedArm arm;
     arm.step();
     const Pose flange = arm.state().actualTcpPose;
@@ -344,7 +344,7 @@ void TestArmSensors::tcpOffsetShowsAtOnceWithoutMotion() {
     QCOMPARE(arm->tcp(), Pose(0, 0, 0.2, 0, 0, 0));
 }
 
-void TestArmSensors::momentumOfOneTurningJoint() {
+void TestArmSensors::momentumOfOneRotatingJointIsCorrect() {
     WatchedArm arm;
     arm->setPayload({.mass = 5});
     arm.finish(arm->motion().speedJ(JointVelocities(1, 0, 0, 0, 0, 0), 4, 1.0));
@@ -356,7 +356,7 @@ void TestArmSensors::momentumOfOneTurningJoint() {
 
 // The first joint rotates about the z axis of the base. The torque on the base about this axis equals the
 // joint torque, which recursive Newton-Euler computes independently.
-void TestArmSensors::theBaseBearsTheArmAndItsMotion() {
+void TestArmSensors::theBaseForceIncludesWeightAndMotion() {
     WatchedArm arm;
     Payload payload;
     payload.mass = 3;
@@ -383,7 +383,7 @@ void TestArmSensors::theBaseBearsTheArmAndItsMotion() {
     QVERIFY2(most > 3 && worst < 0.02 * most, qPrintable(QString("%1 of %2").arg(worst).arg(most)));
 }
 
-void TestArmSensors::historyGoesBackStepByStep() {
+void TestArmSensors::historyReturnsEarlierSteps() {
     WatchedArm arm;
     arm->motion().moveJ(JointPositions(0, -1.2, -1.5, -1, 1.2, 1), {.a = 2, .v = 1});
     std::vector<JointPositions> seen;
@@ -398,7 +398,7 @@ void TestArmSensors::historyGoesBackStepByStep() {
     QVERIFY(!arm->jointHistory(100000));
 }
 
-void TestArmSensors::contactIsFoundWithItsBeginning() {
+void TestArmSensors::contactIsReportedWithItsStart() {
     WatchedArm arm;
     const double z = arm.state().targetTcpPose.position.z();
     QVERIFY(arm->environment().addPlane({.point = {0, 0, z - 0.02}, .normal = {0, 0, 3}}));
@@ -420,7 +420,7 @@ void TestArmSensors::contactIsFoundWithItsBeginning() {
     QVERIFY(arm.state().tcpForce.force.z() > 4);
 }
 
-void TestArmSensors::everyModelCarriesItself() {
+void TestArmSensors::everyModelSupportsItsOwnWeight() {
     for (const RobotModel& model : robotModels()) {
         WatchedArm arm(true, model.id, kPoseC);
         arm.finish(

@@ -20,11 +20,11 @@ class TestArmServo : public QObject {
 
 private Q_SLOTS:
     void servoTracksACircle();
-    void servoWithoutUpdateHolds();
+    void servoWithoutUpdateHoldsPosition();
     void servoJumpStaysWithinLimits();
     void servoCReachesItsTarget();
     void directTorqueMovesAndGravityIsCompensated();
-    void directTorqueAcceleratesAsTheInertiaSays();
+    void directTorqueAcceleratesAccordingToTheInertia();
     void aTorqueThatMakesAJointTooFastIsAProtectiveStop();
 };
 
@@ -52,7 +52,7 @@ void TestArmServo::servoTracksACircle() {
     QVERIFY2(arm.withinBounds(), arm.worst().c_str());
 }
 
-void TestArmServo::servoWithoutUpdateHolds() {
+void TestArmServo::servoWithoutUpdateHoldsPosition() {
     WatchedArm arm;
     JointPositions q = arm.state().targetQ;
     q[0] += 0.05;
@@ -116,7 +116,7 @@ void TestArmServo::directTorqueMovesAndGravityIsCompensated() {
 }
 
 // Once friction is compensated, the effect of a torque on a joint depends only on the inertia of the arm.
-void TestArmServo::directTorqueAcceleratesAsTheInertiaSays() {
+void TestArmServo::directTorqueAcceleratesAccordingToTheInertia() {
     for (int j = 0; j < kJointCount; ++j) {
         WatchedArm arm;
         JointTorques torque;

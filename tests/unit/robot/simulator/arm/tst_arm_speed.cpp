@@ -23,8 +23,8 @@ class TestArmSpeed : public QObject {
 private Q_SLOTS:
     void speedJAcceleratesAtTheLeadingAxis();
     void speedJWithoutTimeReturnsAtSpeed();
-    void speedCommandsReturnAfterOnePeriodAtLeast();
-    void repeatedSpeedKeepsItself();
+    void speedCommandsReturnAfterAtLeastOnePeriod();
+    void repeatedSpeedIsMaintained();
     void speedThatIsNotRepeatedEnds();
     void slowSliderStretchesTheBlockingTime();
     void speedLMovesStraight();
@@ -35,8 +35,8 @@ private Q_SLOTS:
     void stopEndsAMove();
     void jointRangeEndsAJog();
     void jogIntoASingularitySlowsAndStops();
-    void jogOutOfASingularityIsFree();
-    void randomCommandsKeepTheBounds();
+    void jogOutOfASingularityIsNotLimited();
+    void randomCommandsStayWithinTheLimits();
 };
 
 void TestArmSpeed::speedJAcceleratesAtTheLeadingAxis() {
@@ -59,7 +59,7 @@ void TestArmSpeed::speedJWithoutTimeReturnsAtSpeed() {
     QCOMPARE(again, kTick);
 }
 
-void TestArmSpeed::speedCommandsReturnAfterOnePeriodAtLeast() {
+void TestArmSpeed::speedCommandsReturnAfterAtLeastOnePeriod() {
     WatchedArm arm;
     for (const double t : {0.0, 1e-15, 0.001, 0.002}) {
         QCOMPARE(arm.finish(arm->motion().speedJ(JointVelocities(0.1, 0, 0, 0, 0, 0), 40, t)), kTick);
@@ -69,7 +69,7 @@ void TestArmSpeed::speedCommandsReturnAfterOnePeriodAtLeast() {
     QVERIFY(arm->motion().speedJ(arm.state().targetQd, 0.0, kTick).ok());
 }
 
-void TestArmSpeed::repeatedSpeedKeepsItself() {
+void TestArmSpeed::repeatedSpeedIsMaintained() {
     WatchedArm arm;
     arm.finish(arm->motion().speedJ(JointVelocities(0.3, 0, 0, 0, 0, 0), 40.0));
     for (int n = 0; n < 200; ++n) {
@@ -238,7 +238,7 @@ void TestArmSpeed::jogIntoASingularitySlowsAndStops() {
     QVERIFY(arm.tcp().y() > there.y() + 0.05);
 }
 
-void TestArmSpeed::jogOutOfASingularityIsFree() {
+void TestArmSpeed::jogOutOfASingularityIsNotLimited() {
     // Wrist 2 is close to zero. Moving it away from zero must not be slowed down.
     WatchedArm arm(true, RobotModelId::UR5e, JointPositions(0, -1.5, -1.5, -1, 0.08, 0));
     for (int n = 0; n < 500; ++n) {
@@ -249,7 +249,7 @@ void TestArmSpeed::jogOutOfASingularityIsFree() {
     QVERIFY(arm.state().targetQ[4] > 0.2);
 }
 
-void TestArmSpeed::randomCommandsKeepTheBounds() {
+void TestArmSpeed::randomCommandsStayWithinTheLimits() {
     std::mt19937 random(20260401);
     const auto number = [&](double from, double to) {
         return std::uniform_real_distribution<double>(from, to)(random);

@@ -11,24 +11,24 @@ class TestSpeedProfile : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void trapezoidLastsDistanceOverSpeedPlusRamp();
-    void shortDistanceMakesATriangle();
+    void trapezoidTakesDistanceOverSpeedPlusRamp();
+    void shortDistanceGivesATriangularProfile();
     void positionIsTheIntegralOfSpeed_data();
     void positionIsTheIntegralOfSpeed();
-    void zoneIsReachedAtItsSpeed();
+    void blendZoneIsReachedAtItsSpeed();
     void stretchKeepsTheLength();
-    void fastStartBrakesOverTheWholeWay();
+    void fastStartBrakesOverTheWholeDistance();
     void timeAndLengthAreInverse();
 };
 
-void TestSpeedProfile::trapezoidLastsDistanceOverSpeedPlusRamp() {
+void TestSpeedProfile::trapezoidTakesDistanceOverSpeedPlusRamp() {
     const SpeedProfile p = SpeedProfile::plan({.length = 1.0, .v = 0.5, .a = 2.0});
     QCOMPARE(p.duration(), 1.0 / 0.5 + 0.5 / 2.0);
     QVERIFY(std::abs(p.length() - 1.0) < 1e-12);
     QCOMPARE(p.peakSpeed(), 0.5);
 }
 
-void TestSpeedProfile::shortDistanceMakesATriangle() {
+void TestSpeedProfile::shortDistanceGivesATriangularProfile() {
     const SpeedProfile p = SpeedProfile::plan({.length = 1.6, .v = 3.1, .a = 3.4});
     QVERIFY(std::abs(p.duration() - 2 * std::sqrt(1.6 / 3.4)) < 1e-12);
     QVERIFY(p.peakSpeed() < 3.1);
@@ -73,7 +73,7 @@ void TestSpeedProfile::positionIsTheIntegralOfSpeed() {
     QCOMPARE(p.sample(p.duration() + 1).v, 0.0);
 }
 
-void TestSpeedProfile::zoneIsReachedAtItsSpeed() {
+void TestSpeedProfile::blendZoneIsReachedAtItsSpeed() {
     const SpeedProfile p =
         SpeedProfile::plan({.length = 1.0, .v = 0.5, .a = 2.0, .zone = 0.1, .zoneSpeed = 0.3});
     const auto at = p.sample(p.zoneTime());
@@ -91,7 +91,7 @@ void TestSpeedProfile::stretchKeepsTheLength() {
     QVERIFY(std::abs(p.sample(0.5 * p.duration()).s - 0.35) < 1e-12);
 }
 
-void TestSpeedProfile::fastStartBrakesOverTheWholeWay() {
+void TestSpeedProfile::fastStartBrakesOverTheWholeDistance() {
     // Braking from 1 m/s within 0.1 m is impossible at 1 m/s2. The profile decelerates harder and still ends
     // at the goal.
     const SpeedProfile p = SpeedProfile::plan({.length = 0.1, .v = 0.5, .a = 1.0, .startSpeed = 1.0});

@@ -111,7 +111,7 @@ private Q_SLOTS:
         }
     }
 
-    void referenceValues_data() {
+    void functionsReturnTheReferenceValues_data() {
         QTest::addColumn<QString>("expression");
         QTest::addColumn<QList<double>>("expected");
         const auto row = [](const char* expression, const QList<double>& expected) {
@@ -140,7 +140,7 @@ private Q_SLOTS:
         row("wrench_trans(p[1,0,0,0,0,0], [0,0,10,0,0,0])", {0, 0, 10, 0, 10, 0});
         row("wrench_trans(p[0,0,0,0,0,1.5707963268], [1,0,0,0,0,0])", {0, -1, 0, 0, 0, 0});
     }
-    void referenceValues() {
+    void functionsReturnTheReferenceValues() {
         QFETCH(QString, expression);
         QFETCH(QList<double>, expected);
         const std::string text = evaluate(expression.toStdString());
@@ -152,7 +152,7 @@ private Q_SLOTS:
         }
     }
 
-    void exactValues_data() {
+    void functionsReturnExactValues_data() {
         QTest::addColumn<QString>("expression");
         QTest::addColumn<QString>("expected");
         const auto row = [](const char* expression, const char* expected) {
@@ -209,13 +209,13 @@ private Q_SLOTS:
         row("read_input_integer_register(48)",
             "error: Range error: read_input_integer_register argument 'address' is 48, allowed is 0 to 47");
     }
-    void exactValues() {
+    void functionsReturnExactValues() {
         QFETCH(QString, expression);
         QFETCH(QString, expected);
         QCOMPARE(QString::fromStdString(evaluate(expression.toStdString())), expected);
     }
 
-    void argumentsAreCheckedWhereTheCallIsReached() {
+    void argumentsAreCheckedAtTheCall() {
         QCOMPARE(evaluate("1", "if False:\nsin(1, 2)\nend"), "1");
         QCOMPARE(evaluate("sin(1, 2)"), "error: Type error: sin takes at most 1 arguments");
         QCOMPARE(evaluate("sin()"), "error: Type error: sin is missing argument 'f'");
@@ -278,7 +278,7 @@ private Q_SLOTS:
         QCOMPARE(run.interpreter->error()->column, 5);
         QVERIFY(run.error().starts_with("get_inverse_kin: no solution"));
     }
-    void hostErrorsCarryTheirText() {
+    void hostErrorsContainTheirText() {
         ScriptRun run("def m():\nmovej([0,0,0,0,0,0])\nend\n");
         run.host.startError = "target is outside the joint limits";
         QCOMPARE(run.frames(2), Interpreter::State::Failed);

@@ -174,7 +174,7 @@ private Q_SLOTS:
                  "error: Type error: variable 'x' is a int and cannot become a string");
         QCOMPARE(evaluate("x", "x = [0,0,0,0,0,0]\nx = get_target_tcp_speed()"), "p[0.5, 0, 0, 0, 0, 0.25]");
     }
-    void splineFormulaOfLists() {
+    void splineFormulaOfListsIsEvaluated() {
         const char* body = "t = 0.5\nc1 = [1.0,2.0]\nc2 = [2,4]\nc3 = [3,6]\n";
         QCOMPARE(evaluate("c1 + 2.0*t*c2 + 3.0*pow(t,2)*c3", body), "[5.25, 10.5]");
         QCOMPARE(evaluate("(-3*q0 + q1*3 - v0*2*T - v1*T) / pow(T,2)",

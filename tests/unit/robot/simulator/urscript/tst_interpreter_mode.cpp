@@ -55,7 +55,7 @@ private Q_SLOTS:
         QCOMPARE(s.mode().counts().lastExecuted, 3u);
         QCOMPARE(s.mode().counts().lastInterpreted, 3u);
     }
-    void linesSeeTheProgramsVariablesAndFunctions() {
+    void linesCanUseProgramVariablesAndFunctions() {
         Session s;
         QCOMPARE(s.line("shared = twice(shared + 4)"), "ack 1");
         QCOMPARE(s.line("textmsg(twice(by=3, x=shared))"), "ack 2");
@@ -92,7 +92,7 @@ private Q_SLOTS:
         s.frames(1);
         QCOMPARE(s.host.lastMessage(), "200");
     }
-    void linesThatTakeTimeHoldThoseBehindThem() {
+    void linesThatTakeTimeDelayFollowingLines() {
         Session s;
         s.line("movej([0,0,0,0,0,0])");
         s.line("textmsg(\"there\")");
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QVERIFY(std::holds_alternative<StopJ>(s.host.motions[1].command));
         QCOMPARE(s.host.lastMessage(), "next");
     }
-    void abortConcernsNothingButMoves() {
+    void abortAffectsOnlyMoves() {
         Session s;
         s.host.moveFrames = 20;
         s.line("stopj(1)");
@@ -141,19 +141,19 @@ private Q_SLOTS:
         s.frames(2);
         QCOMPARE(s.host.motions.size(), std::size_t(1));
     }
-    void endInterpreterLetsTheProgramGoOn() {
+    void endInterpreterLetsTheProgramContinue() {
         Session s;
         s.line("end_interpreter()");
         QCOMPARE(s.frames(2), Interpreter::State::Finished);
         QCOMPARE(s.value("after"), "True");
     }
-    void theProgramMayEndItFromAThread() {
+    void theProgramMayEndTheModeFromAThread() {
         Session s(
             "def p():\n thread t():\n sleep(0.01)\n end_interpreter()\n end\n h = run t()\n"
             " interpreter_mode()\nend\n");
         QCOMPARE(s.frames(20), Interpreter::State::Finished);
     }
-    void clearingForgetsWhatLinesDefined() {
+    void clearingRemovesDefinitionsOfLines() {
         Session s;
         s.line("v = 3");
         s.line("def f(): return v end");
@@ -169,7 +169,7 @@ private Q_SLOTS:
         s.frames(1);
         QCOMPARE(s.host.lastMessage(), "a string now");
     }
-    void clearingThatIsNotReachedHoldsNothingUp() {
+    void unreachedClearingBlocksNothing() {
         Session s;
         s.line("if False: clear_interpreter() end");
         QCOMPARE(s.line("a = 1"), "wait");
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QCOMPARE(s.host.lastMessage(), "6");
         QCOMPARE(s.line("x = f()"), "discard compile_error_name_not_found:f:");
     }
-    void withoutClearOnEndTheNextSessionGoesOn() {
+    void withoutClearOnEndTheNextSessionContinues() {
         const char* const kTwice =
             "def p():\n interpreter_mode(True, False)\n sync()\n interpreter_mode(clearQueueOnEnter=False)\n"
             "end\n";
@@ -210,7 +210,7 @@ private Q_SLOTS:
         s.frames(1);
         QCOMPARE(s.host.lastMessage(), "8");
     }
-    void withClearOnEndNothingIsLeft() {
+    void withClearOnEndNoLinesRemain() {
         Session s(
             "def p():\n interpreter_mode()\n sync()\n interpreter_mode(clearQueueOnEnter=False)\nend\n");
         s.line("v = 8");
@@ -231,7 +231,7 @@ private Q_SLOTS:
         QCOMPARE(nested.frames(2), Interpreter::State::Failed);
         QCOMPARE(nested.error(), "interpreter_mode: it runs already");
     }
-    void anErrorInALineEndsTheProgramWithItsPlace() {
+    void anErrorInALineEndsTheProgramWithItsPosition() {
         Session s;
         s.line("a = [1,2]");
         s.line("b = a[5]");
@@ -239,7 +239,7 @@ private Q_SLOTS:
         QCOMPARE(s.interpreter->error()->line, 1);
         QCOMPARE(s.interpreter->error()->column, 6);
     }
-    void aThousandLinesAreSharedOutOverFrames() {
+    void aThousandLinesAreDistributedOverFrames() {
         Session s;
         s.line("n = 0");
         for (int i = 0; i < 1000; ++i) {
@@ -280,7 +280,7 @@ private Q_SLOTS:
         options.version = tiller::SoftwareVersion{5, 10, 0, 0};
         QVERIFY(compile("def p():\n interpreter_mode()\nend\n", options));
     }
-    void linesKnowOnlyTheProgramsSoftware() {
+    void linesUseTheSoftwareVersionOfTheProgram() {
         CompileOptions options;
         options.version = tiller::SoftwareVersion{5, 15, 0, 0};
         const CompileOutcome outcome = compile("def p():\n interpreter_mode()\nend\n", options);
@@ -291,7 +291,7 @@ private Q_SLOTS:
         QVERIFY(interpreter.mode().submit("optimovej([0,0,0,0,0,0])").kind == Kind::Discard);
         QVERIFY(interpreter.mode().submit("movej([0,0,0,0,0,0])").kind == Kind::Ack);
     }
-    void linesDoNotKnowWhatTheProgramDoesNotKnow() {
+    void linesCannotUseFunctionsMissingInTheProgram() {
         CompileOptions options;
         options.missing = {"teach_mode"};
         const CompileOutcome outcome = compile("def p():\n interpreter_mode()\nend\n", options);

@@ -110,7 +110,7 @@ private Q_SLOTS:
         QVERIFY(outcome.program->commandsMotion());
         QVERIFY(!compile("textmsg(\"x\")\n").program->commandsMotion());
     }
-    void namesAndKindsAreKnown() {
+    void programNamesAndKindsAreReported() {
         QCOMPARE(compile("def prog(): end").program->name(), "prog");
         QVERIFY(compile("sec s(): end").program->kind() == ProgramKind::Secondary);
         QVERIFY(compile("def prog(): end").program->kind() == ProgramKind::Main);
@@ -150,7 +150,7 @@ private Q_SLOTS:
     void functionsAreKnownBeforeTheyAreDefined() {
         QCOMPARE(evaluate("f()", "def f(): return g() end\ndef g(): return 7 end"), "7");
     }
-    void recursionWorksToALimit() {
+    void recursionIsLimited() {
         QCOMPARE(evaluate("fac(10)", "def fac(n):\nif n < 2:\nreturn 1\nend\nreturn n * fac(n - 1)\nend"),
                  "3628800");
         QCOMPARE(evaluate("f()", "def f(): return f() end"), "error: Too many nested function calls");
@@ -200,7 +200,7 @@ private Q_SLOTS:
     void parametersHideGlobals() {
         QCOMPARE(evaluate("f(5) + x", "x = 1\ndef f(x):\nx = x + 1\nreturn x\nend"), "7");
     }
-    void branchesShareTheirFunctionsScope() {
+    void branchesShareTheScopeOfTheirFunction() {
         QCOMPARE(evaluate("f(1)", "def f(a):\nif a == 1:\nv = 3\nelse:\nv = 4\nend\nreturn v\nend"), "3");
     }
     void elementsOfGlobalsAreWrittenFromFunctions() {
@@ -256,7 +256,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("x"), "1");
         QCOMPARE(run.host.ended, 1);
     }
-    void runtimeErrorsCarryTheirPlace() {
+    void runtimeErrorsContainTheirPosition() {
         ScriptRun run("def m():\n  l = [1,2]\n  x = 1\n  x = x + l[2]\nend\n");
         QCOMPARE(run.frames(2), Interpreter::State::Failed);
         QCOMPARE(run.interpreter->error()->line, 4);

@@ -30,7 +30,7 @@ class tst_RemoteCalls : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void addresses() {
+    void addressesAreParsed() {
         const auto address = xml_rpc::parseAddress("http://127.0.0.1:8000/RPC2");
         QVERIFY(address);
         QCOMPARE(address->host, "127.0.0.1");
@@ -76,7 +76,7 @@ private Q_SLOTS:
         QFETCH(QString, value);
         QCOMPARE(QString::fromStdString(read(ok(xml.toStdString()))), value);
     }
-    void repliesMayComeInPieces() {
+    void repliesMayBeFragmented() {
         const std::string whole = ok("<int>5</int>");
         for (std::size_t i = 0; i < whole.size(); ++i) {
             QCOMPARE(read(whole.substr(0, i), false), "more");
@@ -125,7 +125,7 @@ private Q_SLOTS:
         QCOMPARE(run.frames(3), Interpreter::State::Finished);
         QCOMPARE(run.host.lastMessage(), "42");
     }
-    void otherThreadsRunMeanwhile() {
+    void otherThreadsRunDuringACall() {
         ScriptRun run(
             "def m():\n n = 0\n thread t():\n while True:\n n = n + 1\n sync()\n end\n end\n run t()\n"
             " h = rpc_factory(\"xmlrpc\", \"127.0.0.1:40405\")\n x = h.slow()\nend\n");
@@ -144,7 +144,7 @@ private Q_SLOTS:
         QCOMPARE(run.frames(2), Interpreter::State::Failed);
         QCOMPARE(run.error(), "No XML-RPC server responds at 127.0.0.1:40405");
     }
-    void wrongUses() {
+    void invalidCallsAreErrors() {
         QCOMPARE(evaluate("rpc_factory(\"soap\", \"http://a\")"),
                  "error: rpc_factory: type must be \"xmlrpc\"");
         QCOMPARE(evaluate("rpc_factory(\"xmlrpc\", \"::\")"),

@@ -55,7 +55,7 @@ private Q_SLOTS:
         run.frames(2);
         QCOMPARE(run.value("order"), "tmtm");
     }
-    void theMainProgramActsOnWhatItsThreadCopied() {
+    void theMainProgramUsesValuesCopiedByItsThread() {
         // Structured like the vendor's example of an RTDE control loop.
         const std::string text =
             "def m():\n setp = 0\n done = 0\n thread copy():\n while True:\n"
@@ -142,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("y"), "1");
         QCOMPARE(run.value("z"), "1");
     }
-    void killEndsAThreadAndWhatItStarted() {
+    void killEndsAThreadAndTheThreadsItStarted() {
         ScriptRun run(
             "def m():\na = 0\nb = 0\nthread inner():\nwhile True:\nb = b + 1\nsync()\nend\nend\n"
             "thread outer():\nh = run inner()\nwhile True:\na = a + 1\nsync()\nend\nend\n"
@@ -165,7 +165,7 @@ private Q_SLOTS:
         run.frames(8);
         QCOMPARE(run.interpreter->threadCount(), 1);
     }
-    void threadsDieWithTheMainBody() {
+    void threadsEndWithTheMainBody() {
         ScriptRun run(
             "def m():\nn = 0\nthread t():\nwhile True:\nn = n + 1\nsync()\nend\nend\nh = run "
             "t()\nsleep(0.01)\nend\n");
@@ -208,7 +208,7 @@ private Q_SLOTS:
     }
 
     // ---- motion
-    void movesHoldOnlyTheirThread() {
+    void movesBlockOnlyTheirThread() {
         ScriptRun run(
             "def m():\nn = 0\nthread t():\nwhile True:\nn = n + 1\nsync()\nend\nend\nh = run t()\n"
             "movej([0,0,0,0,0,0])\nend\n");
@@ -236,7 +236,7 @@ private Q_SLOTS:
         QCOMPARE(run.error(), "Another thread is already controlling the robot");
         QCOMPARE(run.interpreter->error()->line, 7);
     }
-    void aKilledMoveMakesRoomForAStop() {
+    void aKilledMovePermitsAStop() {
         ScriptRun run(
             "def m():\nthread t():\nmovej([0,0,0,0,0,0])\nend\nh = run t()\nsync()\nkill h\nstopj(4)\nend\n");
         run.host.moveFrames = 3;
@@ -275,7 +275,7 @@ private Q_SLOTS:
     }
 
     // ---- popups and requests
-    void blockingPopupsHoldTheirThread() {
+    void blockingPopupsBlockTheirThread() {
         ScriptRun run("def m():\npopup(\"hello<br/>you\", title=\"T\", blocking=True)\nx = 1\nsync()\nend\n");
         run.frames(100);
         QCOMPARE(run.value("x"), "(unset)");
@@ -284,7 +284,7 @@ private Q_SLOTS:
         run.frames(1);
         QCOMPARE(run.value("x"), "1");
     }
-    void requestedValuesAreWaitedFor() {
+    void threadsWaitForRequestedValues() {
         ScriptRun run("def m():\nx = request_integer_from_primary_client(\"how many?\")\nend\n");
         QCOMPARE(run.frames(10), State::Running);
         run.host.answer = std::int32_t{5};

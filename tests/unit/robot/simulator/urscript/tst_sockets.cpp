@@ -61,7 +61,7 @@ private Q_SLOTS:
         QCOMPARE(run.socket().in, "rest");
         QCOMPARE(run.socket().out, std::string("\xff\xff\xff\xfe\x41", 5));
     }
-    void readsWaitForTheWholeMessage() {
+    void readsWaitForTheCompleteMessage() {
         SocketRun run("a = socket_read_binary_integer(1, timeout=0)", "\x01\x02");
         QCOMPARE(run.frames(5000), State::Running);
         run.socket().in += "\x03\x04";
@@ -95,7 +95,7 @@ private Q_SLOTS:
     }
     // Reading takes time, so only a loop that neither waits nor reads is endless. The limits of a frame are
     // small here, so a small amount of data is sufficient.
-    void aLoopThatAlwaysFindsDataGoesOn_data() {
+    void aLoopThatAlwaysFindsDataContinues_data() {
         QTest::addColumn<QString>("read");
         QTest::addColumn<QString>("unit");
         QTest::newRow("integers") << "a = socket_read_binary_integer(1)"
@@ -111,7 +111,7 @@ private Q_SLOTS:
         QTest::newRow("variables") << "a = socket_get_var(\"P\")"
                                    << "P 1\n";
     }
-    void aLoopThatAlwaysFindsDataGoesOn() {
+    void aLoopThatAlwaysFindsDataContinues() {
         QFETCH(QString, read);
         QFETCH(QString, unit);
         Limits limits;
@@ -143,7 +143,7 @@ private Q_SLOTS:
         QCOMPARE(run.frames(1), State::Finished);
         QCOMPARE(run.socket().in.size(), 50u);
     }
-    void textReads() {
+    void textIsRead() {
         SocketRun floats("a = socket_read_ascii_float(3)", "( 1.4 , -3.1e1 )");
         floats.frames(1);
         QCOMPARE(floats.value("a"), "[2, 1.4, -31, nan]");
@@ -162,7 +162,7 @@ private Q_SLOTS:
         bytes.frames(1);
         QCOMPARE(bytes.value("a"), "[2, 255, 1]");
     }
-    void aNumberNamesASocketToo() {
+    void aSocketNameMayBeANumber() {
         ScriptRun run;
         run.host.sockets["1"].state = SocketHost::State::Open;
         run.host.sockets["1"].in = "ack";
@@ -173,7 +173,7 @@ private Q_SLOTS:
         QCOMPARE(run.value("a"), "[3, 97, 99, 107]");
         QCOMPARE(run.host.sockets["1"].out, "SET POS 7\nx\n");
     }
-    void variablesAreAskedFor() {
+    void variablesAreRequested() {
         SocketRun run("a = socket_get_var(\"POS\")\nsocket_set_var(\"POS\", 7)\nsocket_send_line(\"x\")", "");
         run.frames(1);
         QCOMPARE(run.socket().out, "GET POS\n");
@@ -184,7 +184,7 @@ private Q_SLOTS:
     }
 
     // ---- the splitter
-    void unitsAreCutAlikeInAnySegmentation() {
+    void programUnitsDoNotDependOnSegmentation() {
         const std::string text =
             "stop program\n\tdef externalControl():\n\t\tif a == 1 or\n\t\t b: # "
             "end\n\t\t\ttextmsg(\"end\")\n\t\tend\n"
@@ -203,7 +203,7 @@ private Q_SLOTS:
             QVERIFY(units[6].kind == Kind::Command && units[6].text == "power on");
         }
     }
-    void nothingComesBeforeTheNewline() {
+    void nothingRunsBeforeTheNewline() {
         SourceSplitter splitter;
         splitter.feed("textmsg(1)");
         QVERIFY(!splitter.next());

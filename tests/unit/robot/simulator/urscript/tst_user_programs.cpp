@@ -95,7 +95,7 @@ private Q_SLOTS:
 
     // Spellings
 
-    void exclamationMarkIsNot() {
+    void exclamationMarkNegates() {
         QCOMPARE(messagesOf("ready=False\nif (! ready):\n textmsg(\"not ready\")\nend"),
                  (Texts{"not ready"}));
         QCOMPARE(
@@ -121,7 +121,7 @@ private Q_SLOTS:
 
     // Containers of 5.15 and later
 
-    void aStructByIndex() {
+    void structMembersAreReadByIndex() {
         QCOMPARE(messagesOf("s=struct(a=4,b=5)\ntextmsg(s[1])\ntextmsg(s[0])"), (Texts{"5", "4"}));
         QCOMPARE(messagesOf("s=struct(a=4,b=5)\ns[1]=7\ntextmsg(s.b)"), (Texts{"7"}));
         QCOMPARE(messagesOf("s=struct(a=4,b=[1,2])\ns.b[1]=9\ns[1][0]=8\ntextmsg(s.b)"), (Texts{"[8,9]"}));
@@ -131,7 +131,7 @@ private Q_SLOTS:
         QVERIFY(messagesOf("s=struct(a=4)\ns[0]=\"x\"").back().find("cannot become") != std::string::npos);
     }
 
-    void aStructIntoAList() {
+    void aStructIsConvertedToAList() {
         QCOMPARE(messagesOf("t=struct(a=1.5,b=2.5)\nl=[0.0,0.0]\nl=t\ntextmsg(l)"), (Texts{"[1.5,2.5]"}));
         QCOMPARE(messagesOf("t=struct(a=1,b=2)\nl=[0,0]\nl=t\ntextmsg(l)\ntextmsg(length(l))"),
                  (Texts{"[1,2]", "2"}));
@@ -140,7 +140,7 @@ private Q_SLOTS:
         QVERIFY(messagesOf("t=struct(a=1)\nl=3\nl=t").back().find("error") == 0);
     }
 
-    void methodsOfLists() {
+    void listsHaveMethods() {
         const std::string list = "l=make_list(3,1,10)\nl.extend([4,5])\n";
         QCOMPARE(messagesOf(list + "l.remove(0)\ntextmsg(l.slice(1,3))\ntextmsg(l.excess_capacity())"),
                  (Texts{"[1,4]", "6"}));
@@ -165,7 +165,7 @@ private Q_SLOTS:
 
     // Cost
 
-    void aConnectThatFailsAtOnceTakesAPeriod() {
+    void anImmediatelyFailingConnectTakesAPeriod() {
         ScriptRun run;
         run.host.acceptSockets = false;
         run.load(
@@ -242,7 +242,7 @@ private Q_SLOTS:
         QCOMPARE(unitsOf(loop + sec + h), (Texts{loop, sec, h}));
     }
 
-    void programsWithoutIndentationStayWhole() {
+    void programsWithoutIndentationAreNotSplit() {
         for (const std::string text :
              {"def p():\nif True:\ntextmsg(\"x\")\nend\nend\n",
               "def p():\ndef inner():\n textmsg(\"x\")\nend\ninner()\nend\n",

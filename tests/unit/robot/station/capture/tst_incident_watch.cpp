@@ -45,11 +45,11 @@ class TestIncidentWatch : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aProtectiveStopIsRecordedAndTold();
-    void aNewLinkEndsTheIncidentOfTheOld();
+    void aProtectiveStopIsRecordedAndReported();
+    void aNewLinkEndsTheIncidentOfThePreviousLink();
 };
 
-void TestIncidentWatch::aProtectiveStopIsRecordedAndTold() {
+void TestIncidentWatch::aProtectiveStopIsRecordedAndReported() {
     const QTemporaryDir folder;
     VirtualClock clock;
     RobotSession session(clock);
@@ -83,7 +83,7 @@ void TestIncidentWatch::aProtectiveStopIsRecordedAndTold() {
     session.shutDown();
 }
 
-void TestIncidentWatch::aNewLinkEndsTheIncidentOfTheOld() {
+void TestIncidentWatch::aNewLinkEndsTheIncidentOfThePreviousLink() {
     const QTemporaryDir folder;
     VirtualClock clock;
     RobotSession session(clock);

@@ -66,7 +66,7 @@ private Q_SLOTS:
         QCOMPARE(changed.count(), 1);
     }
 
-    void anArmThatIsElsewhereAfterAGapWasStoppedAnew_data() {
+    void anArmThatMovedDuringAGapCountsAsANewStop_data() {
         QTest::addColumn<int>("connections");
         QTest::addColumn<double>("gap");
         QTest::addColumn<double>("turned");
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QTest::newRow("the controller restarted, same place") << 1 << -90.0 << 0.0 << false;
         QTest::newRow("some packets late") << 0 << 0.3 << 0.01 << false;
     }
-    void anArmThatIsElsewhereAfterAGapWasStoppedAnew() {
+    void anArmThatMovedDuringAGapCountsAsANewStop() {
         QFETCH(int, connections);
         QFETCH(double, gap);
         QFETCH(double, turned);
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QCOMPARE(changed.count(), anew ? 1 : 0);
     }
 
-    void aGapWithoutAStopIsNone() {
+    void aGapWithoutAStopIsNotRecorded() {
         Bench bench;
         bench.run(100);
         bench.connection += 1;

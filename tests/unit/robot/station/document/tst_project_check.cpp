@@ -73,9 +73,9 @@ private Q_SLOTS:
         project_.waypoints.append(waypoint("right", turned(90)));
     }
 
-    void freePathsHaveNoFinding() { QVERIFY(checkProject(project_, arm()).empty()); }
+    void collisionFreePathsHaveNoFinding() { QVERIFY(checkProject(project_, arm()).empty()); }
 
-    void unreachableWaypointIsFoundAndItsPathsAreSkipped() {
+    void anUnreachableWaypointIsReportedAndItsPathsSkipped() {
         project::Waypoint far = waypoint("far", turned(45));
         far.ruling = project::TargetKind::Pose;
         far.pose.position.x() = 3;

@@ -38,7 +38,7 @@ class TestDerivedSignal : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void anExpressionIsComputedForThePastAndForWhatComes() {
+    void expressionsAreComputedForPastAndNewData() {
         Source s;
         s.add(5000);
         const auto made = s.store.derive("  Sum [rad] =  actual_q_0 + 3 * actual_q_1 ^ 2 ");
@@ -57,7 +57,7 @@ private Q_SLOTS:
         QVERIFY(!s.store.derive("x = Sum + 1").ok());
     }
 
-    void normDerivativeAndMean() {
+    void normDerivativeAndMeanAreComputed() {
         Source s;
         s.add(3000);
         const int norm = *s.store.derive("n = norm(actual_q_0, actual_q_1, actual_q_2)");
@@ -84,7 +84,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(s.store.value(mean, 1000) - 12) < 1e-3);
     }
 
-    void whatComesBesidesIsAskedForTogetherWithIt() {
+    void requiredExtraFieldsAreRequested() {
         SignalStore store;
         const auto made = store.derive("window = actual_current_window_0 / 2");
         QVERIFY(made.ok());
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(mixed.error().code, ErrorCode::InvalidArgument);
     }
 
-    void whatIsWrongIsSaid_data() {
+    void invalidExpressionsAreReported_data() {
         QTest::addColumn<QString>("text");
         for (const char* text : {"",
                                  "x",
@@ -128,7 +128,7 @@ private Q_SLOTS:
         QTest::newRow("long") << "x = " + QString(1600, '1');
         QTest::newRow("deep") << "x = " + QString(290, '(');
     }
-    void whatIsWrongIsSaid() {
+    void invalidExpressionsAreReported() {
         QFETCH(QString, text);
         SignalStore store;
         const int before = store.count();
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(store.count(), before);
     }
 
-    void aNameMayStandInBraces() {
+    void aNameMayBeInBraces() {
         Source s;
         QCOMPARE(DerivedSignal::written("actual_q_0"), QString("actual_q_0"));
         QCOMPARE(DerivedSignal::written("run 1.mcap/actual_q_0"), QString("{run 1.mcap/actual_q_0}"));
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(unknown.error().controllerMessage.contains("“run 1.mcap/actual_q_0”"));
     }
 
-    void asLongAsItMayBeItIsReadFromItsOwnSpelling() {
+    void expressionsOfMaximumLengthRoundTrip() {
         SignalStore store;
         for (const bool unit : {false, true}) {
             const QString head = unit ? QStringLiteral("x[N]=actual_q_0") : QStringLiteral("x=actual_q_0");
@@ -173,7 +173,7 @@ private Q_SLOTS:
         }
     }
 
-    void nothingIsComputedFromWhatIsComputed() {
+    void derivedSignalsCannotBeNested() {
         SignalStore store;
         const auto mean = store.derive("m = mean(actual_q_1, 0.5)");
         QVERIFY(mean.ok());
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QCOMPARE(store.derive("x = 2 * {m}").error().code, ErrorCode::InvalidArgument);
     }
 
-    void aDivisionByNothingIsNoNumber() {
+    void divisionByZeroGivesNoValue() {
         Source s;
         const auto made = s.store.derive("x = 1 / (actual_q_1 - 2)");
         QVERIFY(made.ok());
@@ -192,7 +192,7 @@ private Q_SLOTS:
     }
 
     // Random text, as typed by a user or read from a file.
-    void anythingGivesASignalOrAnError() {
+    void randomTextGivesASignalOrAnError() {
         SignalStore store;
         std::mt19937 random(1);
         const QString letters =

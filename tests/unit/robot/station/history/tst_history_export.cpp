@@ -69,7 +69,7 @@ class TestHistoryExport : public QObject {
 
 private Q_SLOTS:
     // Random recordings, windows and formats.
-    void exportedNumbersAreThoseOfTheFile() {
+    void exportedValuesMatchTheFile() {
         std::mt19937 random(35);
         QTemporaryDir folder;
         for (int run = 0; run < 40; ++run) {

@@ -22,7 +22,7 @@ class TestHistoryFile : public QObject {
 private Q_SLOTS:
     void initTestCase() { long_ = std::make_unique<Long>(); }
 
-    void aShortOneIsReadAsAWhole() {
+    void aShortFileIsReadCompletely() {
         const QTemporaryDir folder;
         const QString path = folder.filePath("short.mcap");
         QVERIFY(test::writeFile(path, test::madeFile(*recording::mcapFormat(), 2000)));
@@ -31,7 +31,7 @@ private Q_SLOTS:
         QVERIFY(!opened.history().isInFile());
     }
 
-    void extentsMayBeOfMoreThanABlock() {
+    void extentsMaySpanSeveralBlocks() {
         struct Nothing : SampleFile {
             void fill(std::int64_t) override {}
         } nothing;
@@ -73,7 +73,7 @@ private Q_SLOTS:
         QVERIFY(!history.gapBefore(static_cast<std::int64_t>(kGap) + 1));
     }
 
-    void everyValueIsThatOfTheFile() {
+    void everyValueMatchesTheFile() {
         Opened opened(long_->path);
         QVERIFY(opened.store.want(this, {opened.signal}));
         std::mt19937 random(7);
@@ -146,7 +146,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatACrashLeavesIsShownWhole() {
+    void aFileTruncatedByACrashIsShownCompletely() {
         QFile whole(long_->path);
         QVERIFY(whole.open(QIODevice::ReadOnly));
         const QByteArray bytes = whole.readAll();
@@ -178,7 +178,7 @@ private Q_SLOTS:
         }
     }
 
-    void aColumnThatComesLaterIsThereToo() {
+    void aColumnRequestedLaterIsAlsoLoaded() {
         Opened opened(long_->path);
         QVERIFY(opened.store.want(this, {opened.signal}));
         QCOMPARE(static_cast<float>(opened.store.value(opened.signal, 1000)), long_->force[1000]);
@@ -190,7 +190,7 @@ private Q_SLOTS:
 
     /// Derived signals of a file equal the values computed from its rows: single values, the whole signal,
     /// and values that need earlier rows from another block.
-    void whatIsComputedFromItIsThatOfItsRows() {
+    void derivedSignalsMatchTheRows() {
         Opened opened(long_->path);
         const QString fz = DerivedSignal::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
         const auto made = opened.store.derive(QStringLiteral("2|Fz| = 2 * norm(%1) + 1").arg(fz));
@@ -241,7 +241,7 @@ private Q_SLOTS:
         }
     }
 
-    void whoClosesItMeanwhileHearsNoMoreOfIt() {
+    void closingTheFileStopsNotifications() {
         Opened opened(long_->path);
         const QString fz = DerivedSignal::written(opened.name + QStringLiteral("/actual_TCP_force_2"));
         const auto made = opened.store.derive(QStringLiteral("twice = 2 * %1").arg(fz));
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QCOMPARE(opened.store.buffer(*made), nullptr);
     }
 
-    void aShortOneHasThemToo() {
+    void aShortFileAlsoHasDerivedSignals() {
         const QTemporaryDir folder;
         const QString path = folder.filePath("a {strange} = name, 2.mcap");
         const QString plain = folder.filePath("run 1-2.mcap");

@@ -108,7 +108,7 @@ class TestRangeStatistics : public QObject {
 private Q_SLOTS:
     void initTestCase() { long_ = std::make_unique<Long>(); }
 
-    void theyAreThoseOfTheSamplesInMemory() {
+    void statisticsMatchTheSamplesInMemory() {
         SignalStore store;
         const int signal = store.find("actual_TCP_force_2");
         constexpr int kCount = 60'000;
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY(!ask(sums, signal, 0, 10));
     }
 
-    void anHourOfManySignalsTakesTurns() {
+    void longCalculationsAreSplitIntoParts() {
         SignalStore store;
         std::vector<SeriesBuffer::Row> rows;
         constexpr int kCount = 900'000;
@@ -168,7 +168,7 @@ private Q_SLOTS:
         QCOMPARE(sums.part(), 1.0);
     }
 
-    void theyAreThoseOfALongRecording() {
+    void statisticsMatchALongRecording() {
         Opened opened(long_->path);
         const QString key = opened.name + QStringLiteral("/actual_TCP_force_2");
         const int computed =
@@ -202,7 +202,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatCannotBeReadIsSaid() {
+    void readErrorsAreReported() {
         const QString path = long_->folder.filePath("goes.mcap");
         QVERIFY(QFile::copy(long_->path, path));
         Opened opened(path);
@@ -229,7 +229,7 @@ private Q_SLOTS:
     }
 
     /// A deleted recording does not delay the statistics of another recording.
-    void aRecordingThatFailsIsNotInTheWayOfAnother() {
+    void aFailedRecordingDoesNotBlockAnother() {
         const QString path = long_->folder.filePath("a.mcap");
         QVERIFY(QFile::copy(long_->path, path));
         Opened opened(path);
@@ -253,7 +253,7 @@ private Q_SLOTS:
 
     /// Another file was recorded under the same name. The window still has the earlier recording open, and a
     /// worker must not read the other file instead.
-    void anotherFileInItsPlaceIsNotTakenForIt() {
+    void aReplacedFileIsDetected() {
         const QString path = long_->folder.filePath("anew.mcap");
         QVERIFY(QFile::copy(long_->path, path));
         Opened opened(path);
@@ -266,7 +266,7 @@ private Q_SLOTS:
     }
 
     /// A part of the file is damaged: the statistics cover the readable part, and the damage is reported.
-    void damageIsSaid() {
+    void damageIsReported() {
         QFile whole(long_->path);
         QVERIFY(whole.open(QIODevice::ReadOnly));
         QByteArray bytes = whole.readAll();
@@ -288,7 +288,7 @@ private Q_SLOTS:
         QVERIFY(told->count < static_cast<std::int64_t>(kRows));
     }
 
-    void whoClosesItMeanwhileHearsNoMoreOfIt() {
+    void closingTheFileStopsNotifications() {
         Opened opened(long_->path);
         QVERIFY(opened.store.want(this, {opened.signal}));
         auto sums = std::make_unique<RangeStatisticsCache>(opened.store);

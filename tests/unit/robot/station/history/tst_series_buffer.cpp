@@ -132,7 +132,7 @@ private Q_SLOTS:
         }
     }
 
-    void aGridThatMovesOnEqualsOneCutAnew() {
+    void anAdvancedGridEqualsARecomputedOne() {
         std::mt19937 random(11);
         SeriesBuffer buffer = threeColumns();
         Plain plain;
@@ -174,7 +174,7 @@ private Q_SLOTS:
         }
     }
 
-    void askingBeyondTheHistoryGivesNothing() {
+    void queriesBeyondTheHistoryAreEmpty() {
         SeriesBuffer buffer(1);
         QVERIFY(buffer.envelope(0, 0, 1, 10).front().isEmpty());
         const std::array<float, 1> one = {1};
@@ -192,7 +192,7 @@ private Q_SLOTS:
         QVERIFY(buffer.envelope(0, 0, 1, 0).empty());
     }
 
-    void timeThatDoesNotGoForwardIsRefused() {
+    void nonIncreasingTimesAreRefused() {
         SeriesBuffer buffer(1);
         const std::array<float, 1> one = {1};
         QVERIFY(buffer.append(1, one));
@@ -204,7 +204,7 @@ private Q_SLOTS:
     }
 
     // All values are noise, so no block can be stored as a single value.
-    void memoryIsAFifthMoreThanTheNumbersThemselves() {
+    void memoryOverheadIsAtMostTwentyPercent() {
         SeriesBuffer buffer(24);
         std::mt19937 random(3);
         std::uniform_real_distribution<float> value(-1, 1);
@@ -222,7 +222,7 @@ private Q_SLOTS:
         QVERIFY2(ratio > 1.0, "the numbers are in it");
     }
 
-    void theOldestFallOutByAgeAndByMemory() {
+    void theOldestSamplesAreDroppedByAgeAndMemory() {
         for (const HistoryLimits& limits :
              {HistoryLimits{20, std::size_t{1} << 30}, HistoryLimits{1e9, 400'000}}) {
             SeriesBuffer buffer(1, limits);
@@ -250,7 +250,7 @@ private Q_SLOTS:
         }
     }
 
-    void aSmallerBudgetHoldsAtOnce() {
+    void aSmallerBudgetAppliesImmediately() {
         SeriesBuffer buffer(4);
         std::mt19937 random(6);
         std::uniform_real_distribution<float> value(-1, 1);
@@ -263,7 +263,7 @@ private Q_SLOTS:
         QCOMPARE(buffer.end(), std::int64_t{60'000});
     }
 
-    void aColumnThatIsAddedLaterHasNoValuesBefore() {
+    void aColumnAddedLaterHasNoEarlierValues() {
         SeriesBuffer buffer(1);
         const std::array<float, 2> row = {1, 2};
         for (int i = 0; i < 5000; ++i) {
@@ -279,7 +279,7 @@ private Q_SLOTS:
         QVERIFY((buffer.minMax(added, 0, 9000) == MinMax{2, 2}));
     }
 
-    void whatIsAlwaysTheSameCostsNextToNothing() {
+    void constantColumnsUseAlmostNoMemory() {
         SeriesBuffer buffer(200);
         const std::size_t times = [] {
             SeriesBuffer empty;

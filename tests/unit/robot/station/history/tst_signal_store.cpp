@@ -15,7 +15,7 @@ class TestSignalStore : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everyNumberAndBitOfEveryFieldIsThereOnce() {
+    void everyComponentAndBitIsListedOnce() {
         SignalStore store;
         QSet<QString> keys;
         for (int i = 0; i < store.count(); ++i) {
@@ -41,7 +41,7 @@ private Q_SLOTS:
         QCOMPARE(store.find("no such signal"), -1);
     }
 
-    void whatComesAnywayNeedsNotBeAskedFor() {
+    void defaultFieldsNeedNoExtraRequest() {
         SignalStore store;
         QVERIFY(store.buffer(store.find("actual_q_3")) == &store.live());
         QVERIFY(store.want(this, {store.find("actual_q_3"), store.find("robot_mode")}));
@@ -59,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(store.extraFields().isEmpty());
     }
 
-    void moreThanARobotTakesIsRefusedAndChangesNothing() {
+    void tooManyFieldsAreRefusedWithoutChanges() {
         SignalStore store;
         QVERIFY(store.want(this, {store.find("tcp_force_scalar")}));
         QSet<int> all;
@@ -70,7 +70,7 @@ private Q_SLOTS:
         QCOMPARE(store.extraFields(), QStringList("tcp_force_scalar"));
     }
 
-    void integersAndBitsAreExactUnitsAreRight() {
+    void integersBitsAndUnitsAreExact() {
         SignalStore store;
         for (const auto& [key, unit] : {std::pair{"actual_TCP_force_1", "N"},
                                         {"actual_TCP_force_4", "Nm"},
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QCOMPARE(store.live().value(static_cast<int>(column), 0), word);
     }
 
-    void theValueAtAMomentIsTheLastBefore() {
+    void theValueAtATimeIsTheLastEarlierSample() {
         SignalStore store;
         const int force = store.find("actual_TCP_force_0");
         const auto column = static_cast<std::size_t>(store.column(force));
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(!store.valueAt(store.find("actual_q_0"), 10));
     }
 
-    void theBudgetHoldsForAll() {
+    void theBudgetAppliesToAllBuffers() {
         SignalStore store(HistoryLimits{1e9, 8'000'000});
         QVERIFY(store.want(this, {store.find("tcp_force_scalar")}));
         for (int block = 0; block < 40; ++block) {

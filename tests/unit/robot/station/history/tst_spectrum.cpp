@@ -28,13 +28,13 @@ class TestSpectrum : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aLineHasItsFrequencyAndItsHeight_data() {
+    void aSineHasItsFrequencyAndAmplitude_data() {
         QTest::addColumn<int>("count");
         QTest::newRow("one segment") << 1024;
         QTest::newRow("no power of two") << 3000;
         QTest::newRow("many segments") << 100'000;
     }
-    void aLineHasItsFrequencyAndItsHeight() {
+    void aSineHasItsFrequencyAndAmplitude() {
         QFETCH(int, count);
         // The frequency is exactly at a line of the transform, for every length.
         const double hertz = 500.0 / 16;
@@ -50,7 +50,7 @@ private Q_SLOTS:
         // Outside its main lobe, a Hann window has almost no amplitude.
         QVERIFY(*(top + 4) < 0.01);
     }
-    void whatCannotBeIsRefusedWithAReason() {
+    void impossibleRequestsAreRefusedWithAReason() {
         QVERIFY(spectrumOf(wave(15, 10, 1, 0), kPeriod).error().controllerMessage.contains("16"));
         QVERIFY(!spectrumOf(wave(100, 10, 1, 0), 0).ok());
         auto hole = wave(100, 10, 1, 0);

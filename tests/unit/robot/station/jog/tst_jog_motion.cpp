@@ -30,7 +30,7 @@ private Q_SLOTS:
         QVERIFY(target.twist.linear.isApprox(Eigen::Vector3d(0.050, 0, 0)));
         QVERIFY(target.twist.angular.isZero());
     }
-    void startSpeedOfTurningIsFifteenDegrees() {
+    void startSpeedOfRotationIsFifteenDegreesPerSecond() {
         const JogTarget target = cartesianJog({}, {5, -1}, 1, limits_);
         QVERIFY(target.twist.linear.isZero());
         QVERIFY(target.twist.angular.isApprox(Eigen::Vector3d(0, 0, -15 * kDeg)));
@@ -50,14 +50,14 @@ private Q_SLOTS:
             }
         }
     }
-    void controlMakesATenthAndShiftTriples() {
+    void controlKeySlowsTenfoldAndShiftTriples() {
         QCOMPARE(modifierFactor(Qt::NoModifier), 1.0);
         QCOMPARE(modifierFactor(Qt::ControlModifier), 0.1);
         QCOMPARE(modifierFactor(Qt::ShiftModifier), 3.0);
         QVERIFY(close(cartesianJog({}, {2, 1}, 0.1, limits_).twist.linear.z(), 0.005));
         QVERIFY(close(cartesianJog({}, {2, 1}, 3, limits_).twist.linear.z(), 0.150));
     }
-    void viewFrameCarriesItsRotation() {
+    void viewFrameJogsUseItsRotation() {
         JogSelection selection;
         selection.frame = FrameChoice::View;
         selection.R_base_view = rotationMatrix({0, 0, 90 * kDeg});
@@ -86,14 +86,14 @@ private Q_SLOTS:
         step = cartesianStep(selection, {0, 1}, 1, from, limits_);
         QVERIFY(step.pose.position.isApprox(Eigen::Vector3d(0.1, 0.21, 0.3)));
     }
-    void stepsHaveTheirSizes() {
+    void stepsHaveTheConfiguredSizes() {
         QVERIFY(close(stepSize(MotionChoice::FineStep).length, 0.0001));
         QVERIFY(close(stepSize(MotionChoice::Step).length, 0.001));
         QVERIFY(close(stepSize(MotionChoice::CoarseStep).length, 0.010));
         QVERIFY(close(stepSize(MotionChoice::Step).angle, 1 * kDeg));
         QVERIFY(stepSize(MotionChoice::CoarseStep).angle <= 10 * kDeg);  // larger steps need a held key
     }
-    void turningStepKeepsTheTcpInPlace() {
+    void aRotationStepKeepsTheTcpInPlace() {
         const Pose from(0.1, 0.2, 0.3, 0.4, -0.2, 0.9);
         JogSelection selection;
         selection.motion = MotionChoice::Step;
@@ -103,7 +103,7 @@ private Q_SLOTS:
             rotationMatrix(step.pose.rotation) * rotationMatrix(from.rotation).transpose();
         QVERIFY(turned.isApprox(rotationMatrix({0, 0, 1 * kDeg}), 1e-9));
     }
-    void jointStepEndsAtTheRange() {
+    void aJointStepEndsAtTheJointLimit() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         JogSelection selection;
         selection.motion = MotionChoice::CoarseStep;
@@ -114,7 +114,7 @@ private Q_SLOTS:
         QVERIFY(close(step.q[2], kJointPositionLimit));
         QVERIFY(close(jointStep(selection, 2, -1, 1, q, model, {}, limits_).q[2], q[2] - 5 * kDeg));
     }
-    void aJointJogBearsTheChosenTcpSpeed() {
+    void aJointJogSendsTheChosenTcpSpeed() {
         JogSelection selection;
         for (int speedClass = 0; speedClass < kSpeedClassCount; ++speedClass) {
             selection.speedClass = speedClass;
@@ -124,7 +124,7 @@ private Q_SLOTS:
             QVERIFY(jointJog(selection, 1, 1, 3, limits_).speedCap <= limits_.tcpSpeed);
         }
     }
-    void aJointKeyIsAsFastAsTheTcpMayBe() {
+    void aJointKeyUsesTheFullTcpSpeed() {
         const RobotModel& model = robotModel(RobotModelId::UR5e);
         JogSelection selection;
         selection.speedClass = 0;
@@ -152,7 +152,7 @@ private Q_SLOTS:
             QVERIFY((kinematics::jacobian(model.dh, q).topRows<3>() * qd).norm() <= limits_.tcpSpeed);
         }
     }
-    void limiterNamesTheJointAndTheWayOut() {
+    void limiterReportsTheJointAndTheDirectionOut() {
         SessionState state;
         state.q = JointPositions(0, -1.5, 1.5, 0, 1.5, 0);
         QVERIFY(nearestLimiter(state).what.isEmpty());

@@ -62,12 +62,12 @@ class TestRetracePath : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theWayBackIsTheWayThatWasGone_data() {
+    void retracingFollowsTheSamePath_data() {
         QTest::addColumn<double>("speed");
         QTest::newRow("slow") << 0.02;
         QTest::newRow("fast") << 0.52;
     }
-    void theWayBackIsTheWayThatWasGone() {
+    void retracingFollowsTheSamePath() {
         QFETCH(double, speed);
         Arm arm;
         arm.speed = speed;
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(arm.next, 1U);
     }
 
-    void lettingGoKeepsTheRestOfTheTrail() {
+    void releaseKeepsTheRestOfTheTrail() {
         Arm arm;
         arm.track.record(arm.q);
         arm.comeTo(0.5, 0.5);
@@ -125,7 +125,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(arm.q[0]) < 0.003);
     }
 
-    void aJumpMeansThatTheWayIsNotKnown() {
+    void aJumpDiscardsTheTrail() {
         Arm arm;
         arm.track.record(arm.q);
         arm.comeTo(0.5, 0.5);
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QVERIFY(!arm.motion.begin().ok());
     }
 
-    void standingStillLeavesNothingToUndo() {
+    void standstillAddsNothingToTheTrail() {
         Arm arm;
         QVERIFY(arm.track.isEmpty());
         arm.track.record({0.5, 0.5, 0, 0, 0, 0});

@@ -50,7 +50,7 @@ class TestTravel : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void theEndOfTheArmsReachIsFound() {
+    void theReachLimitOfTheArmIsFound() {
         // Straight up, the jog ends shortly before the arm is fully extended.
         const control::JogReach up = travelLeft(armAt(kMiddle), along(2, 1));
         QCOMPARE(up.end.kind, control::LimiterKind::Singularity);
@@ -65,7 +65,7 @@ private Q_SLOTS:
     }
 
     // Only limits end the jog. The mounting plane is not a limit, but a floor of the cell is.
-    void goingDownEndsAtAFloorOfTheCellOnly() {
+    void onlyAFloorOfTheCellLimitsDownwardTravel() {
         const control::JogReach open = travelLeft(armAt(kMiddle), along(2, -1));
         QVERIFY(open.end.kind != control::LimiterKind::Border);
         const double height = kinematics::forwardTcp(dh(), kMiddle).position.z();
@@ -84,7 +84,7 @@ private Q_SLOTS:
                  control::LimiterKind::Singularity);
     }
 
-    void aTurningTowardsAJointLimitEndsThere() {
+    void aRotationTowardsAJointLimitEndsThere() {
         JointPositions near = kMiddle;
         near[5] = kJointPositionLimit - 20 * kDeg;
         const Eigen::Matrix3d R = rotationMatrix(kinematics::forwardTcp(dh(), near).rotation);
@@ -101,7 +101,7 @@ private Q_SLOTS:
                  qPrintable(QString::number(limited.distance / kDeg)));
     }
 
-    void theWayOutTakesTheJointAway() {
+    void theDirectionOutMovesTheJointAwayFromItsLimit() {
         JointPositions near = kMiddle;
         near[2] = -(kJointPositionLimit - 12 * kDeg);
         const int key = escapeKey(armAt(near), Eigen::Matrix3d::Identity(), 2);
@@ -122,7 +122,7 @@ private Q_SLOTS:
         QVERIFY(std::abs((*after)[2]) < std::abs(near[2]));
     }
 
-    void theLimiterLineNamesTheKeyThatLeadsOut() {
+    void theLimiterLineNamesTheKeyThatMovesAway() {
         SessionState state;
         state.q = kMiddle;
         QVERIFY(nearestLimiter(state).what.isEmpty());
@@ -133,7 +133,7 @@ private Q_SLOTS:
                  qPrintable(limiter.advice));
     }
 
-    void theLimiterLineNamesTheBodiesThatAreNearAndTheKeyThatPartsThem() {
+    void theLimiterLineNamesNearBodiesAndTheKeyThatMovesAway() {
         // A pose that is low enough for a floor below the shoulder, 15 mm above that floor.
         Pose low = kinematics::forwardTcp(dh(), kMiddle);
         low.position.z() -= 0.2;
@@ -165,7 +165,7 @@ private Q_SLOTS:
         QVERIFY(nearestLimiter(armAt(q, {}, height - 0.05)).what.isEmpty());
     }
 
-    void theSpeedCapIsNamedWhileItHolds() {
+    void theSpeedCapIsShownWhileItLimits() {
         SessionState state;
         state.q = kMiddle;
         state.motionActive = true;
@@ -204,7 +204,7 @@ private Q_SLOTS:
                 1e-12);
     }
 
-    void sizesEnteredByHandCount() {
+    void enteredSizesAreUsed() {
         JogSelection selection;
         selection.motion = MotionChoice::CoarseStep;
         QVERIFY(stepRunsToEnd(selection, false) && stepRunsToEnd(selection, true));

@@ -78,7 +78,7 @@ class TestControlPlace : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void fromRemoteToLocalControlIsGivenBack() {
+    void switchingToLocalReleasesControl() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.knowsRemote());
@@ -109,7 +109,7 @@ private Q_SLOTS:
     }
 
     // A robot that accepts no commands in local control is recognized once it has been in remote control.
-    void inLocalTheNextStepIsAtTheTeachPendant() {
+    void inLocalTheNextStepPointsToTheTeachPendant() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.knowsRemote());
@@ -125,7 +125,7 @@ private Q_SLOTS:
 
     // A refused command also indicates local control. The refusal is cleared when the robot is in remote
     // control again.
-    void refusalInLocalIsRememberedUntilRemote() {
+    void aRefusalInLocalIsKeptUntilRemote() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.remoteControl = false;
         options.gateLocalControl = true;
@@ -147,7 +147,7 @@ private Q_SLOTS:
     }
 
     // Remote control is disabled in the robot settings: the reply is "false" from the beginning.
-    void aRobotThatNeverWasInRemoteIsNoTransition() {
+    void aRobotNeverInRemoteIsNotATransition() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.remoteControl = false;
         Bench bench(options);
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output TO 1: on")); }));
     }
 
-    void aCreepingSliderIsRefused() {
+    void aTooLowSpeedSliderIsRefused() {
         Bench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(100);
@@ -240,7 +240,7 @@ private Q_SLOTS:
         QCOMPARE(bench.cell.truth().speedSlider, 1.0);
     }
 
-    void aTransitionOnPolyscopeXIsOneToo() {
+    void aTransitionOnPolyscopeXIsDetected() {
         simulator::SimulatorOptions options = VirtualCell::options();
         options.software = {10, 12, 0, 0};
         options.portOffset = 20'000;

@@ -38,31 +38,31 @@ class TestExternalProgramStopper : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whateverMayMoveIsMeant() {
+    void anyProgramThatMayMoveIsStopped() {
         for (const RuntimeState state :
              {RuntimeState::Playing, RuntimeState::Pausing, RuntimeState::Resuming, RuntimeState::Stopping}) {
             QVERIFY(meansIt(live(state)));
             QVERIFY(meansIt(live(state, ControlState::Refused)));
         }
     }
-    void whereNothingRunsNothingIsSent() {
+    void nothingIsSentWhenNothingRuns() {
         QVERIFY(meansNothing(live(RuntimeState::Stopped)));
         QVERIFY(meansNothing(live(RuntimeState::Stopped, ControlState::Refused)));
     }
-    void ourOwnProgramIsNotMeant() {
+    void ourOwnProgramIsNotAnExternalProgram() {
         QVERIFY(meansNothing(live(RuntimeState::Playing, ControlState::InControl)));
     }
-    void whileControlIsTakenAnythingMayCome() {
+    void aStopIsSentWhileControlIsBeingTaken() {
         QVERIFY(meansIt(live(RuntimeState::Playing, ControlState::Taking)));
         QVERIFY(meansIt(live(RuntimeState::Stopped, ControlState::Taking)));
     }
-    void aPausedProgramIsMeantByStopAlone() {
+    void onlyStopEndsAPausedProgram() {
         const SessionState paused = live(RuntimeState::Paused);
         QVERIFY(ExternalProgramStopper::isMeant(StopCause::StopButton, paused));
         QVERIFY(!ExternalProgramStopper::isMeant(StopCause::Escape, paused));
         QVERIFY(!ExternalProgramStopper::isMeant(StopCause::Space, paused));
     }
-    void whatIsNotKnownIsMeant() {
+    void aStopIsSentWhenTheStateIsUnknown() {
         SessionState never = live(RuntimeState::Stopped);
         never.link = LinkState::Lost;
         never.sequence = 0;
@@ -86,7 +86,7 @@ private Q_SLOTS:
         }
     }
     // While it is uncertain who has control, the window shows Space and Esc as stop keys.
-    void everyStopKeyIsMeantWhileControlIsInDoubt() {
+    void everyStopKeyIsSentWhileControlIsInDoubt() {
         for (const LinkState link : {LinkState::Live, LinkState::Stale, LinkState::Lost}) {
             SessionState stopped = live(RuntimeState::Stopped);
             stopped.link = link;
@@ -96,14 +96,14 @@ private Q_SLOTS:
             QVERIFY(meansIt(stopped));
         }
     }
-    void anArmThatMovesWithoutAProgramIsMeant() {
+    void anArmThatMovesWithoutAProgramIsStopped() {
         SessionState moving = live(RuntimeState::Stopped);
         moving.moving = true;
         QVERIFY(meansIt(moving));
     }
     // A stop is sent to Tiller's own program first. If it is not confirmed, it is sent through all
     // connections.
-    void noOtherStopIsMeant() {
+    void onlyOperatorStopsAreSent() {
         for (int cause = 0; cause <= static_cast<int>(StopCause::TargetTooFar); ++cause) {
             const auto which = static_cast<StopCause>(cause);
             const bool byOperator =

@@ -122,7 +122,7 @@ private Q_SLOTS:
     }
 
     // The control program of a killed process continues to run at standstill for five seconds.
-    void controlOfAnAbandonedProgramIsTakenWithoutAQuestion() {
+    void anAbandonedProgramIsReplacedWithoutConfirmation() {
         ProgramBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.abandonProgram());
@@ -134,7 +134,7 @@ private Q_SLOTS:
     }
 
     // The value in the program's register remains.
-    void theProgramAfterAnAbandonedOneIsNotReplacedWithoutAQuestion() {
+    void aProgramAfterAnAbandonedOneNeedsConfirmation() {
         ProgramBench bench;
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         QVERIFY(bench.abandonProgram());
@@ -169,7 +169,7 @@ private Q_SLOTS:
 
     // All key presses belong to the same stop. Pressing again does not postpone the stop through the other
     // interfaces.
-    void aStopAfterATakeoverIsNotPostponedByPressingAgain() {
+    void repeatedStopsDoNotPostponeAStopAfterATakeover() {
         ProgramBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         QVERIFY(bench.sendMovingProgram());
@@ -180,7 +180,7 @@ private Q_SLOTS:
     }
 
     // The robot's data confirm each stop, so Tiller's own program is not ended.
-    void repeatedStopsOfOurMotionKeepControl() {
+    void repeatedStopsOfOwnMotionsKeepControl() {
         ProgramBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         control::JogTarget up;

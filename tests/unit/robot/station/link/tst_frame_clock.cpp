@@ -64,7 +64,7 @@ class TestFrameClock : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void everySampleComesOnceAndTheLastIsShown() {
+    void everySampleIsDeliveredOnceAndTheLastIsShown() {
         Bench bench;
         Listener first(bench.session);
         Listener second(bench.session);
@@ -80,7 +80,7 @@ private Q_SLOTS:
     }
 
     // Late samples are delivered with the next frame. Samples that did not fit into the ring are counted.
-    void aFrozenInterfaceGetsAllOfItAfterwards() {
+    void aFrozenInterfaceReceivesAllSamplesAfterwards() {
         Bench bench;
         Listener listener(bench.session);
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -96,7 +96,7 @@ private Q_SLOTS:
         QCOMPARE(listener.framesBehind, 0);
     }
 
-    void aNewLinkIsToldAndBeginsAnew() {
+    void aNewLinkIsReportedAndRestartsTheSequence() {
         Bench bench;
         Listener listener(bench.session);
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
@@ -114,7 +114,7 @@ private Q_SLOTS:
     }
 
     // A motion that was active when disconnecting has no effect on the next robot.
-    void aNewLinkHasMissedNoStop() {
+    void aNewLinkDoesNotReportAnEarlierMotion() {
         Bench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         control::JogTarget up;
@@ -134,7 +134,7 @@ private Q_SLOTS:
 
     // The connected() signal is emitted again, so clients need not compare the connection with the earlier
     // state.
-    void aRobotThatComesBackIsTheSameLink() {
+    void aReconnectingRobotIsTheSameLink() {
         constexpr int kWaitTimeoutMs = 20'000;
         Bench bench;
         Listener listener(bench.session);
@@ -160,7 +160,7 @@ private Q_SLOTS:
     }
 
     // A slot that receives a frame may process events and thus start another frame.
-    void aFrameWithinAFrameLeavesTheFirstWhole() {
+    void aNestedFrameDoesNotChangeTheOuterOne() {
         bool nested = false;
         Bench bench;
         Listener outer(bench.session);

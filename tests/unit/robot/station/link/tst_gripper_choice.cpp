@@ -11,7 +11,7 @@ class TestGripperChoice : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void whatIsWrittenIsReadAgain() {
+    void choicesRoundTrip() {
         for (const Model model : {Model::TwoF85, Model::TwoF140, Model::HandE}) {
             GripperChoice choice;
             choice.kind = Kind::Robotiq;
@@ -31,14 +31,14 @@ private Q_SLOTS:
         QVERIFY(GripperChoice().toText().isEmpty());
     }
 
-    void whatCannotBeReadIsNoGripper_data() {
+    void invalidTextIsNoGripper_data() {
         QTest::addColumn<QString>("text");
         for (const char* text : {"", "robotiq", "robotiq|3F", "output", "output|18", "output|-1", "outputs|1",
                                  "outputs|4|4", "outputs|4|x", "nonsense|1|2", "|||"}) {
             QTest::newRow(text) << QString(text);
         }
     }
-    void whatCannotBeReadIsNoGripper() {
+    void invalidTextIsNoGripper() {
         QFETCH(QString, text);
         QVERIFY(GripperChoice::fromText(text) == GripperChoice());
     }

@@ -34,7 +34,7 @@ private Q_SLOTS:
         history_.clear();
         counts_ = {};
     }
-    void whatIsOlderThanTenSecondsIsForgotten() {
+    void entriesOlderThanTenSecondsAreDropped() {
         QCOMPARE(second(300, 2).late, std::uint64_t(300));
         PacketCounts recent;
         for (int s = 0; s < 8; ++s) {
@@ -49,7 +49,7 @@ private Q_SLOTS:
         QCOMPARE(recent.lost, std::uint64_t(0));
         QVERIFY(recent.packets >= 4900 && recent.packets <= 5250);
     }
-    void countersThatBeginAnewAreNoLoss() {
+    void resetCountersAreNotCountedAsLoss() {
         second(5, 5);
         counts_ = {};
         const PacketCounts recent = second(0, 0);

@@ -52,12 +52,12 @@ class TestMoveTime : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void aLineIsAsFastAsTheTcpMayBe() {
+    void aLineUsesTheFullTcpSpeed() {
         const SessionState state = liveState();
         QCOMPARE(slowedTo(chosen(), line(state, {0, 0, 0.02}), state).speed, kChosen);
     }
 
-    void aLineWithTheWristNearTheShoulderIsHeldByTheElbow() {
+    void aLineNearTheShoulderIsLimitedByTheElbow() {
         const SessionState state = liveState(kFolded);
         const Eigen::Vector3d around = aroundTheShoulder(kFolded);
         const MoveRequest asked = line(state, 0.03 * around.normalized());
@@ -68,7 +68,7 @@ private Q_SLOTS:
         QVERIFY2(elbow < 1.05 * kChosen && elbow > 0.8 * kChosen, qPrintable(QString::number(elbow)));
     }
 
-    void aTurnOnTheWayDoesNotLetTheElbowRun() {
+    void aLineWithRotationIsAlsoLimitedByTheElbow() {
         const SessionState state = liveState(kFolded);
         MoveRequest turning = line(state, 0.03 * aroundTheShoulder(kFolded).normalized());
         turning.pose.rotation =
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY2(std::abs(tcp - bound) < 1e-6, qPrintable(QString::number(tcp)));
     }
 
-    void withoutAChoiceNothingIsSlowed() {
+    void withoutAChosenSpeedNothingIsSlowed() {
         const SessionState state = liveState(kFolded);
         MoveRequest asked = line(state, 0.03 * aroundTheShoulder(kFolded).normalized());
         QCOMPARE(slowedTo({}, asked, state).speed, kFast);

@@ -38,7 +38,7 @@ private Q_SLOTS:
         QCOMPARE(name("{robot}", "../cell 7: \"left\""), QString("_.._cell 7_ _left_.csv"));
     }
 
-    void theFormatIsItsEnding() {
+    void theSuffixDeterminesTheFormat() {
         RecordingChoice choice{.folder = folder_.path(), .pattern = "weld.csv"};
         choice.format = "mcap";
         QCOMPARE(QFileInfo(recordingPath(choice, {}, kNow)).fileName(), QString("weld.mcap"));
@@ -51,7 +51,7 @@ private Q_SLOTS:
         QCOMPARE((RecordingChoice{.keepFree = -1}.sane().keepFree), 0);
     }
 
-    void everyRecordableFormatHasWords() {
+    void everyRecordableFormatHasADescription() {
         for (const recording::FileFormat& format : recording::fileFormats()) {
             const RecordingFormatWords words = recordingFormatWords(format);
             for (const QString& text : {words.choice, words.button, words.buttonHint}) {
@@ -61,13 +61,13 @@ private Q_SLOTS:
         }
     }
 
-    void noNameIsHidden() {
+    void noHiddenFileNamesAreCreated() {
         QCOMPARE(name("{robot}", ""), QString("_.csv"));
         QCOMPARE(name("{robot}", ".."), QString("_...csv"));
         QCOMPARE(name("{robot} {number}", ".cell"), QString("_.cell 001.csv"));
     }
 
-    void noFileIsWrittenOver() {
+    void existingFilesAreNotOverwritten() {
         for (const char* expected : {"gluing.csv", "gluing_2.csv", "gluing_3.csv"}) {
             QCOMPARE(name("gluing"), QString(expected));
             QFile made(folder_.filePath(expected));
@@ -80,7 +80,7 @@ private Q_SLOTS:
         }
     }
 
-    void theFirstFreeNumberIsTaken() {
+    void theFirstFreeNumberIsUsed() {
         for (const char* there : {"lot 001.csv", "LOT 002.csv", "lot 003.csv", "lot 005.csv"}) {
             QFile made(folder_.filePath(there));
             QVERIFY(made.open(QIODevice::WriteOnly));
@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(name("lot {number}"), QString("lot 006.csv"));
     }
 
-    void whatCannotBeAFileNameIsSaid_data() {
+    void invalidFileNamesAreReported_data() {
         QTest::addColumn<QString>("pattern");
         QTest::addColumn<bool>("good");
         QTest::newRow("usual") << QString("{date}_{time}") << true;
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QTest::newRow("backslash") << QString("a\\b") << false;
         QTest::newRow("too long") << QString(200, 'x') << false;
     }
-    void whatCannotBeAFileNameIsSaid() {
+    void invalidFileNamesAreReported() {
         QFETCH(QString, pattern);
         QFETCH(bool, good);
         QCOMPARE(patternProblem(pattern).isEmpty(), good);
@@ -110,7 +110,7 @@ private Q_SLOTS:
         QCOMPARE(choice.pattern, good ? pattern : RecordingChoice::defaultPattern());
     }
 
-    void whatAFileSaysIsMadeSane() {
+    void invalidValuesAreCorrected() {
         const QStringList all = recordableFields();
         QVERIFY(all.contains("actual_q") && !all.contains("timestamp"));
         const RecordingChoice choice =

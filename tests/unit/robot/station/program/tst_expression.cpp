@@ -10,7 +10,7 @@ class TestExpression : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void labelsOfTerminalsBecomeCalls_data() {
+    void terminalLabelsBecomeCalls_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("script");
         QTest::newRow("input") << "DI3 and not TI1"
@@ -26,7 +26,7 @@ private Q_SLOTS:
         QTest::newRow("no terminal") << "TI2 + DI9"
                                      << "TI2 + DI9";
     }
-    void labelsOfTerminalsBecomeCalls() {
+    void terminalLabelsBecomeCalls() {
         QFETCH(QString, text);
         QFETCH(QString, script);
         const Expression parsed = parseExpression(text);
@@ -49,7 +49,7 @@ private Q_SLOTS:
         QVERIFY(parsed.script.isEmpty());
     }
 
-    void blocksOfScripts() {
+    void scriptBlocksMustBeBalanced() {
         for (const char* whole :
              {"", "sync()", "if a:\n  b()\nelif c:\n  d()\nend", "end_force_mode()", "x = \"end\" # end"}) {
             QVERIFY2(hasWholeBlocks(whole), whole);
@@ -59,7 +59,7 @@ private Q_SLOTS:
         }
     }
 
-    void namesOfVariables() {
+    void variableNamesAreChecked() {
         for (const char* good : {"a", "part_count", "_x", "Place2"}) {
             QVERIFY2(isVariableName(good), good);
         }

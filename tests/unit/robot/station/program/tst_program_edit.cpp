@@ -157,7 +157,7 @@ private Q_SLOTS:
         QVERIFY(withSteps(program, {deepest, 0}, {leaf("x")}) == program);
     }
 
-    void textBringsStepsBack() {
+    void stepsRoundTripAsText() {
         const project::Program program = sample();
         const auto back = stepsFromText(textOf(program.steps));
         QVERIFY(back.has_value());
@@ -169,7 +169,7 @@ private Q_SLOTS:
         }
     }
 
-    void typedNumbersAreInTheUnitOfTheScreen() {
+    void enteredNumbersUseTheDisplayedUnit() {
         StepField field{"speed", "Speed", FieldType::Number, {}, true, Unit::Speed, 0.001, 2, {}};
         QCOMPARE(fieldInput(field, "50").value, QJsonValue(0.05));
         QCOMPARE(fieldInput(field, " 12.5 ").value, QJsonValue(0.0125));

@@ -61,7 +61,7 @@ class TestProgramPreview : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void fillsTheTray() {
+    void theTrayProgramFillsEveryCell() {
         const project::Project project = sampleProject();
         PreviewOptions options;
         options.inputs = on(0);
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QCOMPARE(texts(ran.preview.order), order);
     }
 
-    void calledProgramsGetTheirValues() {
+    void calledProgramsReceiveTheirValues() {
         project::Project project = sampleProject();
         project::Program helper = makeProgram(
             "helper", {step("if", {{"condition", "again > 1"}}, {step("wait", {{"time", 0.01}})})});
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QCOMPARE(texts(ran.preview.order), QByteArray("1 3 1 2 3 4 2"));
     }
 
-    void watchRunsBesideTheProgram() {
+    void watchRunsInParallelWithTheProgram() {
         PreviewOptions options;
         options.inputs = on(2, 0.5);
         const Ran ran =
@@ -161,7 +161,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(ran.preview.duration - 1) < 0.1);
     }
 
-    void operatorAnswers() {
+    void operatorAnswersAreUsed() {
         const Ran ran = run(
             sampleProject(),
             makeProgram("p", {step("message", {{"text", "Check"}}), step("question", {{"text", "How many?"}}),
@@ -172,7 +172,7 @@ private Q_SLOTS:
         QVERIFY(ran.preview.duration > 3);
     }
 
-    void everyMoveGoesWhereItSays() {
+    void everyMoveReachesItsTarget() {
         const project::Project project = sampleProject();
         const QString tool = idText(project.tooling.tools.at(0).id);
         const Ran ran = run(
@@ -196,7 +196,7 @@ private Q_SLOTS:
         QVERIFY2((ran.preview.endPose.position - place.position).norm() < 2e-4, describe(ran));
     }
 
-    void moveUntilAnInput() {
+    void aMoveEndsWhenTheInputChanges() {
         PreviewOptions options;
         options.inputs = on(4, 0.5);
         const project::ProgramStep down =
@@ -262,7 +262,7 @@ private Q_SLOTS:
         QCOMPARE(compile.preview.findings[0].step, 2);
     }
 
-    void endlessProgramIsCut() {
+    void anEndlessProgramIsLimited() {
         PreviewOptions options;
         options.timeLimit = 5;
         const Ran ran =
@@ -276,7 +276,7 @@ private Q_SLOTS:
         QVERIFY(cancelled.preview.findings[0].kind == Finding::Kind::Cancelled);
     }
 
-    void sameRunTwice() {
+    void twoRunsAreIdentical() {
         const project::Project project = sampleProject();
         const Ran first = run(project, trayProgram(project));
         const Ran second = run(project, trayProgram(project));

@@ -154,7 +154,7 @@ private Q_SLOTS:
         QCOMPARE(bench.runner.log().timings()[3].count, 2);
     }
 
-    void theWindowKeepsControlAndMovesNothingElse() {
+    void onlyTheProgramMovesTheArmDuringARun() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
         bench.setSteps({bench.endless()});

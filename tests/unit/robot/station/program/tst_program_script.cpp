@@ -343,7 +343,7 @@ private Q_SLOTS:
         QVERIFY(script.problems[0].text.contains("UR5e"));
     }
 
-    void namesOfFunctionsAreNoObstacle() {
+    void functionNamesMayBeUsedAsNames() {
         const project::Project project = sampleProject();
         for (const char* name : {"if", "movej", "sync", "end", "7", "Käfig"}) {
             const ProgramScript script =

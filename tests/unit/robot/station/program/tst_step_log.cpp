@@ -62,7 +62,7 @@ private Q_SLOTS:
         QVERIFY(qAbs(log.timings()[1].first - 0.2) < 2 * kPeriod);
     }
 
-    void theValueOfAnEarlierRunIsNotAStep() {
+    void aValueFromAnEarlierRunIsNotAStep() {
         StepLog log(3);
         Samples samples(log);
         samples.add(RuntimeState::Playing, 3, 0.1);

@@ -66,7 +66,7 @@ class TestHoldToRunSequence : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void oneAfterTheOtherUntilAllAreDone() {
+    void stepsRunInSequenceUntilAllAreDone() {
         Bench b;
         b.planned = {{"a"}, {"b", 2}};
         const auto id = b.motion.begin();
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY(b.failures.isEmpty());
     }
 
-    void theEndOfTheHoldEndsTheOneUnderWayAndBeginsNoOther() {
+    void releaseEndsTheCurrentStepAndStartsNoOther() {
         Bench b;
         b.planned = {{"a"}, {"b"}};
         const auto id = b.motion.begin();
@@ -94,7 +94,7 @@ private Q_SLOTS:
 
     // A stop during a pause between two motions finds no motion to stop. The next motion must not begin
     // either.
-    void aStopBetweenTwoEndsAll() {
+    void aStopBetweenTwoStepsEndsTheSequence() {
         Bench b;
         b.planned = {{"wait", 100}, {"b"}};
         const auto id = b.motion.begin();
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(b.failures.isEmpty());
     }
 
-    void aStepThatEndsBeforeItsEndEndsAll() {
+    void anInterruptedStepEndsTheSequence() {
         Bench b;
         b.planned = {{"a", 0, State::Ended}, {"b"}};
         const auto id = b.motion.begin();
@@ -115,7 +115,7 @@ private Q_SLOTS:
         QVERIFY(!b.motion.hold(*id));
     }
 
-    void whatCannotBeginIsToldAndEndsAll() {
+    void aStepThatCannotStartIsReportedAndEndsTheSequence() {
         Bench b;
         b.planned = {{"a", 0}, {"b", 0, State::Done, {ErrorCode::NoSolution, "out of reach", {}}}};
         const auto id = b.motion.begin();
@@ -129,7 +129,7 @@ private Q_SLOTS:
         QVERIFY2(first.failures.isEmpty(), "the key tells of a press that began nothing");
     }
 
-    void aStopThatCameFirstIsNoFailure() {
+    void anEarlierStopIsNotReportedAsAFailure() {
         Bench b;
         b.planned = {{"a", 0}, {"b", 0, State::Done, {ErrorCode::Stopped, {}, {}}}};
         const auto id = b.motion.begin();
@@ -137,7 +137,7 @@ private Q_SLOTS:
         QVERIFY(b.failures.isEmpty());
     }
 
-    void anOldNumberMovesNothing() {
+    void anOldMotionIdMovesNothing() {
         Bench b;
         b.planned = {{"a"}, {"b"}};
         const auto first = b.motion.begin();

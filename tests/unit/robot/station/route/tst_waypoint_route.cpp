@@ -51,7 +51,7 @@ private Q_SLOTS:
     }
 
     // Between two waypoints, a step back returns to the last waypoint; at a waypoint, to the previous one.
-    void aStepBackLeadsToTheOneThatWasLeft() {
+    void aStepBackReturnsToTheLastWaypoint() {
         WaypointRoute route;
         route.setWaypoints(someIds(4));
         route.reach(1);
@@ -69,7 +69,7 @@ private Q_SLOTS:
         QCOMPARE(route.coming(), Place(1));
     }
 
-    void inALoopTheFirstComesAfterTheLast() {
+    void inALoopTheFirstWaypointFollowsTheLast() {
         WaypointRoute route;
         route.setLoop(true);
         route.setWaypoints(someIds(2));
@@ -84,7 +84,7 @@ private Q_SLOTS:
         QCOMPARE(route.before(), Place(1));
     }
 
-    void aLoopThatIsChosenAtTheEndGoesOn() {
+    void enablingTheLoopAtTheEndContinues() {
         WaypointRoute route;
         route.setWaypoints(someIds(2));
         route.reach(0);
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QVERIFY(!route.isDone());
     }
 
-    void anEditKeepsTheComingOne() {
+    void anEditKeepsTheNextWaypoint() {
         WaypointRoute route;
         QVector<QUuid> ids = someIds(4);
         route.setWaypoints(ids);

@@ -10,7 +10,7 @@ class TestFormat : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void numbersKeepTheirDigitsAndATrueMinus() {
+    void numbersKeepTheirDigitsAndUseAMinusSign() {
         QCOMPARE(format::number(-143.5, 2), QStringLiteral("−143.50"));
         QCOMPARE(format::signedNumber(12.4, 2), QStringLiteral("+12.40"));
         QCOMPARE(format::number(12.4, 0), QStringLiteral("12"));
