@@ -34,6 +34,11 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                   "samples."),
                {},
                [&plots] { plots.setPaused(plots.view().window().follows()); }});
+    table.add({"plots.action.note",
+               tr("Add note…"),
+               tr("Adds a note at the selected cursor if it is visible, otherwise at the end of the plots."),
+               {},
+               [&plots] { plots.askForNote(plots.view().noteTime()); }});
     table.add({"plots.action.export",
                tr("Export the plots…"),
                tr("Saves the visible range as an image, PDF page or table of values."),

@@ -1883,6 +1883,14 @@
         <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>Zeigt alle Daten im Speicher und skaliert jedes Diagramm automatisch.</translation>
     </message>
+    <message>
+        <source>Add note…</source>
+        <translation>Notiz hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
+        <translation>Fügt eine Notiz am gewählten Cursor hinzu, falls er sichtbar ist, sonst am Ende der Diagramme.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -6071,6 +6079,12 @@ Klicken schaltet: %1. P: Impuls. Rechtsklick: Impuls oder Umbenennen.</translati
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>
+Right-click or press F2 to rename it.</source>
+        <translation>
+Zum Umbenennen rechts klicken oder F2 drücken.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::IoPages</name>
@@ -9272,6 +9286,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>A program of another client is running on the robot.</source>
         <translation>Auf dem Roboter läuft ein Programm eines anderen Clients.</translation>
+    </message>
+    <message>
+        <source>The program on the robot is paused.</source>
+        <translation>Das Programm auf dem Roboter ist pausiert.</translation>
     </message>
 </context>
 <context>

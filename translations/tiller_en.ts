@@ -1883,6 +1883,14 @@
         <source>Shows all data in memory and scales each plot automatically.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Add note…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -6065,6 +6073,11 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>%1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>
+Right-click or press F2 to rename it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::IoPages</name>
@@ -9259,6 +9272,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>A program of another client is running on the robot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program on the robot is paused.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1883,6 +1883,14 @@
         <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>Muestra todos los datos en memoria y ajusta automáticamente la escala de cada gráfico.</translation>
     </message>
+    <message>
+        <source>Add note…</source>
+        <translation>Añadir nota…</translation>
+    </message>
+    <message>
+        <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
+        <translation>Añade una nota en el cursor seleccionado si es visible; si no, al final de los gráficos.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -6071,6 +6079,12 @@ Clic para conmutar: %1. Pulse P para un impulso. Clic derecho para un impulso o 
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>
+Right-click or press F2 to rename it.</source>
+        <translation>
+Para renombrar, haga clic derecho o pulse F2.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::IoPages</name>
@@ -9272,6 +9286,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>A program of another client is running on the robot.</source>
         <translation>En el robot se ejecuta un programa de otro cliente.</translation>
+    </message>
+    <message>
+        <source>The program on the robot is paused.</source>
+        <translation>El programa del robot está en pausa.</translation>
     </message>
 </context>
 <context>

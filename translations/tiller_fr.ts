@@ -1883,6 +1883,14 @@
         <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>Affiche toutes les données en mémoire et ajuste l’échelle de chaque tracé.</translation>
     </message>
+    <message>
+        <source>Add note…</source>
+        <translation>Ajouter une note…</translation>
+    </message>
+    <message>
+        <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
+        <translation>Ajoute une note au curseur sélectionné s&apos;il est visible, sinon à la fin des tracés.</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -6071,6 +6079,12 @@ Cliquez pour commuter : %1. P pour une impulsion. Clic droit pour une impulsion 
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>
+Right-click or press F2 to rename it.</source>
+        <translation>
+Clic droit ou F2 pour renommer.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::IoPages</name>
@@ -9272,6 +9286,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>A program of another client is running on the robot.</source>
         <translation>Un programme d&apos;un autre client s&apos;exécute sur le robot.</translation>
+    </message>
+    <message>
+        <source>The program on the robot is paused.</source>
+        <translation>Le programme du robot est en pause.</translation>
     </message>
 </context>
 <context>

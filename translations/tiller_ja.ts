@@ -1883,6 +1883,14 @@
         <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>メモリーにある全データを表示し、各グラフの目盛りを自動調整します。</translation>
     </message>
+    <message>
+        <source>Add note…</source>
+        <translation>メモを追加…</translation>
+    </message>
+    <message>
+        <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
+        <translation>選択したカーソルが表示されていればその位置に、そうでなければプロットの末尾にメモを追加します。</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -6063,6 +6071,12 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>
+Right-click or press F2 to rename it.</source>
+        <translation>
+右クリックまたは F2 で名前を変更します。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::IoPages</name>
@@ -9248,6 +9262,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>A program of another client is running on the robot.</source>
         <translation>ロボットで別のクライアントのプログラムが実行中です。</translation>
+    </message>
+    <message>
+        <source>The program on the robot is paused.</source>
+        <translation>ロボットのプログラムは一時停止中です。</translation>
     </message>
 </context>
 <context>

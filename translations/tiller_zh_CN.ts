@@ -1883,6 +1883,14 @@
         <source>Shows all data in memory and scales each plot automatically.</source>
         <translation>显示内存中的全部数据，并自动缩放每个图。</translation>
     </message>
+    <message>
+        <source>Add note…</source>
+        <translation>添加备注…</translation>
+    </message>
+    <message>
+        <source>Adds a note at the selected cursor if it is visible, otherwise at the end of the plots.</source>
+        <translation>如果所选光标可见，则在其位置添加备注，否则添加在图表末尾。</translation>
+    </message>
 </context>
 <context>
     <name>PlotMenu</name>
@@ -6063,6 +6071,12 @@ Click to switch it %1. Press P to pulse it. Right-click to pulse or rename it.</
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
     </message>
+    <message>
+        <source>
+Right-click or press F2 to rename it.</source>
+        <translation>
+右键单击或按 F2 重命名。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::IoPages</name>
@@ -9248,6 +9262,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>A program of another client is running on the robot.</source>
         <translation>机器人上正在运行其他客户端的程序。</translation>
+    </message>
+    <message>
+        <source>The program on the robot is paused.</source>
+        <translation>机器人上的程序已暂停。</translation>
     </message>
 </context>
 <context>

@@ -80,6 +80,11 @@ void close(Descriptor socket) {
     ::closesocket(handle(socket));
 }
 
+void discardOnClose(Descriptor socket) {
+    const LINGER reset{1, 0};
+    ::setsockopt(handle(socket), SOL_SOCKET, SO_LINGER, reinterpret_cast<const char*>(&reset), sizeof reset);
+}
+
 Descriptor duplicate(Descriptor socket) {
     WSAPROTOCOL_INFOW info;
     if (WSADuplicateSocketW(handle(socket), GetCurrentProcessId(), &info) != 0) {
@@ -198,6 +203,11 @@ bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost) {
 
 void close(Descriptor socket) {
     ::close(static_cast<int>(socket));
+}
+
+void discardOnClose(Descriptor socket) {
+    const linger reset{1, 0};
+    ::setsockopt(static_cast<int>(socket), SOL_SOCKET, SO_LINGER, &reset, sizeof reset);
 }
 
 Descriptor duplicate(Descriptor socket) {

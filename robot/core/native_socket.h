@@ -72,6 +72,8 @@ bool waitReadable(Descriptor socket, std::chrono::nanoseconds atMost, const Even
 bool waitWritable(Descriptor socket, std::chrono::milliseconds atMost);
 
 void close(Descriptor socket);
+/// Makes close() reset the connection, so that data that have not been delivered yet are discarded.
+void discardOnClose(Descriptor socket);
 
 /// Local port of the connection; 0 if not connected.
 std::uint16_t localPort(Descriptor socket);

@@ -279,6 +279,8 @@ Result<QString> DashboardClient::readLine(const Deadline& deadline, const QStrin
             close();
             return Error{ErrorCode::ConnectionClosed, context, {}};
         } else if (deadline.hasExpired()) {
+            // A command that has failed must not be carried out later, when a lost connection works again.
+            native_socket::discardOnClose(descriptorOf(*socket_));
             close();
             return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
                          QString::fromUtf8(line)};

@@ -8,6 +8,7 @@
 
 #include "robot/core/file_reading.h"
 #include "robot/recording/detail/column_knowledge.h"
+#include "robot/recording/detail/csv_notes.h"
 #include "robot/recording/table_recording.h"
 
 namespace tiller::recording {

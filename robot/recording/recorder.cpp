@@ -312,8 +312,8 @@ struct Recorder::Worker {
             return {};
         }
         for (const RecordedNote& note : said) {
-            if (auto kept = keepNote(note); !kept) {
-                return kept;
+            if (auto written = keepNote(note); !written) {
+                return written;
             }
         }
         return write(RecordingEncoder::Close::WhenDue);

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "robot/core/tcp_connect.h"
 #include "robot/script/detail/primary_listener.h"
@@ -25,12 +26,6 @@ constexpr milliseconds kConnectTime(1000);
 /// For the second connection of a stop. The existing connection is not read while the second one is opened.
 constexpr milliseconds kSecondConnectTime(300);
 
-void closeIfOpen(Descriptor socket) {
-    if (socket >= 0) {
-        native_socket::close(socket);
-    }
-}
-
 }  // namespace
 
 struct ProgramStopper::Private {
@@ -43,6 +38,11 @@ struct ProgramStopper::Private {
     bool running = false;
     Descriptor socket = -1;  ///< closed by the thread only
     bool renew = false;      ///< close this connection and open a new one
+    bool discard = false;    ///< the request has ended without a stop: connections with a request are reset
+    /// Connections on which the request was sent and that were replaced. They stay open until the outcome is known,
+    /// because closing a socket with unread data resets the connection and could discard the request. Used by the
+    /// thread only.
+    std::vector<Descriptor> replaced;
     Error connectionError;
     bool asked = false;
     bool sent = false;    ///< the request was sent on this connection
@@ -65,6 +65,7 @@ struct ProgramStopper::Private {
     void send();
     void settle(Error how);
     void look();
+    void closeReplaced();
     void hear(PrimaryParser& parser, std::uint64_t& packages);
     bool pauseFor(milliseconds time);
 };
@@ -87,6 +88,12 @@ void ProgramStopper::Private::send() {
 
 void ProgramStopper::Private::settle(Error how) {
     asked = false;
+    // When a lost connection works again, the operating system would deliver a request that it still holds. It would
+    // then stop whatever runs at that time.
+    if (how.code != ErrorCode::None && how.code != ErrorCode::RemoteControlRequired) {
+        discard = true;
+        renew = renew || sent;
+    }
     outcome = std::move(how);
     changed.notify_all();
 }
@@ -131,6 +138,21 @@ void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& package
 
 // The following functions are called by the thread only.
 
+void ProgramStopper::Private::closeReplaced() {
+    std::unique_lock lock(mutex);
+    if (asked) {
+        return;
+    }
+    const bool reset = discard;
+    lock.unlock();
+    for (const Descriptor each : std::exchange(replaced, {})) {
+        if (reset) {
+            native_socket::discardOnClose(each);
+        }
+        native_socket::close(each);
+    }
+}
+
 void ProgramStopper::Private::run() {
     // Limits the rate of attempts if the peer closes every connection immediately.
     constexpr milliseconds kBrief(50);
@@ -154,16 +176,21 @@ void ProgramStopper::Private::run() {
             connectionError = ended;
             look();
         }
+        closeReplaced();
         changed.notify_all();
         if (!atOnce) {
             pauseFor(kReconnectDelays[std::min(attempt++, kReconnectDelays.size() - 1)]);
         }
     }
-    const std::lock_guard lock(mutex);
-    running = false;
-    if (asked) {
-        settle({ErrorCode::Cancelled, context(), {}});
+    {
+        const std::lock_guard lock(mutex);
+        running = false;
+        if (asked) {
+            settle({ErrorCode::Cancelled, context(), {}});
+        }
+        discard = false;  // the program ends: a request that was just sent must still arrive
     }
+    closeReplaced();
 }
 
 void ProgramStopper::Private::use(Descriptor descriptor) {
@@ -192,16 +219,12 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
     constexpr milliseconds kPoll(10);
     Error ended{ErrorCode::ConnectionClosed, context(), {}};
     bool goesOn = true;
-    // The previous connection. It stays open, because closing a socket with unread data resets the connection
-    // and could discard a stop request that was just sent on it.
-    Descriptor before = -1;
     while (goesOn && !thread.cancel.isCancelled()) {
         if (wantsSecond()) {
             if (const auto opened = connectTcp(options.host, options.port,
                                                Deadline::after(kSecondConnectTime, thread.cancel));
                 opened) {
-                closeIfOpen(before);
-                before = std::exchange(descriptor, *opened);
+                replaced.push_back(std::exchange(descriptor, *opened));
                 reader = std::make_unique<PrimaryReader>();
                 packages = 0;
                 use(descriptor);
@@ -213,17 +236,25 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
             ended = PrimaryReader::notUnderstood(context());
             goesOn = false;
         }
-        const std::lock_guard lock(mutex);
-        hear(reader->parser(), packages);
-        look();
-        goesOn = goesOn && !renew;
+        {
+            const std::lock_guard lock(mutex);
+            hear(reader->parser(), packages);
+            look();
+            goesOn = goesOn && !renew;
+        }
+        closeReplaced();
     }
+    bool isUnanswered = false;
     {
         const std::lock_guard lock(mutex);
         socket = -1;
+        isUnanswered = sent;
     }
-    closeIfOpen(before);
-    native_socket::close(descriptor);
+    if (isUnanswered && !thread.cancel.isCancelled()) {
+        replaced.push_back(descriptor);
+    } else {
+        native_socket::close(descriptor);
+    }
     return ended;
 }
 
@@ -264,6 +295,7 @@ void ProgramStopper::requestStop() {
     {
         const std::lock_guard lock(d_->mutex);
         d_->asked = true;
+        d_->discard = false;
         d_->refusals = 0;
         d_->askedNs = d_->now();
         d_->outcome = {};

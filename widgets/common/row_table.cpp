@@ -2,6 +2,8 @@
 #include "widgets/common/row_table.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <utility>
 
 #include "widgets/common/density.h"
@@ -64,6 +66,18 @@ QWidget* RowDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& 
 void RowDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                                        const QModelIndex&) const {
     editor->setGeometry(option.rect.adjusted(0, 1, 0, -2));
+}
+
+bool RowDelegate::eventFilter(QObject* editor, QEvent* event) {
+    // A line of text ignores these keys. The table would end the editing and select another row, and the next letters
+    // would be commands for that row.
+    if (event->type() == QEvent::KeyPress && qobject_cast<QLineEdit*>(editor) != nullptr) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown) {
+            return true;
+        }
+    }
+    return QStyledItemDelegate::eventFilter(editor, event);
 }
 
 void RowDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {

@@ -26,7 +26,7 @@ int rowHeightNow() {
 IoChannel::IoChannel(const QString& terminal, bool output, QWidget* parent)
     : QAbstractButton(parent), terminal_(terminal), output_(output) {
     setText(terminal);
-    setFocusPolicy(output ? Qt::StrongFocus : Qt::NoFocus);  // the shortcut P pulses the row with the focus
+    setFocusPolicy(Qt::StrongFocus);  // P pulses and F2 renames the row with the focus
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     describe();
@@ -92,6 +92,8 @@ void IoChannel::describe() {
                    ? QLatin1Char('\n') + obstacle_
                    : tr("\nClick to switch it %1. Press P to pulse it. Right-click to pulse or rename it.")
                          .arg(state_ == State::On ? tr("off") : tr("on"));
+    } else {
+        tip += tr("\nRight-click or press F2 to rename it.");
     }
     setToolTip(tip);
 }

@@ -693,6 +693,12 @@ void PlotView::setReadoutSignal(int signal) {
     Q_EMIT readoutChanged();
 }
 
+double PlotView::noteTime() const {
+    const std::optional<double>& cursor = cursors_[index(active_)];
+    const bool isShown = cursor && *cursor >= window_.start() && *cursor <= window_.end();
+    return isShown ? *cursor : window_.end();
+}
+
 QString PlotView::readout() const {
     const auto& a = cursors_[0];
     const auto& b = cursors_[1];
@@ -1350,7 +1356,7 @@ void PlotView::keyPressEvent(QKeyEvent* event) {
             fit();
             break;
         case Qt::Key_N:
-            Q_EMIT noteWanted(cursors_[index(active_)].value_or(window_.end()));
+            Q_EMIT noteWanted(noteTime());
             break;
         case Qt::Key_H:
             setHidden(readoutSignal_, !isHidden(readoutSignal_));

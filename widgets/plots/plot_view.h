@@ -90,6 +90,8 @@ public:
     void setCursor(Cursor which, std::optional<double> time);
     /// Moves cursor A to this time and makes it visible.
     void goTo(double time);
+    /// Time for a new note: that of the selected cursor if it is visible, otherwise the end of the visible range.
+    double noteTime() const;
     int readoutSignal() const { return readoutSignal_; }
     void setReadoutSignal(int signal);
     /// E.g. "A–B Δt 1.200 s · ΔFz −9.8 N", "A −12.300 s · Fz −4.1 N"; may be empty.

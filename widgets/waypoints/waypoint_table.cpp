@@ -122,7 +122,7 @@ void WaypointTable::fitColumns() {
                        std::max(room >= 520 ? width.wide : width.narrow, titleWidth(width.column)));
     }
     // Row numbers may have more than one digit.
-    constexpr int kCellMargins = 20;
+    constexpr int kCellMargins = 28;
     const int digits = fontMetrics().horizontalAdvance(QString::number(model_.rowCount()));
     setColumnWidth(WaypointModel::Number,
                    std::max(columnWidth(WaypointModel::Number), digits + kCellMargins));

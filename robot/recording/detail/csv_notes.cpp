@@ -13,7 +13,7 @@ namespace tiller::recording {
 namespace {
 
 constexpr qint64 kNsPerMs = 1'000'000;
-constexpr char kHeader[] = "row,utc,level,source,text";
+constexpr char kHeader[] = "row,utc,level,source,text\n";
 // A longer file was not written by a recorder.
 constexpr qint64 kMaxBytes = 64 << 20;
 
@@ -51,7 +51,7 @@ QString csvNotesPath(const QString& recording) {
 }
 
 std::string csvNotesHeader() {
-    return std::string(kHeader) + '\n';
+    return kHeader;
 }
 
 std::string csvNoteLine(std::uint64_t row, const RecordedNote& note) {
@@ -68,7 +68,7 @@ std::vector<std::pair<std::uint64_t, RecordedEvent>> readCsvNotes(const QString&
     QFile file;
     const QString path = csvNotesPath(recording);
     if (!QFileInfo::exists(path) || !openForReading(file, path) || file.size() > kMaxBytes ||
-        file.readLine().trimmed() != kHeader) {
+        file.readLine() != kHeader) {
         return {};
     }
     std::vector<std::pair<std::uint64_t, RecordedEvent>> notes;

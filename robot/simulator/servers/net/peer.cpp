@@ -55,7 +55,8 @@ std::size_t Peer::receive(std::span<std::uint8_t> into) {
     if (!open_ || into.empty()) {
         return 0;
     }
-    return isPlain() && arriving_.empty() && !ended_ ? receiveNow(into) : receiveThroughCable(into);
+    return isPlain() && arriving_.empty() && !ended_ && !wasLost_ ? receiveNow(into)
+                                                                  : receiveThroughCable(into);
 }
 
 std::size_t Peer::receiveNow(std::span<std::uint8_t> into) {
@@ -81,7 +82,11 @@ std::size_t Peer::receiveNow(std::span<std::uint8_t> into) {
 
 std::size_t Peer::receiveThroughCable(std::span<std::uint8_t> into) {
     if (link_->isLost()) {
+        wasLost_ = true;
         return 0;
+    }
+    if (std::exchange(wasLost_, false) && !ended_) {
+        receiveAfterOutage();
     }
     std::array<std::uint8_t, 16 * 1024> buffer;
     const native_socket::Transfer got = ended_ ? native_socket::Transfer{native_socket::Status::WouldBlock, 0}
@@ -109,6 +114,23 @@ std::size_t Peer::receiveThroughCable(std::span<std::uint8_t> into) {
         arriving_.pop_front();
     }
     return count;
+}
+
+// What the client sent during the outage arrives now, because it sends unconfirmed data again, unless it has reset the
+// connection in the meantime.
+void Peer::receiveAfterOutage() {
+    std::array<std::uint8_t, 16 * 1024> buffer;
+    std::vector<std::uint8_t> all;
+    native_socket::Transfer got{native_socket::Status::Ok, 0};
+    while (got.status == native_socket::Status::Ok && all.size() < kMaxBuffered) {
+        got = native_socket::receive(descriptor_, buffer);
+        all.insert(all.end(), buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(got.bytes));
+    }
+    ended_ = got.status == native_socket::Status::Closed || got.status == native_socket::Status::Failed;
+    if (got.status != native_socket::Status::Failed && !all.empty()) {
+        const double due = std::max(link_->arrival(), arriving_.empty() ? 0.0 : arriving_.back().due);
+        arriving_.push_back({due, std::move(all)});
+    }
 }
 
 // ---- to the client --------------------------------------------------------------------------------------

@@ -62,6 +62,7 @@ private:
     };
 
     std::size_t receiveNow(std::span<std::uint8_t> into);
+    void receiveAfterOutage();
     std::size_t receiveThroughCable(std::span<std::uint8_t> into);
     std::size_t sendNow(std::span<const std::uint8_t> bytes);
     void endSending();
@@ -86,6 +87,7 @@ private:
     bool open_ = true;
     bool closing_ = false;
     bool isUnresponsive_ = false;  ///< data no longer reach the client
+    bool wasLost_ = false;         ///< the cable was unplugged since the last data
     bool ended_ = false;           ///< the client has closed the connection; remaining data were sent earlier
 };
 

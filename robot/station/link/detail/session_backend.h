@@ -159,12 +159,12 @@ struct SessionBackend {
     SessionState stateNow() const;
     /// Current evidence about a stop during control.
     control::StopEvidence stopEvidence() const;
+    bool isTakenOver() const;
 
 private:
     void readLink();
     void readSample();
     void readControl();
-    bool isTakenOver() const;
     bool isSendingPath(const control::ControllerStatus& status) const;
     bool isControlInDoubt();
     void readGuard();

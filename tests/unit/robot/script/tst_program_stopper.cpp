@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <QTest>
+#include <algorithm>
+#include <array>
 #include <future>
 #include <mutex>
 
@@ -200,6 +202,48 @@ private Q_SLOTS:
         stopper.end();
         QCOMPARE(heard.lines(), expected);
         native_socket::close(readOnly);
+    }
+
+    // Without a connection, the operating system keeps the command and sends it again until the connection works. The
+    // reset discards it.
+    void aStopThatFailedIsNotDeliveredLater() {
+        VirtualClock clock;
+        std::mutex mutex;
+        std::vector<native_socket::Descriptor> forgotten;
+        RawPeer peer([&](RawPeer::Link& link) {
+            link.send(versionMessage() + stateWith(true));
+            const std::lock_guard lock(mutex);
+            forgotten.push_back(link.forget());
+        });
+        ProgramStopperOptions options = to(peer.port());
+        options.clock = &clock;
+        ProgramStopper stopper(options);
+        stopper.start();
+        QTRY_VERIFY_WITH_TIMEOUT(stopper.isConnected(), kWaitTimeoutMs);
+        stopper.requestStop();
+        for (int i = 0; i < 600 && stopper.isUnderWay(); ++i) {
+            clock.advanceNs(kNsPerSecond / 10);
+            QTest::qWait(10);
+        }
+        QCOMPARE(stopper.error().code, ErrorCode::Timeout);
+        const auto isReset = [](native_socket::Descriptor each) {
+            std::array<std::uint8_t, 256> bytes;
+            native_socket::Transfer got{native_socket::Status::Ok, 0};
+            while (got.status == native_socket::Status::Ok) {
+                got = native_socket::receive(each, bytes);
+            }
+            return got.status == native_socket::Status::Failed;
+        };
+        const auto resets = [&] {
+            const std::lock_guard lock(mutex);
+            return std::count_if(forgotten.begin(), forgotten.end(), isReset);
+        };
+        QVERIFY(peer.clients() > 2);
+        // All connections with the command; the newest one has not carried it.
+        QTRY_VERIFY2_WITH_TIMEOUT(resets() >= std::ptrdiff_t(peer.clients()) - 1,
+                                  "the stop is delivered later", kWaitTimeoutMs);
+        stopper.end();
+        std::for_each(forgotten.begin(), forgotten.end(), native_socket::close);
     }
 
     void aRobotThatStaysInLocalIsReported() {

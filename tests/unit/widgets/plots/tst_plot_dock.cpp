@@ -1190,6 +1190,16 @@ private Q_SLOTS:
                  qPrintable(QApplication::clipboard()->text()));
     }
 
+    void aNoteIsNotPlacedAtAnInvisibleCursor() {
+        Bench b;
+        b.view().pause();
+        b.view().setCursor(PlotView::Cursor::A, 45.0);
+        b.view().showRange(40.0, 50.0);
+        QCOMPARE(b.view().noteTime(), 45.0);
+        b.view().showRange(46.0, 56.0);
+        QCOMPARE(b.view().noteTime(), b.view().window().end());
+    }
+
     void noteIsWrittenWithNAtItsTime() {
         Bench b;
         b.view().pause();

@@ -195,6 +195,35 @@ private Q_SLOTS:
         QCOMPARE(names().at(0), QString("waypoint 1"));
     }
 
+    // Otherwise the next letters would be commands for another waypoint.
+    void cursorKeysStayInTheNameField() {
+        teachThree();
+        tab_->selectRow(0);
+        QTest::keyClick(table(), Qt::Key_F2);
+        auto* editor = table()->findChild<QLineEdit*>("waypoint.editor");
+        QVERIFY(editor != nullptr);
+        for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Up, Qt::Key_PageDown, Qt::Key_PageUp}) {
+            QTest::keyClick(editor, key);
+            QVERIFY2(editor->isVisible() && editor->hasFocus(), "the key ended the editing");
+            QCOMPARE(table()->currentIndex().row(), 0);
+        }
+        QTest::keyClick(editor, Qt::Key_Escape);
+    }
+
+    void numbersWithTwoDigitsFit() {
+        for (int n = 0; n < 12; ++n) {
+            feed(liveState(moved(5, 0.1 * n)));
+            tab_->teach();
+        }
+        const QModelIndex last =
+            table()->model()->index(table()->model()->rowCount() - 1, WaypointModel::Number);
+        QVERIFY(last.row() >= 9);
+        const int needed = table()->sizeHintForIndex(last).width();
+        QVERIFY2(
+            table()->columnWidth(WaypointModel::Number) >= needed,
+            qPrintable(QString("%1 of %2").arg(table()->columnWidth(WaypointModel::Number)).arg(needed)));
+    }
+
     // Letters typed in the list search for a name. The following letters of a word are not commands.
     void typingAWordInTheListIsNotACommand() {
         const int interval = QApplication::keyboardInputInterval();

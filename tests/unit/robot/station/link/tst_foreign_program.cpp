@@ -104,6 +104,27 @@ private Q_SLOTS:
         QCOMPARE(asked.size(), 2);
     }
 
+    void aStopThatFailsDuringAnOutageIsNotExecutedLater() {
+        QStringList messages;  // outlives the session, which reports its end
+        ProgramBench bench;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.moves(); }));
+        QVERIFY(bench.cell.robot.inject("link lost").ok());
+        QVERIFY(bench.within([&] { return bench.state().link == LinkState::Lost; }));
+        bench.session.stop(StopCause::StopButton);
+        QVERIFY(bench.within([&] { return !messages.filter("could not be stopped").isEmpty(); }));
+        QVERIFY(bench.runs());
+        QVERIFY(bench.cell.robot.inject("link back").ok());
+        QVERIFY(bench.within([&] { return bench.state().link == LinkState::Live; }));
+        for (int i = 0; i < 200; ++i) {
+            bench.cell.robot.drainSockets();
+            bench.cell.advanceMs(10);
+            QVERIFY2(bench.runs(), "the stop was delivered after the outage");
+        }
+    }
+
     void theLogNamesProgramsOfOtherClients() {
         QStringList messages;  // outlives the session, which reports its end
         ProgramBench bench;
