@@ -9291,6 +9291,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>The program on the robot is paused.</source>
         <translation>Das Programm auf dem Roboter ist pausiert.</translation>
     </message>
+    <message>
+        <source>on the way to point %1 of %2: %3</source>
+        <translation>auf dem Weg zu Punkt %1 von %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

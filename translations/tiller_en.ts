@@ -9278,6 +9278,10 @@ Release the button to stop the arm.</source>
         <source>The program on the robot is paused.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>on the way to point %1 of %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -9291,6 +9291,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>The program on the robot is paused.</source>
         <translation>El programa del robot está en pausa.</translation>
     </message>
+    <message>
+        <source>on the way to point %1 of %2: %3</source>
+        <translation>de camino al punto %1 de %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

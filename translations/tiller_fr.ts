@@ -9291,6 +9291,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>The program on the robot is paused.</source>
         <translation>Le programme du robot est en pause.</translation>
     </message>
+    <message>
+        <source>on the way to point %1 of %2: %3</source>
+        <translation>en route vers le point %1 sur %2 : %3</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

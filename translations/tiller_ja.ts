@@ -9267,6 +9267,10 @@ Release the button to stop the arm.</source>
         <source>The program on the robot is paused.</source>
         <translation>ロボットのプログラムは一時停止中です。</translation>
     </message>
+    <message>
+        <source>on the way to point %1 of %2: %3</source>
+        <translation>%2 点中 %1 点目への移動中: %3</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

@@ -9267,6 +9267,10 @@ Release the button to stop the arm.</source>
         <source>The program on the robot is paused.</source>
         <translation>机器人上的程序已暂停。</translation>
     </message>
+    <message>
+        <source>on the way to point %1 of %2: %3</source>
+        <translation>在前往第 %1 个点（共 %2 个）的途中：%3</translation>
+    </message>
 </context>
 <context>
     <name>tiller::RobotiqLink</name>

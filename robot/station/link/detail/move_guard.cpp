@@ -71,6 +71,7 @@ Result<void> MoveGuard::permit(const SessionState& state, std::span<const MoveRe
         const bool linear = move.kind == MoveRequest::Kind::MoveL;
         legs.push_back(
             {linear ? control::PathEntry::Target(move.pose) : control::PathEntry::Target(move.q), linear, 0});
+        legs.back().point = static_cast<int>(legs.size());
     }
     return permit(state.q, legs);
 }
@@ -91,13 +92,15 @@ Error MoveGuard::refusal(const QString& reason) {
 
 Result<void> MoveGuard::permit(const SessionState& state, const control::MotionPath& path) const {
     std::vector<Leg> legs;
+    int point = 0;
     for (const control::PathEntry& entry : path) {
+        ++point;
         const bool linear = entry.kind != control::PathEntry::Kind::MoveJ;
         if (entry.via) {
             legs.push_back(
-                {*entry.via, linear, 0});  // an arc is approximated by two lines through its via point
+                {*entry.via, linear, 0, point});  // an arc is approximated by two lines through its via point
         }
-        legs.push_back({entry.target, linear, entry.blend});
+        legs.push_back({entry.target, linear, entry.blend, point});
     }
     return permit(state.q, legs);
 }
@@ -109,14 +112,23 @@ Result<void> MoveGuard::permit(const JointPositions& start, const std::vector<Le
     JointPositions from = start;
     std::vector<JointPositions> before;
     double blend = 0;
+    const int points = legs.empty() ? 0 : legs.back().point;
+    int point = 0;
     const auto examine = [&](const collision::Move& move) -> std::optional<Error> {
         const collision::MoveReport report = collision::examineMove(arm_, *check_, tcpOffset_, move, 1);
         before = report.way;
         const bool collides = report.limit && report.limit->kind == collision::MoveLimit::Kind::Collision;
-        return collides ? std::optional(refusal(limitText(*report.limit, check_->surroundings())))
-                        : std::nullopt;
+        if (!collides) {
+            return std::nullopt;
+        }
+        const QString reason = limitText(*report.limit, check_->surroundings());
+        return refusal(
+            points > 1
+                ? RobotSession::tr("on the way to point %1 of %2: %3").arg(point).arg(points).arg(reason)
+                : reason);
     };
     for (const Leg& leg : legs) {
+        point = leg.point;
         const auto to = jointsOf(arm_.dh, tcpOffset_, leg.target, from);
         if (!to) {
             break;

@@ -39,6 +39,7 @@ private:
         control::PathEntry::Target target;
         bool linear = false;
         double blend = 0;  ///< [m]
+        int point = 0;     ///< number of the point of the path that it belongs to, from 1
     };
     Result<void> permit(const JointPositions& start, const std::vector<Leg>& legs) const;
     /// Errors  NoSolution while the position of an object is unknown
