@@ -193,6 +193,78 @@ bool near(double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance;
 }
 
+/// Hides all curves, which would cover the grid lines.
+void hideCurves(PlotView& view) {
+    for (const auto& pane : view.panes()) {
+        for (const int signal : pane->shown()) {
+            view.setHidden(signal, true);
+        }
+    }
+}
+
+/// Compares the drawn grid lines of each plot with its scale. Returns  the first difference, or an empty text
+QString gridFault(PlotView& view) {
+    const QImage image = view.grab().toImage();
+    const Theme& theme = Theme::current();
+    const QRgb line =
+        QColor((theme.panel.red() + theme.border.red()) / 2, (theme.panel.green() + theme.border.green()) / 2,
+               (theme.panel.blue() + theme.border.blue()) / 2)
+            .rgb();
+    for (const auto& pane : view.panes()) {
+        const AxisRange& range = pane->range();
+        QSet<int> wanted;
+        const auto last = std::llround(std::floor(range.max() / range.step()));
+        for (auto i = std::llround(std::ceil(range.min() / range.step())); i <= last; ++i) {
+            wanted.insert(static_cast<int>(std::floor(pane->yAt(static_cast<double>(i) * range.step()))));
+        }
+        const QRect area = pane->area().toRect();
+        for (const int x : {area.left() + 2, area.center().x(), area.right() - 2}) {
+            if (pane->isZoomed() && x > area.center().x()) {
+                continue;  // the note about the fixed scale covers the upper right corner
+            }
+            QSet<int> drawn;
+            for (int y = area.top(); y <= area.bottom(); ++y) {
+                if (image.pixel(x, y) == line) {
+                    drawn.insert(y);
+                }
+            }
+            if (drawn != wanted || wanted.size() < 2) {
+                return QStringLiteral("plot %1, x = %2: %3 of %4 lines are at the height of their labels")
+                    .arg(view.paneIndex(*pane))
+                    .arg(x)
+                    .arg((drawn & wanted).size())
+                    .arg(wanted.size());
+            }
+        }
+    }
+    return {};
+}
+
+/// Writes a recording of 100 s: motion, from 30 s to 40 s a protective stop, from 60 s power off, from 80 s
+/// at standstill.
+QString writeDay(const QTemporaryDir& folder, const QString& name, const QStringList& omitted = {}) {
+    const QStringList columns{"timestamp", "actual_TCP_force_2", "robot_mode", "safety_mode", "actual_qd_0"};
+    QFile file(folder.filePath(name));
+    const bool opened = file.open(QIODevice::WriteOnly);
+    Q_ASSERT(opened);
+    const auto write = [&](const QStringList& cells) {
+        QStringList kept;
+        for (qsizetype i = 0; i < cells.size(); ++i) {
+            kept << (omitted.contains(columns[i]) ? QStringList() : QStringList(cells[i]));
+        }
+        file.write(kept.join(QLatin1Char(',')).toUtf8() + '\n');
+    };
+    write(columns);
+    for (int i = 0; i <= 10'000; ++i) {
+        const double time = i * 0.01;
+        const bool isOff = time >= 60 && time < 80;
+        write({QString::number(700 + time, 'f', 4), QString::number(i % 10), QString::number(isOff ? 3 : 7),
+               QString::number(time >= 30 && time < 40 ? 3 : 1),
+               QString::number(time < 30 || (time >= 40 && time < 60) ? 0.2 : 0.0)});
+    }
+    return file.fileName();
+}
+
 }  // namespace
 
 class TestPlotDock : public QObject {
@@ -200,6 +272,33 @@ class TestPlotDock : public QObject {
 
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void gridLinesAreAtTheHeightsOfTheirLabels() {
+        Bench b;
+        hideCurves(b.view());
+        QCOMPARE(gridFault(b.view()), QString());
+        b.dock.resize(1100, 520);
+        QCOMPARE(gridFault(b.view()), QString());
+        // Size and scale change while the plots are hidden, as with another perspective.
+        b.dock.hide();
+        b.dock.resize(1500, 420);
+        b.runTo(61);
+        b.forces().holdValues(-3, 17);
+        b.dock.show();
+        QCOMPARE(gridFault(b.view()), QString());
+        b.dock.pages().addPage(PageLayout::standard());
+        hideCurves(b.view());
+        QCOMPARE(gridFault(b.view()), QString());
+    }
+
+    void gridLinesOfARecordingAreAtTheHeightsOfTheirLabels() {
+        Bench b;
+        QTemporaryDir folder;
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        hideCurves(b.view());
+        QCOMPARE(gridFault(b.view()), QString());
+    }
 
     void showsTheNewestThirtySecondsAtFirst() {
         Bench b;
