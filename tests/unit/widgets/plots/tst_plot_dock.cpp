@@ -265,6 +265,15 @@ QString writeDay(const QTemporaryDir& folder, const QString& name, const QString
     return file.fileName();
 }
 
+/// The lane as text, with the start of each segment relative to the given time [s].
+QString laneText(const PlotView& view, double begin) {
+    QStringList words;
+    for (const LaneSegment& segment : view.laneItem().segments()) {
+        words << QStringLiteral("%1 %2").arg(std::llround(segment.start - begin)).arg(segment.label);
+    }
+    return words.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 class TestPlotDock : public QObject {
@@ -618,6 +627,119 @@ private Q_SLOTS:
         QVERIFY(seen[1].kind == LaneKind::Moving);
         QVERIFY(near(seen[1].start, 40, 1e-6));
         QVERIFY(near(seen[1].end, 50, 1e-6));
+    }
+
+    void theLaneOfARecordingShowsItsStates() {
+        Bench b;
+        QTemporaryDir folder;
+        for (const int time : {59, 60}) {
+            Q_EMIT b.session.stateChanged(running(time, true));
+        }
+        PlotView& live = b.view();
+        live.follow();
+        QVERIFY(laneText(live, 0).contains(QLatin1String("Jog")));
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const double begin = b.dock.store().timesOf(QStringLiteral("day.csv"))->firstTime();
+        QCOMPARE(laneText(b.view(), begin),
+                 QString("0 Moving, 30 Protective stop, 40 Moving, 60 Power off, 80 At standstill"));
+        QVERIFY(b.view().laneItem().segments()[1].kind == LaneKind::Stopped);
+        QVERIFY(b.view().laneItem().segments()[3].kind == LaneKind::Off);
+        // New live states do not appear there, also while the page follows the newest samples.
+        b.view().follow();
+        b.runTo(62);
+        Q_EMIT b.session.stateChanged(running(62, true));
+        QVERIFY2(!laneText(b.view(), begin).contains(QLatin1String("Jog")),
+                 qPrintable(laneText(b.view(), begin)));
+        // Zoomed in until there are fewer samples than pixels, a state holds until the next sample.
+        b.view().showRange(begin + 39.95, begin + 40.05);
+        QCOMPARE(b.view().laneItem().segments().size(), std::size_t{2});
+        QVERIFY(near(b.view().laneItem().segments()[1].start, begin + 40, 0.002));
+        // With a live signal on the page, the lane belongs to the signal read by the cursors.
+        b.view().addSignals({QStringLiteral("actual_TCP_force_2")});
+        QCOMPARE(b.view().recordingInFront(), QString());
+        b.view().showRange(55, 62);
+        QVERIFY(laneText(b.view(), 0).contains(QLatin1String("Jog")));
+        b.view().setReadoutSignal(b.id("day.csv/actual_TCP_force_2"));
+        QVERIFY2(!laneText(b.view(), 0).contains(QLatin1String("Jog")), qPrintable(laneText(b.view(), 0)));
+        b.dock.pages().setCurrent(0);
+        QVERIFY(laneText(live, 0).contains(QLatin1String("Jog")));
+    }
+
+    void theLaneOfARecordingWithoutModesIsEmpty_data() {
+        QTest::addColumn<QString>("omitted");
+        QTest::addColumn<QString>("lane");
+        QTest::newRow("robot mode") << QStringLiteral("robot_mode") << QString();
+        QTest::newRow("safety mode") << QStringLiteral("safety_mode") << QString();
+        QTest::newRow("speeds") << QStringLiteral("actual_qd_0")
+                                << QStringLiteral(
+                                       "0 Running, 30 Protective stop, 40 Running, 60 Power off, 80 Running");
+    }
+    void theLaneOfARecordingWithoutModesIsEmpty() {
+        QFETCH(QString, omitted);
+        QFETCH(QString, lane);
+        Bench b;
+        QTemporaryDir folder;
+        for (const int time : {59, 60}) {
+            Q_EMIT b.session.stateChanged(running(time, true));
+        }
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv"), {omitted}));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const double begin = b.dock.store().timesOf(QStringLiteral("day.csv"))->firstTime();
+        QCOMPARE(laneText(b.view(), begin), lane);
+    }
+
+    void backToLiveRestoresTheTimeRange() {
+        Bench b;
+        QTemporaryDir folder;
+        b.view().setSpan(12);
+        const QString path = writeDay(folder, QStringLiteral("day.csv"));
+        b.dock.openRecording(path);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        QVERIFY(near(b.view().window().span(), 100, 0.1));
+        b.view().setCursor(PlotView::Cursor::A, 50.0);
+        b.dock.endReplay();
+        QCOMPARE(b.dock.pages().current(), 0);
+        QCOMPARE(b.view().window().span(), 12.0);
+        QVERIFY(b.view().window().follows());
+        // The tabs carry the range of the recording to the live page, which is not a choice of the user.
+        b.dock.pages().setCurrent(1);
+        b.view().setSpan(90);
+        b.dock.pages().setCurrent(0);
+        QCOMPARE(b.view().window().span(), 90.0);
+        b.dock.pages().setCurrent(1);
+        b.dock.endReplay();
+        QCOMPARE(b.view().window().span(), 12.0);
+        // A range chosen on the live page remains.
+        b.view().setSpan(20);
+        b.view().pause();
+        b.view().setCursor(PlotView::Cursor::A, 50.0);
+        b.dock.endReplay();
+        QCOMPARE(b.view().window().span(), 20.0);
+    }
+
+    // A moving view repaints only the areas of the curves, so anything drawn elsewhere would remain.
+    void notesAndLimitsAreDrawnInsideThePlotsOnly() {
+        Bench b;
+        b.view().pause();
+        const auto outside = [&b] {
+            QImage image = b.view().grab().toImage();
+            QPainter painter(&image);
+            for (const auto& pane : b.view().panes()) {
+                painter.fillRect(pane->area(), Qt::white);
+            }
+            return image;
+        };
+        const QImage before = outside();
+        b.dock.addNote(45, QStringLiteral("here it slipped"));
+        b.dock.addNote(b.view().window().end(), QStringLiteral("at the edge"));
+        QVERIFY2(outside() == before, "a note");
+        for (const bool above : {true, false}) {
+            for (const double y : {b.forces().area().top() + 2, b.forces().area().bottom() - 2}) {
+                b.dock.marks().setThresholds({{"actual_TCP_force_2", b.forces().valueAt(y), above}});
+                QVERIFY2(outside() == before, qPrintable(QStringLiteral("a limit at y = %1").arg(y)));
+            }
+        }
     }
 
     void outageIsGreyWithItsDuration() {
