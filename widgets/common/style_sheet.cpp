@@ -51,6 +51,7 @@ QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox, QPlainTextEdit, QTextEdit { back
 QLineEdit, QSpinBox, QDoubleSpinBox, QComboBox { min-height: @fieldHeight; }
 QLineEdit:focus, QSpinBox:focus, QDoubleSpinBox:focus, QComboBox:focus { border-color: @moving; }
 QLineEdit[refused="true"], QDoubleSpinBox[refused="true"] { border: 2px solid @alarm; }
+QLineEdit > QToolButton { background: transparent; border: none; padding: 0; min-height: 0; }
 QAbstractSpinBox QLineEdit { border: none; padding: 0; min-height: 0; background: transparent; }
 QDoubleSpinBox[dense="true"] { padding: 2px 4px; font-size: 13px; min-height: @denseHeight; }
 QComboBox::drop-down { border: none; width: 22px; }
@@ -73,6 +74,9 @@ QTableView::item, QTreeView::item, QListView::item { border: none; border-bottom
     padding: 0 10px; }
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected { background: @movingTint;
     color: @text; }
+QListView::indicator { background: @raised; border: 1px solid @secondary; border-radius: 3px; width: 14px;
+    height: 14px; }
+QListView::indicator:checked { image: url(:/tiller/icons/check-@scheme.svg); }
 QListView::item:disabled { color: @secondary; }
 #paletteList::item { padding: 5px 10px; }
 QTableView:focus, QTreeView:focus, QListView:focus { border-color: @moving; }

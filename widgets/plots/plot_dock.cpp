@@ -629,10 +629,7 @@ const Replay& PlotDock::replay() const {
 
 void PlotDock::endReplay() {
     view().setCursor(PlotView::Cursor::A, std::nullopt);
-    if (const int live = pages_->livePage(); live >= 0) {
-        pages_->setCurrent(live);
-    }
-    view().follow();
+    pages_->returnToLive();
     replay_->follow();
 }
 

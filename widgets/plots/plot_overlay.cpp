@@ -102,8 +102,8 @@ void LaneItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
         const QRectF place(area_.left() - kNameWidth, area_.top(), kNameWidth - 4, area_.height());
         painter->drawText(place, Qt::AlignRight | Qt::AlignVCenter,
                           painter->fontMetrics().elidedText(name_, Qt::ElideRight, kNameWidth - 4));
-        painter->setClipRect(area_, Qt::IntersectClip);
     }
+    painter->setClipRect(area_, Qt::IntersectClip);
     for (const LaneSegment& segment : segments_) {
         const LaneColors colors = colorsOf(segment.kind, theme);
         const double left = area_.left() + (segment.start - t0_) * perSecond;

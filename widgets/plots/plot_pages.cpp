@@ -88,7 +88,15 @@ void PlotPages::turnedTo(int page) {
         return;
     }
     PlotView& before = view();
+    const double span = before.window().span();
+    const bool wasLive = before.recordingsShown().isEmpty();
     shown_ = page;
+    const bool isLive = view().recordingsShown().isEmpty();
+    if (wasLive && !isLive && span != carriedSpan_) {
+        liveSpan_ = span;
+    } else if (!wasLive && isLive) {
+        carriedSpan_ = span;
+    }
     view().showLike(before, false);
     stack_->setCurrentIndex(page);
     view().setFocus(Qt::OtherFocusReason);
@@ -154,6 +162,19 @@ int PlotPages::livePage() const {
         }
     }
     return -1;
+}
+
+void PlotPages::returnToLive() {
+    const int live = livePage();
+    const bool isCarried = live != shown_ || view().window().span() == carriedSpan_;
+    if (live >= 0) {
+        setCurrent(live);
+        if (isCarried && liveSpan_ > 0) {
+            view().setSpan(liveSpan_);
+        }
+    }
+    liveSpan_ = carriedSpan_ = 0;
+    view().follow();
 }
 
 bool PlotPages::addPage(const PageLayout& page) {

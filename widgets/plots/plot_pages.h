@@ -45,6 +45,8 @@ public:
     /// Index of the current page if it shows no recordings, otherwise of the first page without recordings;
     /// -1: none.
     int livePage() const;
+    /// Shows the newest samples on a live page, with the time span from before a recording was shown.
+    void returnToLive();
 
     TimeAxis timeAxis() const { return timeAxis_; }
     void setTimeAxis(TimeAxis axis);
@@ -84,6 +86,8 @@ private:
     QStackedWidget* stack_;
     std::vector<PlotView*> views_;
     int shown_ = 0;
+    double liveSpan_ = 0;     // when a page with a recording was turned to; 0: none since [s]
+    double carriedSpan_ = 0;  // from a recording to a live page, because all pages share the range [s]
     TimeAxis timeAxis_ = TimeAxis::Relative;
     std::function<QDateTime(double)> clock_;
 };

@@ -8,7 +8,6 @@
 #include <QLegend>
 #include <QLegendMarker>
 #include <QLineSeries>
-#include <QValueAxis>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,6 +19,7 @@
 #include "widgets/plots/curve.h"
 #include "widgets/plots/curve_look.h"
 #include "widgets/plots/curve_raster.h"
+#include "widgets/plots/grid_lines.h"
 
 namespace tiller {
 
@@ -50,7 +50,7 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     : store_(store)
     , shown_(std::move(shown))
     , chart_(std::make_unique<QChart>())
-    , grid_(new QValueAxis(chart_.get()))
+    , grid_(new GridLines(chart_.get()))
     , values_(new AxisLabels(Qt::AlignRight | Qt::AlignVCenter, chart_.get()))
     , times_(new AxisLabels(Qt::AlignHCenter | Qt::AlignTop, chart_.get()))
     , range_(finestStep(store, shown_))
@@ -61,16 +61,10 @@ PlotPane::PlotPane(QGraphicsScene& scene, const SignalStore& store, std::vector<
     chart_->layout()->setContentsMargins(0, 0, 0, 0);
     chart_->setAcceptedMouseButtons(Qt::NoButton);
     chart_->setAcceptHoverEvents(false);
-    grid_->setTickType(QValueAxis::TicksDynamic);
-    grid_->setTickAnchor(0);
-    grid_->setLabelsVisible(false);
-    grid_->setLineVisible(false);
-    chart_->addAxis(grid_, Qt::AlignLeft);
     for (const int signal : shown_) {
         auto* series = new QLineSeries(chart_.get());
         series->setName(curveLabel(store_, shown_, signal));
         chart_->addSeries(series);
-        series->attachAxis(grid_);
         legend_.push_back(series);
         curves_.push_back(std::make_unique<Curve>(signal));
     }
@@ -93,9 +87,9 @@ void PlotPane::applyTheme() {
     values_->setLook(textFont(kLabelPixels), theme.secondary);
     times_->setLook(textFont(kLegendPixels), theme.secondary);
     // The grid colour is halfway between surface and border, so that the lines are not prominent.
-    grid_->setGridLineColor(QColor((theme.panel.red() + theme.border.red()) / 2,
-                                   (theme.panel.green() + theme.border.green()) / 2,
-                                   (theme.panel.blue() + theme.border.blue()) / 2));
+    grid_->setColor(QColor((theme.panel.red() + theme.border.red()) / 2,
+                           (theme.panel.green() + theme.border.green()) / 2,
+                           (theme.panel.blue() + theme.border.blue()) / 2));
     chart_->legend()->setFont(textFont(kLegendPixels));
     chart_->legend()->setLabelColor(theme.secondary);
     const auto markers = chart_->legend()->markers();
@@ -250,7 +244,6 @@ void PlotPane::setArea(const QRectF& area) {
     area_ = area;
     // The chart covers the whole scene, because labels are drawn outside the plot area.
     chart_->setGeometry(QRectF(QPointF(0, 0), QSizeF(area.right() + 12, area.bottom() + 40)));
-    chart_->setPlotArea(area);
     range_.setMostLines(std::clamp(static_cast<int>(area.height() / kPixelsPerLine), 3, 4));
     placeLegend();
     updateValueAxis();
@@ -274,6 +267,7 @@ void PlotPane::setTimeTicks(double from, double to, const std::vector<AxisTick>&
 
 void PlotPane::updateValueAxis() {
     std::vector<AxisLabels::Label> labels;
+    std::vector<double> lines;
     const double step = range_.step();
     const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const auto first = std::llround(std::ceil(range_.min() / step));
@@ -282,6 +276,8 @@ void PlotPane::updateValueAxis() {
     const double pitch = step / (range_.max() - range_.min()) * area_.height();
     const auto every = std::max(1LL, static_cast<long long>(std::ceil(kMinPitch / std::max(pitch, 0.1))));
     for (auto i = first; i <= last; ++i) {
+        const double y = yAt(static_cast<double>(i) * step);
+        lines.push_back(y);
         if ((last - i) % every != 0) {
             continue;
         }
@@ -291,16 +287,12 @@ void PlotPane::updateValueAxis() {
                 label += QLatin1Char(' ') + unit;
             }
         }
-        const double y = yAt(static_cast<double>(i) * step);
         labels.push_back(
             {{area_.left() - kValueGap - kLabelWidth, y - kLabelHeight / 2, kLabelWidth, kLabelHeight},
              label});
     }
     values_->setLabels(std::move(labels));
-    if (grid_->tickInterval() != step) {
-        grid_->setTickInterval(step);
-    }
-    grid_->setRange(range_.min(), range_.max());
+    grid_->setLines(area_, std::move(lines));
 }
 
 void PlotPane::show(const GridOf& grids, double t0, double t1, double seconds) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// One plot of a stack. The chart draws axes, legend and frame. The curves are drawn separately.
+// One plot of a stack. The chart draws the legend. Grid, labels and curves are drawn separately.
 
 #include <QRectF>
 #include <QString>
@@ -19,7 +19,6 @@ class QGraphicsScene;
 QT_BEGIN_NAMESPACE
 class QChart;
 class QLineSeries;
-class QValueAxis;
 QT_END_NAMESPACE
 
 namespace tiller {
@@ -27,6 +26,7 @@ namespace tiller {
 class AxisLabels;
 class Curve;
 class CurveRaster;
+class GridLines;
 class SignalStore;
 
 /// A tick of an axis.
@@ -112,7 +112,7 @@ private:
     int column_ = 0;
     double share_ = 1;
     std::unique_ptr<QChart> chart_;
-    QValueAxis* grid_;  // used for the grid lines only
+    GridLines* grid_;
     AxisLabels* values_;
     AxisLabels* times_;
     std::vector<QLineSeries*> legend_;  // empty series, one per legend entry

@@ -11,22 +11,6 @@
 
 namespace tiller {
 
-namespace {
-
-/// The recording of the signal read by the cursors, otherwise of any signal on the page. Empty: the page is
-/// live.
-QString recordingOn(const PlotView& view, const SignalStore& store) {
-    const QSet<int> shown = view.signalsShown();
-    if (shown.contains(view.readoutSignal())) {
-        return store.recordingOf(view.readoutSignal());
-    }
-    const auto recorded =
-        std::find_if(shown.begin(), shown.end(), [&](int signal) { return store.isRecorded(signal); });
-    return recorded == shown.end() ? QString() : store.recordingOf(*recorded);
-}
-
-}  // namespace
-
 PlotReplay::PlotReplay(const SignalStore& store, const PlotPages& pages, QObject* parent)
     : QObject(parent), store_(store), pages_(pages) {}
 
@@ -57,7 +41,7 @@ QDateTime PlotReplay::wallTimeOf(double time) const {
 
 QDateTime PlotReplay::clockAt(double time) const {
     constexpr double kMsPerSecond = 1e3;
-    if (const QString source = recordingOn(pages_.view(), store_); !source.isEmpty()) {
+    if (const QString source = pages_.view().recordingInFront(); !source.isEmpty()) {
         const auto start = store_.recorded(source)->startUtcNs();
         const double since = time - store_.timesOf(source)->firstTime();
         return start ? QDateTime::fromMSecsSinceEpoch(*start / kNsPerMs + std::llround(since * kMsPerSecond))
@@ -75,7 +59,7 @@ QDateTime PlotReplay::clockAt(double time) const {
 }
 
 QString PlotReplay::recordingInFront() const {
-    return recordingOn(pages_.view(), store_);
+    return pages_.view().recordingInFront();
 }
 
 std::shared_ptr<const std::vector<recording::RecordedEvent>> PlotReplay::eventsOf(
@@ -102,7 +86,7 @@ void PlotReplay::setFurtherEvents(const QString& recording, std::vector<recordin
 Replay PlotReplay::momentNow() const {
     const PlotView& view = pages_.view();
     const auto time = view.cursor(PlotView::Cursor::A);
-    const QString source = recordingOn(view, store_);
+    const QString source = view.recordingInFront();
     if (!time || (source.isEmpty() && view.window().follows())) {
         return {};
     }

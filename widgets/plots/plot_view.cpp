@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "robot/station/history/plot_marks.h"
+#include "robot/station/history/recorded_lane.h"
 #include "robot/station/history/signal_lane.h"
 #include "robot/station/history/signal_store.h"
 #include "robot/station/history/state_lane.h"
@@ -213,7 +214,7 @@ bool PlotView::setPage(const PageLayout& wanted) {
         add(pane.shown);
     }
     add(page.lanes);
-    if (!store_.want(this, shown)) {
+    if (!want(shown)) {
         Q_EMIT tooManySignals();
         return false;
     }
@@ -222,6 +223,18 @@ bool PlotView::setPage(const PageLayout& wanted) {
     viewport()->update();
     Q_EMIT pageChanged();
     return true;
+}
+
+bool PlotView::want(const QSet<int>& shown) {
+    QSet<int> all = shown;
+    for (const int signal : shown) {
+        if (store_.isRecorded(signal)) {
+            const std::vector<int> ofLane = recordedLaneSignals(store_, store_.recordingOf(signal));
+            all.unite(QSet<int>(ofLane.begin(), ofLane.end()));
+        }
+    }
+    // If there is no memory for the lane, the curves are shown without it.
+    return store_.want(this, all) || store_.want(this, shown);
 }
 
 bool PlotView::addSignals(const QStringList& keys, int pane, Place place) {
@@ -333,6 +346,16 @@ QStringList PlotView::recordingsShown() const {
         }
     }
     return all;
+}
+
+QString PlotView::recordingInFront() const {
+    const QSet<int> shown = signalsShown();
+    if (shown.contains(readoutSignal_)) {
+        return store_.recordingOf(readoutSignal_);
+    }
+    const auto recorded =
+        std::find_if(shown.begin(), shown.end(), [this](int signal) { return store_.isRecorded(signal); });
+    return recorded == shown.end() ? QString() : store_.recordingOf(*recorded);
 }
 
 const LaneItem* PlotView::signalLane(int signal) const {
@@ -525,7 +548,10 @@ void PlotView::show(double seconds, HistoryFile::Effort effort) {
         pane->show(grids, t0, t1, seconds);
     }
     laneItem_->setView(laneItem_->area(), t0, t1);
-    laneItem_->setSegments(lane_.visible(t0, t1, width * 2));
+    const QString recording = recordingInFront();
+    laneItem_->setSegments(recording.isEmpty()
+                               ? lane_.visible(t0, t1, width * 2)
+                               : recordedLane(store_, recording, grids(*store_.timesOf(recording))));
     for (const SignalLane& lane : lanes_) {
         lane.item->setView(lane.item->area(), t0, t1);
         lane.item->setSegments(signalSegments(store_, lane.signal, grids(*store_.buffer(lane.signal))));
@@ -686,9 +712,13 @@ void PlotView::goTo(double time) {
 }
 
 void PlotView::setReadoutSignal(int signal) {
+    const QString before = recordingInFront();
     readoutSignal_ = signal;
     for (const auto& pane : panes_) {
         pane->setEmphasis(signal);
+    }
+    if (recordingInFront() != before && isVisible()) {
+        show(0);
     }
     Q_EMIT readoutChanged();
 }
@@ -811,10 +841,6 @@ void PlotView::drawMarks(QPainter& painter) const {
     painter.setFont(textFont(11));
     const QFontMetricsF metrics(painter.font());
     const double pitch = panes_.front()->area().width() + kLeft;
-    double bottom = 0;
-    for (const auto& pane : panes_) {
-        bottom = std::max(bottom, pane->area().bottom());
-    }
     const auto& all = marks_.marks();
     const QStringList recordings = recordingsShown();
     const QSet<int> shown = signalsShown();
@@ -825,6 +851,13 @@ void PlotView::drawMarks(QPainter& painter) const {
                                         [](const PlotMark& mark, double time) { return mark.time < time; });
     for (int column = 0; column < columns_; ++column) {
         double free = 0;  // end of the previous text
+        // Only the areas of the curves are repainted when the view moves. Anything outside would remain.
+        QRectF curves;
+        for (const auto& pane : panes_) {
+            curves |= pane->column() == column ? pane->area() : QRectF();
+        }
+        painter.save();
+        painter.setClipRect(curves, Qt::IntersectClip);
         for (auto mark = first; mark != all.end() && mark->time <= window_.end(); ++mark) {
             if (mark->recording.isEmpty() ? !isLive : !recordings.contains(mark->recording)) {
                 continue;
@@ -832,21 +865,26 @@ void PlotView::drawMarks(QPainter& painter) const {
             const double x = std::floor(xAt(mark->time) + column * pitch) + 0.5;
             const QColor color = mark->alarm ? theme.alarm : theme.secondary;
             painter.setPen(QPen(color, 1));
-            painter.drawLine(QPointF(x, kTop), QPointF(x, bottom));
+            for (const auto& pane : panes_) {
+                if (pane->column() == column) {
+                    painter.drawLine(QPointF(x, pane->area().top()), QPointF(x, pane->area().bottom() - 1));
+                }
+            }
             // A flag, with a text if there is enough space.
             const std::array<QPointF, 3> flag = {QPointF(x, kTop), QPointF(x + 7, kTop + 4),
                                                  QPointF(x, kTop + 8)};
             painter.setBrush(color);
             painter.drawPolygon(flag.data(), static_cast<int>(flag.size()));
-            const double width = std::min(metrics.horizontalAdvance(mark->text) + 2, 180.0);
+            const double words = std::min(metrics.horizontalAdvance(mark->text) + 2, 180.0);
             if (x + 9 > free) {
                 painter.setPen(mark->alarm ? theme.alarm : theme.text);
-                painter.drawText(QRectF(x + 9, kTop - 2, width, metrics.height()),
+                painter.drawText(QRectF(x + 9, kTop, words, metrics.height()),
                                  Qt::AlignLeft | Qt::AlignVCenter,
-                                 metrics.elidedText(mark->text, Qt::ElideRight, width));
-                free = x + 9 + width + 6;
+                                 metrics.elidedText(mark->text, Qt::ElideRight, words));
+                free = x + 9 + words + 6;
             }
         }
+        painter.restore();
     }
 }
 
@@ -862,10 +900,13 @@ void PlotView::drawThresholds(QPainter& painter, const PlotPane& pane) const {
         QPen pen(theme.alarm, 1);
         pen.setDashPattern({5, 4});
         painter.setPen(pen);
-        painter.drawLine(QPointF(pane.area().left(), y), QPointF(pane.area().right(), y));
+        painter.drawLine(QPointF(pane.area().left(), y), QPointF(pane.area().right() - 1, y));
         painter.setFont(textFont(11));
-        const QRectF words(pane.area().left() + 4, threshold.above ? y - 15 : y + 1, pane.area().width() - 8,
-                           14);
+        constexpr double kWords = 14;  // height of the text [px]
+        const bool above =
+            threshold.above ? y - kWords - 1 >= pane.area().top() : y + kWords + 1 > pane.area().bottom();
+        const QRectF words(pane.area().left() + 4, above ? y - kWords - 1 : y + 1, pane.area().width() - 8,
+                           kWords);
         painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, marks_.words(threshold));
     }
 }

@@ -69,6 +69,9 @@ public:
     QSet<int> signalsShown() const;
     /// Recordings with displayed signals.
     QStringList recordingsShown() const;
+    /// The recording of the signal read by the cursors, otherwise of any signal on the page. Empty: the page
+    /// is live. Determines the lane of the robot state, the replayed time and the place of a note.
+    QString recordingInFront() const;
 
     const TimeWindow& window() const { return window_; }
     /// clock  returns the time of day for a time on the time axis, if known
@@ -180,6 +183,9 @@ private:
     /// Called after the user has changed the time window. Updates immediately with the best scales.
     void rewind();
     void show(double seconds, HistoryFile::Effort effort = HistoryFile::Effort::Draft);
+    /// Requests the signals of the page and of the state lanes of its recordings.
+    /// Returns  false if the signals of the page cannot be shown
+    bool want(const QSet<int>& shown);
     /// True if enough has changed to require a repaint.
     bool isDue() const;
     void placeTicks();

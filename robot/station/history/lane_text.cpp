@@ -64,6 +64,21 @@ LaneEntry noDataEntry() {
     return {LaneKind::NoData, StateLaneText::tr("No data")};
 }
 
+std::optional<LaneEntry> hinderedEntry(RobotMode robotMode, SafetyMode safetyMode) {
+    if (!allowsMotion(safetyMode) && safetyMode != SafetyMode::Undefined) {
+        return LaneEntry{LaneKind::Stopped, safetyWord(safetyMode)};
+    }
+    if (robotMode != RobotMode::Running) {
+        return LaneEntry{LaneKind::Off, robotModeWord(robotMode)};
+    }
+    return std::nullopt;
+}
+
+LaneEntry motionEntry(bool moving) {
+    return moving ? LaneEntry{LaneKind::Moving, StateLaneText::tr("Moving")}
+                  : LaneEntry{LaneKind::Idle, StateLaneText::tr("At standstill")};
+}
+
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
     if (!state.hasData()) {
         return noDataEntry();
@@ -71,11 +86,8 @@ LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
     if (!state.isFresh()) {
         return {LaneKind::NoData, StateLaneText::tr("Late data")};  // the arm may move
     }
-    if (!allowsMotion(state.safetyMode) && state.safetyMode != SafetyMode::Undefined) {
-        return {LaneKind::Stopped, safetyWord(state.safetyMode)};
-    }
-    if (state.robotMode != RobotMode::Running) {
-        return {LaneKind::Off, robotModeWord(state.robotMode)};
+    if (const auto hindered = hinderedEntry(state.robotMode, state.safetyMode)) {
+        return *hindered;
     }
     if (state.freedriveActive) {
         return {LaneKind::Moving, StateLaneText::tr("Freedrive")};
@@ -84,8 +96,7 @@ LaneEntry laneEntry(const SessionState& state, const QString& jogLabel) {
         return {LaneKind::Moving,
                 jogLabel.isEmpty() ? StateLaneText::tr("Jog") : StateLaneText::tr("Jog %1").arg(jogLabel)};
     }
-    return state.moving ? LaneEntry{LaneKind::Moving, StateLaneText::tr("Moving")}
-                        : LaneEntry{LaneKind::Idle, StateLaneText::tr("At standstill")};
+    return motionEntry(state.moving);
 }
 
 }  // namespace tiller

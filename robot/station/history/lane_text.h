@@ -4,6 +4,7 @@
 // Text that describes the activity of the robot in the lane below the plots.
 
 #include <QString>
+#include <optional>
 
 #include "robot/station/history/state_lane.h"
 #include "robot/station/link/session_state.h"
@@ -17,6 +18,10 @@ struct LaneEntry {
 
 /// jogLabel  label of the pressed jog button, e.g. "X+"; empty if unknown
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel);
+/// Entry for a mode in which the arm cannot move; empty if it can.
+std::optional<LaneEntry> hinderedEntry(RobotMode robotMode, SafetyMode safetyMode);
+/// Entry for an arm that can move, by itself or by another client.
+LaneEntry motionEntry(bool moving);
 /// Entry for a period without data from the robot.
 LaneEntry noDataEntry();
 

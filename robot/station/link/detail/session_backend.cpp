@@ -4,9 +4,9 @@
 #include <limits>
 #include <utility>
 
-#include "robot/control/stop_meter.h"
 #include "robot/kinematics/parallel_axes.h"
 #include "robot/receive/robot_state.h"
+#include "robot/station/link/motion_evidence.h"
 #include "robot/station/text/texts.h"
 
 namespace tiller {
@@ -15,11 +15,8 @@ namespace {
 constexpr std::int64_t kStaleNs = 300 * kNsPerMs;
 constexpr std::int64_t kLostNs = 1000 * kNsPerMs;
 
-/// Whether the arm moves according to the robot data, with or without control. 0.1 deg/s is above the noise
-/// of an arm at standstill.
-bool moves(const JointVelocities& qd, const Twist& tcpSpeed) {
-    constexpr double kStandstill = 0.0017;
-    return qd.values.cwiseAbs().maxCoeff() > kStandstill || tcpSpeed.linear.norm() >= control::kStillTcpSpeed;
+double fastestJoint(const JointVelocities& qd) {
+    return qd.values.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -179,7 +176,7 @@ void SessionBackend::readControl() {
     state.jogActive = status.motion != control::kNoMotion && status.motion == link->jog.id();
     state.freedriveActive =
         status.inControl && status.motion != control::kNoMotion && status.motion == link->freedrive;
-    state.moving = state.isFresh() && moves(state.qd, state.tcpSpeed);
+    state.moving = state.isFresh() && moves(fastestJoint(state.qd), state.tcpSpeed.linear.norm());
     state.programRuns = link->program.isRunning();
     if (takingControl) {
         state.control = ControlState::Taking;
@@ -252,9 +249,9 @@ control::StopEvidence SessionBackend::stopEvidence() const {
         const receive::RobotState robot(newest);
         evidence.fresh = link->receiver->isFresh(control::kHoldTime);
         evidence.dataNs = newest.hostTimeNs;
-        evidence.moving = moves(robot.qd(), robot.tcpSpeed());
         evidence.tcpSpeed = robot.tcpSpeed().linear.norm();
-        evidence.jointSpeed = robot.qd().values.cwiseAbs().maxCoeff();
+        evidence.jointSpeed = fastestJoint(robot.qd());
+        evidence.moving = moves(evidence.jointSpeed, evidence.tcpSpeed);
         evidence.stopped = robot.runtimeState() == RuntimeState::Stopped;
     }
     const control::ControllerStatus status = link->controller->status();

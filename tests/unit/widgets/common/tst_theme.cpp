@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 
+#include "widgets/common/density.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/style_sheet.h"
 #include "widgets/common/theme.h"
@@ -95,6 +99,63 @@ private Q_SLOTS:
                 QCOMPARE(metrics.horizontalAdvance(QLatin1Char(digit)),
                          metrics.horizontalAdvance(QLatin1Char('0')));
             }
+        }
+    }
+
+    void theClearButtonIsInsideItsField() {
+        const Density before = currentDensity();
+        applyTheme(*qApp, Theme::light());
+        for (const Density density : {Density::Compact, Density::Touch}) {
+            applyDensity(*qApp, density);
+            QLineEdit field;
+            field.setClearButtonEnabled(true);
+            field.show();
+            field.setText(QStringLiteral("words"));
+            const auto* clear = field.findChild<QToolButton*>();
+            QVERIFY(clear != nullptr);
+            const QRect place = clear->geometry();
+            QVERIFY2(field.rect().contains(place), qPrintable(QStringLiteral("%1 px high at %2, field %3 px")
+                                                                  .arg(place.height())
+                                                                  .arg(place.top())
+                                                                  .arg(field.height())));
+            QVERIFY(std::abs(place.center().y() - field.rect().center().y()) <= 1);
+        }
+        applyDensity(*qApp, before);
+    }
+
+    void aTickInAListIsVisible() {
+        for (const Theme* theme : {&Theme::light(), &Theme::dark()}) {
+            applyTheme(*qApp, *theme);
+            QListWidget list;
+            for (const Qt::CheckState state : {Qt::Unchecked, Qt::Checked}) {
+                auto* item = new QListWidgetItem(&list);
+                item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
+                item->setCheckState(state);
+            }
+            list.resize(300, 200);
+            list.show();
+            const QImage image = list.viewport()->grab().toImage();
+            const auto contrastIn = [&](int row) {
+                QStyleOptionViewItem option;
+                option.initFrom(&list);
+                option.rect = list.visualItemRect(list.item(row));
+                option.features = QStyleOptionViewItem::HasCheckIndicator;
+                option.index = list.model()->index(row, 0);
+                const QRect box =
+                    list.style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, &list);
+                // The inner part, without the frame.
+                const QRect inner = box.adjusted(3, 3, -3, -3);
+                double most = 1;
+                for (int y = inner.top(); y <= inner.bottom(); ++y) {
+                    for (int x = inner.left(); x <= inner.right(); ++x) {
+                        most = std::max(
+                            most, contrastRatio(image.pixelColor(x, y), image.pixelColor(inner.topLeft())));
+                    }
+                }
+                return most;
+            };
+            QVERIFY2(contrastIn(0) < 1.1, qPrintable(QString::number(contrastIn(0))));
+            QVERIFY2(contrastIn(1) >= 4.5, qPrintable(QString::number(contrastIn(1))));
         }
     }
 

@@ -216,6 +216,46 @@ private Q_SLOTS:
         QCOMPARE(rows(), 3);
     }
 
+    // The details appear below the table while the button is pressed, and the table becomes smaller.
+    void aSingleClickOnOpenOpensTheRecording() {
+        QSignalSpy wanted(tab_.get(), &LogTab::recordingWanted);
+        tab_->resize(560, 407);
+        for (int n = 0; n < 40; ++n) {
+            tab_->append(Severity::Info, QString::number(n));
+        }
+        tab_->appendRecording(Severity::Warning, "Incident recorded: protective stop",
+                              "Line 1\nLine 2\nLine 3\nLine 4", "/a/b.mcap");
+        for (int n = 0; n < 3; ++n) {
+            tab_->append(Severity::Info, QStringLiteral("later %1").arg(n));
+        }
+        QCoreApplication::sendPostedEvents();
+        table()->scrollToBottom();
+        QWidget* viewport = table()->viewport();
+        const QPoint place = table()->visualRect(table()->model()->index(40, LogModel::Open)).center();
+        QVERIFY(viewport->rect().contains(place));
+        const int height = viewport->height();
+        QTest::mousePress(viewport, Qt::LeftButton, {}, place);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport->height() < height, 60'000);
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, place);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.front()[0].toString(), QString("/a/b.mcap"));
+    }
+
+    void backToLiveHidesTheDetailsOfTheReplay() {
+        tab_->append(Severity::Info, "Connected");
+        ReplayMoment moment;
+        moment.source = QStringLiteral("incident.mcap");
+        moment.wallTime = time_;
+        moment.events = std::make_shared<const std::vector<recording::RecordedEvent>>(
+            std::vector<recording::RecordedEvent>{
+                {0, 40, QStringLiteral("tiller"), QStringLiteral("incident")}});
+        tab_->setReplay(moment);
+        auto* details = tab_->findChild<QLabel*>("log.details");
+        QVERIFY(details->isVisible());
+        tab_->setReplay({});
+        QVERIFY2(!details->isVisible(), qPrintable(details->text()));
+    }
+
     void theTextColumnUsesTheRemainingWidth() {
         tab_->append(Severity::Info, "Connected");
         tab_->append(Severity::Warning, "Elbow near its limit");

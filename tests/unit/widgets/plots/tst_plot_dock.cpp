@@ -193,6 +193,87 @@ bool near(double a, double b, double tolerance) {
     return std::abs(a - b) <= tolerance;
 }
 
+/// Hides all curves, which would cover the grid lines.
+void hideCurves(PlotView& view) {
+    for (const auto& pane : view.panes()) {
+        for (const int signal : pane->shown()) {
+            view.setHidden(signal, true);
+        }
+    }
+}
+
+/// Compares the drawn grid lines of each plot with its scale. Returns  the first difference, or an empty text
+QString gridFault(PlotView& view) {
+    const QImage image = view.grab().toImage();
+    const Theme& theme = Theme::current();
+    const QRgb line =
+        QColor((theme.panel.red() + theme.border.red()) / 2, (theme.panel.green() + theme.border.green()) / 2,
+               (theme.panel.blue() + theme.border.blue()) / 2)
+            .rgb();
+    for (const auto& pane : view.panes()) {
+        const AxisRange& range = pane->range();
+        QSet<int> wanted;
+        const auto last = std::llround(std::floor(range.max() / range.step()));
+        for (auto i = std::llround(std::ceil(range.min() / range.step())); i <= last; ++i) {
+            wanted.insert(static_cast<int>(std::floor(pane->yAt(static_cast<double>(i) * range.step()))));
+        }
+        const QRect area = pane->area().toRect();
+        for (const int x : {area.left() + 2, area.center().x(), area.right() - 2}) {
+            if (pane->isZoomed() && x > area.center().x()) {
+                continue;  // the note about the fixed scale covers the upper right corner
+            }
+            QSet<int> drawn;
+            for (int y = area.top(); y <= area.bottom(); ++y) {
+                if (image.pixel(x, y) == line) {
+                    drawn.insert(y);
+                }
+            }
+            if (drawn != wanted || wanted.size() < 2) {
+                return QStringLiteral("plot %1, x = %2: %3 of %4 lines are at the height of their labels")
+                    .arg(view.paneIndex(*pane))
+                    .arg(x)
+                    .arg((drawn & wanted).size())
+                    .arg(wanted.size());
+            }
+        }
+    }
+    return {};
+}
+
+/// Writes a recording of 100 s: motion, from 30 s to 40 s a protective stop, from 60 s power off, from 80 s
+/// at standstill.
+QString writeDay(const QTemporaryDir& folder, const QString& name, const QStringList& omitted = {}) {
+    const QStringList columns{"timestamp", "actual_TCP_force_2", "robot_mode", "safety_mode", "actual_qd_0"};
+    QFile file(folder.filePath(name));
+    const bool opened = file.open(QIODevice::WriteOnly);
+    Q_ASSERT(opened);
+    const auto write = [&](const QStringList& cells) {
+        QStringList kept;
+        for (qsizetype i = 0; i < cells.size(); ++i) {
+            kept << (omitted.contains(columns[i]) ? QStringList() : QStringList(cells[i]));
+        }
+        file.write(kept.join(QLatin1Char(',')).toUtf8() + '\n');
+    };
+    write(columns);
+    for (int i = 0; i <= 10'000; ++i) {
+        const double time = i * 0.01;
+        const bool isOff = time >= 60 && time < 80;
+        write({QString::number(700 + time, 'f', 4), QString::number(i % 10), QString::number(isOff ? 3 : 7),
+               QString::number(time >= 30 && time < 40 ? 3 : 1),
+               QString::number(time < 30 || (time >= 40 && time < 60) ? 0.2 : 0.0)});
+    }
+    return file.fileName();
+}
+
+/// The lane as text, with the start of each segment relative to the given time [s].
+QString laneText(const PlotView& view, double begin) {
+    QStringList words;
+    for (const LaneSegment& segment : view.laneItem().segments()) {
+        words << QStringLiteral("%1 %2").arg(std::llround(segment.start - begin)).arg(segment.label);
+    }
+    return words.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 class TestPlotDock : public QObject {
@@ -200,6 +281,33 @@ class TestPlotDock : public QObject {
 
 private Q_SLOTS:
     void initTestCase() { applyTheme(*qApp, Theme::light()); }
+
+    void gridLinesAreAtTheHeightsOfTheirLabels() {
+        Bench b;
+        hideCurves(b.view());
+        QCOMPARE(gridFault(b.view()), QString());
+        b.dock.resize(1100, 520);
+        QCOMPARE(gridFault(b.view()), QString());
+        // Size and scale change while the plots are hidden, as with another perspective.
+        b.dock.hide();
+        b.dock.resize(1500, 420);
+        b.runTo(61);
+        b.forces().holdValues(-3, 17);
+        b.dock.show();
+        QCOMPARE(gridFault(b.view()), QString());
+        b.dock.pages().addPage(PageLayout::standard());
+        hideCurves(b.view());
+        QCOMPARE(gridFault(b.view()), QString());
+    }
+
+    void gridLinesOfARecordingAreAtTheHeightsOfTheirLabels() {
+        Bench b;
+        QTemporaryDir folder;
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        hideCurves(b.view());
+        QCOMPARE(gridFault(b.view()), QString());
+    }
 
     void showsTheNewestThirtySecondsAtFirst() {
         Bench b;
@@ -519,6 +627,119 @@ private Q_SLOTS:
         QVERIFY(seen[1].kind == LaneKind::Moving);
         QVERIFY(near(seen[1].start, 40, 1e-6));
         QVERIFY(near(seen[1].end, 50, 1e-6));
+    }
+
+    void theLaneOfARecordingShowsItsStates() {
+        Bench b;
+        QTemporaryDir folder;
+        for (const int time : {59, 60}) {
+            Q_EMIT b.session.stateChanged(running(time, true));
+        }
+        PlotView& live = b.view();
+        live.follow();
+        QVERIFY(laneText(live, 0).contains(QLatin1String("Jog")));
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv")));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const double begin = b.dock.store().timesOf(QStringLiteral("day.csv"))->firstTime();
+        QCOMPARE(laneText(b.view(), begin),
+                 QString("0 Moving, 30 Protective stop, 40 Moving, 60 Power off, 80 At standstill"));
+        QVERIFY(b.view().laneItem().segments()[1].kind == LaneKind::Stopped);
+        QVERIFY(b.view().laneItem().segments()[3].kind == LaneKind::Off);
+        // New live states do not appear there, also while the page follows the newest samples.
+        b.view().follow();
+        b.runTo(62);
+        Q_EMIT b.session.stateChanged(running(62, true));
+        QVERIFY2(!laneText(b.view(), begin).contains(QLatin1String("Jog")),
+                 qPrintable(laneText(b.view(), begin)));
+        // Zoomed in until there are fewer samples than pixels, a state holds until the next sample.
+        b.view().showRange(begin + 39.95, begin + 40.05);
+        QCOMPARE(b.view().laneItem().segments().size(), std::size_t{2});
+        QVERIFY(near(b.view().laneItem().segments()[1].start, begin + 40, 0.002));
+        // With a live signal on the page, the lane belongs to the signal read by the cursors.
+        b.view().addSignals({QStringLiteral("actual_TCP_force_2")});
+        QCOMPARE(b.view().recordingInFront(), QString());
+        b.view().showRange(55, 62);
+        QVERIFY(laneText(b.view(), 0).contains(QLatin1String("Jog")));
+        b.view().setReadoutSignal(b.id("day.csv/actual_TCP_force_2"));
+        QVERIFY2(!laneText(b.view(), 0).contains(QLatin1String("Jog")), qPrintable(laneText(b.view(), 0)));
+        b.dock.pages().setCurrent(0);
+        QVERIFY(laneText(live, 0).contains(QLatin1String("Jog")));
+    }
+
+    void theLaneOfARecordingWithoutModesIsEmpty_data() {
+        QTest::addColumn<QString>("omitted");
+        QTest::addColumn<QString>("lane");
+        QTest::newRow("robot mode") << QStringLiteral("robot_mode") << QString();
+        QTest::newRow("safety mode") << QStringLiteral("safety_mode") << QString();
+        QTest::newRow("speeds") << QStringLiteral("actual_qd_0")
+                                << QStringLiteral(
+                                       "0 Running, 30 Protective stop, 40 Running, 60 Power off, 80 Running");
+    }
+    void theLaneOfARecordingWithoutModesIsEmpty() {
+        QFETCH(QString, omitted);
+        QFETCH(QString, lane);
+        Bench b;
+        QTemporaryDir folder;
+        for (const int time : {59, 60}) {
+            Q_EMIT b.session.stateChanged(running(time, true));
+        }
+        b.dock.openRecording(writeDay(folder, QStringLiteral("day.csv"), {omitted}));
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        const double begin = b.dock.store().timesOf(QStringLiteral("day.csv"))->firstTime();
+        QCOMPARE(laneText(b.view(), begin), lane);
+    }
+
+    void backToLiveRestoresTheTimeRange() {
+        Bench b;
+        QTemporaryDir folder;
+        b.view().setSpan(12);
+        const QString path = writeDay(folder, QStringLiteral("day.csv"));
+        b.dock.openRecording(path);
+        QTRY_COMPARE_WITH_TIMEOUT(b.dock.pages().count(), 2, 60'000);
+        QVERIFY(near(b.view().window().span(), 100, 0.1));
+        b.view().setCursor(PlotView::Cursor::A, 50.0);
+        b.dock.endReplay();
+        QCOMPARE(b.dock.pages().current(), 0);
+        QCOMPARE(b.view().window().span(), 12.0);
+        QVERIFY(b.view().window().follows());
+        // The tabs carry the range of the recording to the live page, which is not a choice of the user.
+        b.dock.pages().setCurrent(1);
+        b.view().setSpan(90);
+        b.dock.pages().setCurrent(0);
+        QCOMPARE(b.view().window().span(), 90.0);
+        b.dock.pages().setCurrent(1);
+        b.dock.endReplay();
+        QCOMPARE(b.view().window().span(), 12.0);
+        // A range chosen on the live page remains.
+        b.view().setSpan(20);
+        b.view().pause();
+        b.view().setCursor(PlotView::Cursor::A, 50.0);
+        b.dock.endReplay();
+        QCOMPARE(b.view().window().span(), 20.0);
+    }
+
+    // A moving view repaints only the areas of the curves, so anything drawn elsewhere would remain.
+    void notesAndLimitsAreDrawnInsideThePlotsOnly() {
+        Bench b;
+        b.view().pause();
+        const auto outside = [&b] {
+            QImage image = b.view().grab().toImage();
+            QPainter painter(&image);
+            for (const auto& pane : b.view().panes()) {
+                painter.fillRect(pane->area(), Qt::white);
+            }
+            return image;
+        };
+        const QImage before = outside();
+        b.dock.addNote(45, QStringLiteral("here it slipped"));
+        b.dock.addNote(b.view().window().end(), QStringLiteral("at the edge"));
+        QVERIFY2(outside() == before, "a note");
+        for (const bool above : {true, false}) {
+            for (const double y : {b.forces().area().top() + 2, b.forces().area().bottom() - 2}) {
+                b.dock.marks().setThresholds({{"actual_TCP_force_2", b.forces().valueAt(y), above}});
+                QVERIFY2(outside() == before, qPrintable(QStringLiteral("a limit at y = %1").arg(y)));
+            }
+        }
     }
 
     void outageIsGreyWithItsDuration() {
