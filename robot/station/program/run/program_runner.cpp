@@ -115,7 +115,8 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     script_ = plan.script;
     log_ = StepLog(static_cast<int>(script_.steps.size()));
     expected_ = plan.expected;
-    const auto begun = session_.beginProgram(script_.text, holding, session_.stops());
+    gate_ = {};
+    const auto begun = session_.beginProgram(script_.gatedText(), holding, session_.stops(), gate_);
     if (!begun) {
         state_ = State::Idle;
         return begun.error();
@@ -154,19 +155,38 @@ void ProgramRunner::stop(control::StopCause cause) {
     }
 }
 
+void ProgramRunner::permit(std::int32_t steps) {
+    gate_.permitted = steps;
+    session_.setStepGate(id_, gate_);
+    Q_EMIT changed();
+}
+
+void ProgramRunner::pause() {
+    if (isActive() && !isPaused()) {
+        permit(log_.begun());
+    }
+}
+
+void ProgramRunner::resume() {
+    if (isActive() && isPaused()) {
+        permit(script::StepGate::kUnlimited);
+    }
+}
+
 void ProgramRunner::take(const SampleBatch& batch) {
     if (!isActive()) {
         return;
     }
-    const int before = log_.step();
+    const std::pair before(log_.step(), log_.isWaiting());
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
-        log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0));
+        log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0),
+                 robot.outputIntRegister(script::kGateRegister).value_or(0));
     }
     if (state_ == State::Sending && log_.hasBegun()) {
         state_ = State::Running;
         Q_EMIT changed();
-    } else if (log_.step() != before) {
+    } else if (std::pair(log_.step(), log_.isWaiting()) != before) {
         Q_EMIT changed();
     }
 }

@@ -71,6 +71,14 @@ public:
     /// Ends the program, if it runs.
     void stop(control::StopCause cause);
 
+    /// Pauses the program at standstill before its next step. The program continues to run.
+    void pause();
+    /// Continues a paused program.
+    void resume();
+
+    bool isPaused() const { return gate_.permitted != script::StepGate::kUnlimited; }
+    /// True if the program is paused and has reached the next step.
+    bool isWaiting() const { return state_ == State::Running && isPaused() && log_.isWaiting(); }
     State state() const { return state_; }
     bool isActive() const { return state_ != State::Idle && state_ != State::Ended; }
     End end() const { return end_; }  ///< Valid in State::Ended.
@@ -87,6 +95,7 @@ private:
     void take(const SampleBatch& batch);
     void follow();
     void finish(const Result<control::MotionProgress>& progress);
+    void permit(std::int32_t steps);
 
     RobotSession& session_;
     RobotSession::MotionId id_ = 0;
@@ -96,6 +105,7 @@ private:
     Error error_;
     ProgramScript script_;
     StepLog log_;
+    script::StepGate gate_;
     double expected_ = 0;
 };
 
