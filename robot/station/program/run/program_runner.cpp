@@ -103,7 +103,8 @@ ProgramRunner::ProgramRunner(RobotSession& session, QObject* parent) : QObject(p
     connect(&session_, &RobotSession::stateChanged, this, &ProgramRunner::follow);
 }
 
-Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control::Holding holding) {
+Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control::Holding holding,
+                                                    std::int32_t permitted) {
     if (!plan.obstacle.isEmpty() || isActive()) {
         return Error{ErrorCode::Cancelled,
                      plan.obstacle.isEmpty() ? ProgramText::tr("A program is running.") : plan.obstacle,
@@ -115,7 +116,7 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     script_ = plan.script;
     log_ = StepLog(static_cast<int>(script_.steps.size()));
     expected_ = plan.expected;
-    gate_ = {};
+    gate_ = {permitted, false};
     const auto begun = session_.beginProgram(script_.gatedText(), holding, session_.stops(), gate_);
     if (!begun) {
         state_ = State::Idle;
@@ -155,22 +156,32 @@ void ProgramRunner::stop(control::StopCause cause) {
     }
 }
 
-void ProgramRunner::permit(std::int32_t steps) {
-    gate_.permitted = steps;
-    session_.setStepGate(id_, gate_);
-    Q_EMIT changed();
+void ProgramRunner::setGate(const script::StepGate& gate) {
+    if (isActive() && gate != gate_) {
+        gate_ = gate;
+        session_.setStepGate(id_, gate_);
+        Q_EMIT changed();
+    }
 }
 
 void ProgramRunner::pause() {
-    if (isActive() && !isPaused()) {
-        permit(log_.begun());
+    if (!isPaused()) {
+        setGate({log_.begun(), gate_.endsWithCycle});
     }
 }
 
 void ProgramRunner::resume() {
-    if (isActive() && isPaused()) {
-        permit(script::StepGate::kUnlimited);
+    setGate({script::StepGate::kUnlimited, gate_.endsWithCycle});
+}
+
+void ProgramRunner::step() {
+    if (isWaiting()) {
+        setGate({log_.begun() + 1, gate_.endsWithCycle});
     }
+}
+
+void ProgramRunner::setEndsWithCycle(bool ends) {
+    setGate({gate_.permitted, ends});
 }
 
 void ProgramRunner::take(const SampleBatch& batch) {

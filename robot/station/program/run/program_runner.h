@@ -64,7 +64,9 @@ public:
 
     /// Starts the program of the plan.
     /// Errors  Cancelled with the obstacle of the plan; those of RobotSession::beginProgram()
-    Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding);
+    /// permitted  number of steps before the program pauses
+    Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding,
+                                         std::int32_t permitted = script::StepGate::kUnlimited);
     /// The motion of a button that runs the program while it is held.
     /// plan  called when the button is pressed
     HoldMotion motion(std::function<RunPlan()> plan);
@@ -75,6 +77,12 @@ public:
     void pause();
     /// Continues a paused program.
     void resume();
+    /// Runs one step of a waiting program, which then pauses again.
+    void step();
+    /// Ends the program at standstill before the next iteration of its outermost endless loop, or not.
+    void setEndsWithCycle(bool ends);
+
+    bool endsWithCycle() const { return gate_.endsWithCycle; }
 
     bool isPaused() const { return gate_.permitted != script::StepGate::kUnlimited; }
     /// True if the program is paused and has reached the next step.
@@ -95,7 +103,7 @@ private:
     void take(const SampleBatch& batch);
     void follow();
     void finish(const Result<control::MotionProgress>& progress);
-    void permit(std::int32_t steps);
+    void setGate(const script::StepGate& gate);
 
     RobotSession& session_;
     RobotSession::MotionId id_ = 0;

@@ -60,8 +60,8 @@ struct RunBench {
     void hold(RobotSession::MotionId id) {
         cell.everyRefresh = [this, id] { (void)session.hold(id); };
     }
-    bool begin(Holding holding) {
-        const auto begun = runner.start(plan(), holding);
+    bool begin(Holding holding, std::int32_t permitted = script::StepGate::kUnlimited) {
+        const auto begun = runner.start(plan(), holding, permitted);
         if (!begun) {
             qWarning("%s", qPrintable(begun.error().toString()));
             return false;
@@ -389,6 +389,105 @@ private Q_SLOTS:
         QVERIFY(!bench.runner.isPaused());
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+    }
+
+    void singleStepsRunInTheOrderOfTheModel() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps(
+            {step("assign", {{"variable", "n"}, {"type", "whole"}, {"value", "0"}}),
+             step("loop", {{"times", 2}},
+                  {bench.move("pick"), step("setOutput", {{"output", 1}}), bench.move("place")}),
+             step("try", {}, {step("wait", {{"time", 0.1}}), step("fail")}),
+             step("onError", {}, {step("wait", {{"time", 0.1}})}),
+             step("if", {{"condition", "n > 0"}}, {step("wait")}), step("else", {}, {bench.move("home")}),
+             step("switch", {{"value", "n"}},
+                  {step("case", {{"value", "1"}}, {step("wait")}), step("default", {}, {step("folder")})}),
+             step("forEachWaypoint", {{"group", "row"}, {"variable", "at"}},
+                  {step("moveL", {{"pose", "at"}, {"blend", 0.005}})})});
+        QVERIFY2(bench.plan().obstacle.isEmpty(), qPrintable(bench.plan().obstacle));
+        PreviewOptions fromHere;
+        fromHere.start = bench.session.state().q;
+        const Preview model = previewProgram(bench.project, bench.plan().script,
+                                             optionsFor(bench.project, bench.session.state()), fromHere);
+        QVERIFY(bench.begin(Holding::Free, 0));
+        std::vector<int> order;
+        while (bench.cell.advanceUntil(
+            [&] { return bench.runner.isWaiting() || bench.runner.state() == ProgramRunner::State::Ended; },
+            kLongMs)) {
+            if (bench.runner.state() == ProgramRunner::State::Ended) {
+                break;
+            }
+            QCOMPARE(bench.runner.log().begun(), static_cast<int>(order.size()));
+            order.push_back(bench.runner.log().step());
+            bench.runner.step();
+            bench.runner.step();  // has no effect until the program waits again
+            const int begun = static_cast<int>(order.size());
+            QVERIFY(bench.cell.advanceUntil(
+                [&] { return bench.runner.log().begun() >= begun || !bench.runner.isWaiting(); }, kLongMs));
+        }
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QCOMPARE(order, model.order);
+    }
+
+    void aRunEndsWithItsCycle_data() {
+        QTest::addColumn<QString>("change");
+        for (const char* change :
+             {"while running", "while paused", "in a section", "with a blend", "withdrawn"}) {
+            QTest::newRow(change) << QString::fromLatin1(change);
+        }
+    }
+    void aRunEndsWithItsCycle() {
+        QFETCH(QString, change);
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        project::ProgramStep last = bench.move("place");
+        last.fields["blend"] = change == "with a blend" ? 0.02 : 0.0;
+        const auto endless =
+            step("loop", {{"times", 0}}, {bench.move("pick"), step("loop", {}, {bench.move("home")}), last});
+        const bool isNested = change == "in a section";
+        bench.setSteps(isNested ? std::vector{step("try", {}, {endless}), step("onError", {}, {step("wait")})}
+                                : std::vector{endless});
+        const int pick = isNested ? 3 : 2;
+        const int place = pick + 3;
+        QVERIFY(bench.plan().script.hasCycle);
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachStep(pick + 2));
+        if (change == "while paused") {
+            bench.runner.pause();
+            QVERIFY(bench.reachWaiting());
+        }
+        bench.runner.setEndsWithCycle(true);
+        QVERIFY(bench.runner.endsWithCycle());
+        if (change == "while paused") {
+            bench.cell.advanceMs(100);
+            QVERIFY(bench.runner.isWaiting());
+            bench.runner.resume();
+        }
+        if (change == "withdrawn") {
+            bench.runner.setEndsWithCycle(false);
+            QVERIFY(bench.reachStep(place));
+            QVERIFY(bench.reachStep(pick));
+            bench.runner.setEndsWithCycle(true);
+        }
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QCOMPARE(bench.runner.log().timings()[static_cast<std::size_t>(place - 1)].count,
+                 change == "withdrawn" ? 2 : 1);
+        // The arm has completed the last move.
+        const double distance = distanceMm(bench.cell.truth().tcpPose, bench.project.waypoints.at(2).pose);
+        QVERIFY2(distance < 0.5, qPrintable(QString::number(distance)));
+        QVERIFY(bench.session.state().canMove());
+        // The next run does not end early.
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(!bench.runner.endsWithCycle());
+    }
+
+    void countedLoopsAreNoCycle() {
+        RunBench bench;
+        bench.setSteps({step("loop", {{"times", 3}}, {bench.move("pick")})});
+        QVERIFY(!bench.plan().script.hasCycle);
+        QVERIFY(!bench.plan().script.gatedText().contains("tiller_turn"));
     }
 
     void everyStopEndsAPausedRun_data() { everyStopEndsARun_data(); }
