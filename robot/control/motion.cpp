@@ -127,6 +127,11 @@ bool Motion::refresh() const {
     return d.mailbox.refresh(id_, d.now());
 }
 
+bool Motion::setGate(const script::StepGate& gate) const {
+    return controller_ != nullptr && kind_ == MotionKind::Script &&
+           ControllerAccess::of(*controller_).mailbox.setGate(id_, gate.value());
+}
+
 bool Jog::refresh(const JogTarget& target) const {
     Controller* const controller = MotionAccess::controller(*this);
     if (controller == nullptr) {

@@ -12,6 +12,7 @@
 #include "robot/control/control_status.h"
 #include "robot/core/deadline.h"
 #include "robot/core/result.h"
+#include "robot/script/step_gate.h"
 
 namespace tiller::control {
 
@@ -78,6 +79,11 @@ public:
     /// Returns  false if the motion has ended, e.g. because this call came too late
     /// Blocks   never
     bool refresh() const;
+
+    /// Sets which steps of a Script may begin. Does not refresh a Held motion.
+    /// Returns  false if the motion has ended or is not a Script
+    /// Blocks   never
+    bool setGate(const script::StepGate& gate) const;
 
     /// Waits for the end of the motion without refreshing it. The deadline is the only time limit. Choose it
     /// with the speed slider in mind: at 2 %, a move takes fifty times as long. Deadline::never() waits

@@ -18,7 +18,7 @@ using std::chrono::milliseconds;
 namespace {
 
 /// Registers of the control thread's heartbeat, used by a program that replaces the control program.
-script::Heartbeat heartbeatOf(const Controller::Private& d, MotionId run) {
+script::Heartbeat heartbeatOf(const Controller::Private& d, MotionId run, bool hasGate) {
     const int first = firstRegister(d.options.registers);
     script::Heartbeat heartbeat;
     heartbeat.number = first;
@@ -26,6 +26,9 @@ script::Heartbeat heartbeatOf(const Controller::Private& d, MotionId run) {
     heartbeat.lastEpoch = {first + kEpochRegister, static_cast<std::int32_t>(run)};
     heartbeat.expired = {first + kStateRegister, static_cast<std::int32_t>(ScriptState::HeartbeatExpired)};
     heartbeat.timeout = kHoldTime;
+    if (hasGate) {
+        heartbeat.gate = first + kChoiceRegister;
+    }
     return heartbeat;
 }
 
@@ -89,6 +92,7 @@ Result<Motion> beginScript(Controller& controller, std::uint64_t epoch, const Sc
     MotionCommand command;
     command.kind = MotionCommand::Kind::Script;
     command.held = terms.holding == Holding::Held;
+    command.choice = terms.gate.value_or(script::StepGate{}).value();
     const MotionId id = d.mailbox.startAfter(epoch, command, d.now());
     if (id == kNoMotion) {
         return stopped(context);
@@ -210,6 +214,10 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         return Error{ErrorCode::InvalidArgument, context,
                      QStringLiteral("holding: an unattended program cannot be held")};
     }
+    if (!attended && terms.gate) {
+        return Error{ErrorCode::InvalidArgument, context,
+                     QStringLiteral("gate: an unattended program has no step gate")};
+    }
     auto& d = ControllerAccess::of(*controller_);
     const std::uint64_t stops = terms.stops.value_or(d.mailbox.epoch().stops());
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
@@ -248,8 +256,10 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
         }
         if (outcome) {
             const script::SupervisedProgram sent =
-                attended ? script::supervised(program, heartbeatOf(d, run.motion.id()), d.program.version())
-                         : script::unsupervised(program);
+                attended
+                    ? script::supervised(program, heartbeatOf(d, run.motion.id(), terms.gate.has_value()),
+                                         d.program.version())
+                    : script::unsupervised(program);
             d.program.yieldTo(sent);
             run.played = d.loop.playing();
             outcome = client.send(sent.text, start);

@@ -11,6 +11,7 @@
 #include "robot/control/controller.h"
 #include "robot/control/motion.h"
 #include "robot/core/text.h"
+#include "robot/script/step_gate.h"
 
 namespace tiller::control {
 
@@ -20,6 +21,9 @@ struct ScriptTerms {
     /// Held: the program also ends if the motion is not refreshed for 100 ms, or if the program is paused.
     /// Requires Supervision::Heartbeat.
     Holding holding = Holding::Free;
+    /// If set, the program can call the functions of script::stepGateScript(), with this initial gate. Change it
+    /// with Motion::setGate(). Requires Supervision::Heartbeat.
+    std::optional<script::StepGate> gate = {};
     /// The program does not start if the number of stops (Controller::stops()) differs from this value.
     std::optional<std::uint64_t> stops = {};
     /// Called once in the calling thread, immediately before the program is sent, with the motion that

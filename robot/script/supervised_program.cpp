@@ -106,6 +106,9 @@ QString watchdogScript(const Heartbeat& heartbeat, const SoftwareVersion& versio
     lines.replace(QStringLiteral("{{EPOCH}}"), epoch);
     lines.replace(QStringLiteral("{{SESSION}}"), session);
     lines.replace(QStringLiteral("{{STEP}}"), stepTimeText(version));
+    if (heartbeat.gate) {
+        lines += stepGateScript(*heartbeat.gate);
+    }
     return lines;
 }
 

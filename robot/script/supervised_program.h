@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot/core/version.h"
+#include "robot/script/step_gate.h"
 
 namespace tiller::script {
 
@@ -30,6 +31,8 @@ struct Heartbeat {
     /// missing, so that a running client can read why the program ended.
     std::optional<Expected> expired = {};
     std::chrono::milliseconds timeout{0};  ///< maximum time without a heartbeat
+    /// Integer register of the step gate. If set, the program can call the functions of stepGateScript().
+    std::optional<int> gate = {};
 };
 
 struct SupervisedProgram {
@@ -56,10 +59,6 @@ SupervisedProgram supervised(const QString& program, const Heartbeat& heartbeat,
 QString watchdogScript(const Heartbeat& heartbeat, const SoftwareVersion& version);
 /// Returns the program without a watchdog. It continues to run without its client.
 SupervisedProgram unsupervised(const QString& program);
-
-/// Output integer register in which a program of a project writes the number of its step. The control program
-/// does not use this register.
-inline constexpr int kStepRegister = 47;
 
 /// Prefix of all names in the inserted lines.
 inline constexpr auto kHeartbeatPrefix = "tiller_heartbeat";

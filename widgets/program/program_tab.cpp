@@ -11,6 +11,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "robot/core/atomic_file.h"
 #include "robot/station/document/project_document.h"
@@ -177,8 +178,10 @@ void ProgramTab::followSpeed() {
 
 void ProgramTab::showRun() {
     const program::ProgramRunner& runner = runBar_->runner();
-    const int step = runner.log().step();
     model_->setRun(&runner.script(), &runner.log());
+    if (runner.state() != program::ProgramRunner::State::Running) {
+        wasWaiting_ = false;
+    }
     switch (runner.state()) {
         case program::ProgramRunner::State::Idle:
             break;
@@ -186,10 +189,7 @@ void ProgramTab::showRun() {
             showStatus(tr("Starting…"));
             break;
         case program::ProgramRunner::State::Running:
-            showStatus(step > 0 ? tr("Running step %1 (%2)")
-                                      .arg(step)
-                                      .arg(program::stepName(document_.project(), runner.script(), step))
-                                : tr("Running"));
+            showRunningStep(runner);
             break;
         case program::ProgramRunner::State::Stopping:
             showStatus(tr("Stopping…"));
@@ -198,6 +198,19 @@ void ProgramTab::showRun() {
             showStatus(runner.endText(document_.project()));
             Q_EMIT session_->message(Severity::Info, runner.endText(document_.project()));
             break;
+    }
+}
+
+void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
+    const int step = runner.log().step();
+    const QString name = program::stepName(document_.project(), runner.script(), step);
+    const bool isWaiting = runner.isWaiting();
+    showStatus(isWaiting           ? tr("Paused before step %1 (%2)").arg(step).arg(name)
+               : step == 0         ? tr("Running")
+               : runner.isPaused() ? tr("Pausing after step %1 (%2)").arg(step).arg(name)
+                                   : tr("Running step %1 (%2)").arg(step).arg(name));
+    if (std::exchange(wasWaiting_, isWaiting) != isWaiting) {
+        Q_EMIT session_->message(Severity::Info, status_->fullText());
     }
 }
 

@@ -21,6 +21,10 @@ class QPushButton;
 
 namespace tiller {
 
+namespace program {
+class ProgramRunner;
+}
+
 class ElidedLabel;
 class ProgramModel;
 class ProjectDocument;
@@ -100,6 +104,7 @@ private:
     void clearPreview();
     void exportScript();
     void showRun();
+    void showRunningStep(const program::ProgramRunner& runner);
 
     /// A step that showNextProblem() can select.
     struct Mark {
@@ -131,6 +136,7 @@ private:
     std::vector<Mark> marks_;  ///< steps with problems, or with findings of the preview
     std::size_t nextMark_ = 0;
     QTimer checkTimer_;
+    bool wasWaiting_ = false;  ///< the program waited before a step
     program::PreviewRunner runner_;
 };
 

@@ -2,6 +2,8 @@
 #include "widgets/program/run_bar.h"
 
 #include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -23,6 +25,23 @@ HoldToRunButton* holdKey(const char* name, const QString& text, const QString& a
     key->setAccessibleName(accessibleName);
     key->setToolTip(toolTip);
     return key;
+}
+
+QPushButton* keyNamed(const char* name, const QString& text) {
+    auto* key = new EnterKey(text);
+    key->setObjectName(QLatin1String(name));
+    key->setAutoDefault(false);
+    return key;
+}
+
+/// The minimum width fits both texts, so that the button keeps its size.
+void reserveWidth(QPushButton& key, const QString& otherText) {
+    key.setMinimumWidth(std::max(key.sizeHint().width(), EnterKey(otherText).sizeHint().width()));
+}
+
+void setReason(QPushButton& key, const QString& reason, const QString& toolTip) {
+    key.setEnabled(reason.isEmpty());
+    key.setToolTip(reason.isEmpty() ? toolTip : reason);
 }
 
 /// Text of an error at the start of a motion: a sentence, or a text made of the code.
@@ -49,17 +68,29 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     , start_(holdKey("program.moveToStart", tr("To start (hold)"), tr("Move to the start position, hold"),
                      tr("Moves all joints to the start position of the program while the button is held"),
                      policy))
-    , run_(new EnterKey(tr("Run"))) {
+    , run_(keyNamed("program.run", tr("Run")))
+    , pause_(keyNamed("program.pause", tr("Pause")))
+    , step_(keyNamed("program.step", tr("Step")))
+    , finish_(keyNamed("program.finishCycle", tr("Finish cycle"))) {
     setObjectName("program.runBar");
-    run_->setObjectName("program.run");
-    run_->setAutoDefault(false);
-    auto* layout = new QHBoxLayout(this);
+    auto* begin = new QHBoxLayout;
+    begin->setSpacing(8);
+    begin->addWidget(hold_, 1);
+    begin->addWidget(start_, 1);
+    begin->addWidget(run_);
+    auto* gate = new QHBoxLayout;
+    gate->setSpacing(8);
+    for (QPushButton* each : {pause_, step_, finish_}) {
+        gate->addWidget(each, 1);
+    }
+    auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    layout->addWidget(hold_, 1);
-    layout->addWidget(start_, 1);
-    layout->addWidget(run_);
-    run_->setMinimumWidth(std::max(run_->sizeHint().width(), EnterKey(tr("Stop")).sizeHint().width()));
+    layout->setSpacing(6);
+    layout->addLayout(begin);
+    layout->addLayout(gate);
+    reserveWidth(*run_, tr("Stop"));
+    reserveWidth(*pause_, tr("Resume"));
+    finish_->setCheckable(true);
     hold_->setMotion(runner_.motion([this] {
         isHeld_ = true;
         return plan(limits());
@@ -70,6 +101,9 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
                 [this](const Error& error) { Q_EMIT refused(reasonOf(error)); });
     }
     connect(run_, &QPushButton::clicked, this, &RunBar::runOrStop);
+    connect(pause_, &QPushButton::clicked, this, &RunBar::pauseOrResume);
+    connect(step_, &QPushButton::clicked, this, &RunBar::stepOnce);
+    connect(finish_, &QPushButton::toggled, &runner_, &program::ProgramRunner::setEndsWithCycle);
     connect(&runner_, &program::ProgramRunner::changed, this, &RunBar::showRun);
     connect(&session_, &RobotSession::stateChanged, this, &RunBar::follow);
     updateAvailability();
@@ -147,14 +181,34 @@ HoldMotion RunBar::startMotion() {
 void RunBar::runOrStop() {
     if (runner_.isActive()) {
         runner_.stop(control::StopCause::StopButton);
-        return;
+    } else {
+        run(script::StepGate::kUnlimited);
     }
+}
+
+void RunBar::run(std::int32_t permitted) {
     program::RunPlan planned = plan({});
     planned.obstacle = program::obstacleWithoutHold(planned, session_.state(),
                                                     preview_ ? &*preview_ : nullptr, previewed_.text);
     isHeld_ = false;
-    if (const auto begun = runner_.start(planned, control::Holding::Free); !begun) {
+    if (const auto begun = runner_.start(planned, control::Holding::Free, permitted); !begun) {
         Q_EMIT refused(reasonOf(begun.error()));
+    }
+}
+
+void RunBar::pauseOrResume() {
+    if (runner_.isPaused()) {
+        runner_.resume();
+    } else {
+        runner_.pause();
+    }
+}
+
+void RunBar::stepOnce() {
+    if (runner_.isActive()) {
+        runner_.step();
+    } else {
+        run(1);
     }
 }
 
@@ -205,6 +259,29 @@ void RunBar::updateAvailability() {
                          ? tr("Runs the program at its own speed until it ends or is stopped. The "
                               "arm also stops when Tiller closes or the connection is lost.")
                          : why);
+    updateGateKeys();
+}
+
+void RunBar::updateGateKeys() {
+    using State = program::ProgramRunner::State;
+    const bool runs = runner_.state() == State::Sending || runner_.state() == State::Running;
+    const bool isPaused = runs && runner_.isPaused();
+    const QString idle = runs ? QString() : tr("No program is running.");
+    pause_->setText(isPaused ? tr("Resume") : tr("Pause"));
+    setReason(*pause_, idle,
+              isPaused ? tr("Continues the program") : tr("Pauses the program before its next step"));
+    setReason(*step_,
+              runner_.isActive()  ? runner_.isWaiting() ? QString() : tr("Pause the program first.")
+               : run_->isEnabled() ? QString()
+                                  : run_->toolTip(),
+              tr("Runs one step and then pauses the program"));
+    setReason(*finish_,
+              !runs                        ? idle
+              : !runner_.script().hasCycle ? tr("The program has no endless loop.")
+                                           : QString(),
+              tr("Ends the program before the next cycle of its endless loop"));
+    const QSignalBlocker blocker(finish_);
+    finish_->setChecked(runs && runner_.endsWithCycle());
 }
 
 void RunBar::showRun() {

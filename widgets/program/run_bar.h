@@ -2,7 +2,8 @@
 #pragma once
 
 // The buttons that run the program of the Program tab: "Run (hold)", "Move to start", and "Run", which also
-// stops a program that runs without a held button. The rules for held buttons are those of HoldRules.
+// stops a program that runs without a held button. "Pause", "Step" and "Finish cycle" control the running
+// program. The rules for held buttons are those of HoldRules.
 
 #include <QWidget>
 #include <functional>
@@ -53,10 +54,14 @@ private:
     MoveRequest moveToStart() const;
     HoldMotion startMotion();
     void runOrStop();
+    void run(std::int32_t permitted);
+    void pauseOrResume();
+    void stepOnce();
     void follow(const SessionState& state);
     QString programObstacle() const;
     QString runObstacle() const;
     void updateAvailability();
+    void updateGateKeys();
     void showRun();
 
     RobotSession& session_;
@@ -72,6 +77,9 @@ private:
     HoldToRunButton* hold_;
     HoldToRunButton* start_;
     QPushButton* run_;
+    QPushButton* pause_;
+    QPushButton* step_;
+    QPushButton* finish_;
 };
 
 }  // namespace tiller

@@ -464,7 +464,9 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
     }
     if (motion->kind == MotionCommand::Kind::Jog) {
         composeJog(*motion, data, command);
-    } else if (!followsScript_) {
+    } else if (followsScript_) {
+        command.choice = motion->choice;
+    } else {
         composeProgram(*motion, data, {period_, true, evenNs_, ageNs_}, command);
     }
 }
@@ -604,6 +606,7 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
         sentMotion_ = followed_;
     } else {
         const ScriptCommand kind = moves ? ScriptCommand::Idle : command.kind;
+        const std::int32_t gate = command.choice;
         const std::uint64_t dead = mailbox_.epoch().expiredUpTo();
         const Brake brake = mailbox_.brake(dead);
         command = {};
@@ -613,6 +616,9 @@ void ControlLoop::seal(Command& command, std::int64_t nowNs) {
         command.rotationAcceleration = brake.rotationDeceleration;
         command.epoch = static_cast<std::int32_t>(dead);
         sentMotion_ = followsScript_ && mailbox_.epoch().isActive(followed_) ? followed_ : kNoMotion;
+        if (sentMotion_ != kNoMotion) {
+            command.choice = gate;
+        }
     }
     command.request = request_.newest();
     command.forcePermitted = sentForce_ = forcePermitted_.load(std::memory_order_acquire);

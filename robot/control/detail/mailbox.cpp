@@ -62,6 +62,17 @@ bool Mailbox::change(MotionId motion, const MotionCommand& values, std::int64_t 
     return replace(motion, values, nowNs);
 }
 
+bool Mailbox::setGate(MotionId motion, std::int32_t value) {
+    const std::lock_guard lock(callers_);
+    if (!epoch_.isActive(motion) || last_.id != motion || last_.kind != MotionCommand::Kind::Script) {
+        return false;
+    }
+    MotionCommand changed = last_;
+    changed.choice = value;
+    publish(changed);
+    return true;
+}
+
 bool Mailbox::replace(MotionId motion, const MotionCommand& values, std::int64_t nowNs) {
     if (!isRefreshable(motion, nowNs) || last_.kind != MotionCommand::Kind::Program) {
         return false;

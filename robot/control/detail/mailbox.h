@@ -21,14 +21,15 @@ inline constexpr std::int64_t kHoldTimeNs = std::chrono::nanoseconds(kHoldTime).
 
 struct MotionCommand {
     /// Script: the program of a user runs instead of the control program, so the packets contain only the
-    /// heartbeat and the epoch.
+    /// heartbeat, the epoch and the step gate.
     enum class Kind : std::uint8_t { None, Jog, MoveJ, MoveL, Program, Script };
     MotionId id = kNoMotion;
     Kind kind = Kind::None;
     bool held = true;
     JogTarget jog;             ///< only for Jog
     std::int32_t program = 0;  ///< only for Program: a ScriptCommand
-    std::int32_t choice = 0;   ///< only for Program: see control.script
+    /// Program: see control.script; Script: script::StepGate::value()
+    std::int32_t choice = 0;
     /// MoveJ: q [rad]; MoveL: pose in the base frame [m, rad]; Program: see control.script
     std::array<double, 6> target{};
     double speed = 0;
@@ -66,6 +67,9 @@ public:
     bool refresh(MotionId motion, const JogTarget& target, std::int64_t nowNs);
     /// Refreshes a Program with new values; its id and holding are unchanged.
     bool change(MotionId motion, const MotionCommand& values, std::int64_t nowNs);
+    /// Sets the step gate of a Script. Does not refresh the motion.
+    /// Returns  false if the motion has ended
+    bool setGate(MotionId motion, std::int32_t value);
     enum class Change : std::uint8_t { Done, Ended, Refused };
     /// As change(), if mayFollow(previous command, time since its last refresh [ns]) returns true.
     template <class MayFollow>

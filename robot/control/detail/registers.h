@@ -22,6 +22,7 @@ namespace tiller::control {
 
 int firstRegister(RegisterRange range);     ///< 0 or 24
 inline constexpr int kEpochRegister = 1;    ///< integer input, relative to the first register
+inline constexpr int kChoiceRegister = 3;   ///< integer input, relative to the first register
 inline constexpr int kSessionRegister = 4;  ///< integer input, relative to the first register
 inline constexpr int kStateRegister = 2;    ///< integer output, relative to the first register
 
@@ -125,7 +126,8 @@ struct Command {
     std::int32_t sequence = 0;  ///< changes with every package: the heartbeat
     std::int32_t epoch = 0;
     ScriptCommand kind = ScriptCommand::Idle;
-    std::int32_t choice = 0;           ///< jogs: a JogFrame; other commands: see control.script
+    /// Jogs: a JogFrame. User programs: script::StepGate::value(). Other commands: see control.script.
+    std::int32_t choice = 0;
     std::int32_t session = 0;          ///< identifies the instance of the program
     std::array<double, 6> values{};    ///< twist, joint speeds, torques or target pose/positions
     double speed = 0;                  ///< moves only

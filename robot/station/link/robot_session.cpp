@@ -118,7 +118,9 @@ void RobotSession::connectTo(const RobotAddress& address) {
     receiverOptions.host = address.host;
     receiverOptions.port = static_cast<std::uint16_t>(rtde::kPort + address.portOffset);
     receiverOptions.clock = d_->clock;
-    receiverOptions.fields.push_back(rtde::intRegisterName(rtde::Direction::Output, script::kStepRegister));
+    for (const int number : {script::kStepRegister, script::kGateRegister}) {
+        receiverOptions.fields.push_back(rtde::intRegisterName(rtde::Direction::Output, number));
+    }
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
     link->stream = link->receiver->subscribe();
     static_cast<void>(link->receiver->start());  // failures are stored in lastError(), which readLink() shows
@@ -424,7 +426,7 @@ Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path,
 }
 
 Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& script, control::Holding holding,
-                                                          std::uint64_t stops) {
+                                                          std::uint64_t stops, const script::StepGate& gate) {
     if (!d_->link || !d_->state.canMove()) {
         return notMovable(d_->state);
     }
@@ -439,12 +441,14 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& script,
     run.outcome.reset();
     run.shared = std::make_shared<ProgramRun::Shared>();
     run.shared->heldNs = d_->clock->nowNs();
+    run.shared->gate = gate;
     d_->controlling.post(
         this, [this, ticket = run.ticket, generation = d_->generation, shared = run.shared, script, holding,
-               stops, clock = d_->clock, controller = d_->link->controller](const CancelToken& token) {
+               stops, gate, clock = d_->clock, controller = d_->link->controller](const CancelToken& token) {
             control::ScriptTerms terms;
             terms.holding = holding;
             terms.stops = stops;
+            terms.gate = gate;
             terms.starting = [&](const control::Motion& motion) {
                 const std::lock_guard lock(shared->mutex);
                 const bool held =
@@ -454,6 +458,7 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& script,
                 }
                 shared->motion = motion;
                 shared->isStarted = true;
+                motion.setGate(shared->gate);  // may have changed since the call
                 return true;
             };
             const Result<void> outcome =
@@ -498,6 +503,17 @@ bool ProgramRun::hold(std::int64_t nowNs) {
     }
     shared->heldNs = nowNs;
     return !shared->isStarted || shared->motion.refresh();
+}
+
+void ProgramRun::setGate(const script::StepGate& gate) {
+    if (!isRunning()) {
+        return;
+    }
+    const std::lock_guard lock(shared->mutex);
+    shared->gate = gate;
+    if (shared->isStarted) {
+        shared->motion.setGate(gate);
+    }
 }
 
 void ProgramRun::end(control::StopCause cause) {
@@ -607,6 +623,12 @@ bool RobotSession::hold(MotionId motion) {
         return motion == link.path.ticket && holdPath(link);
     }
     return motion == link.move.id() ? link.move.refresh() : motion == link.jog.id() && link.jog.refresh();
+}
+
+void RobotSession::setStepGate(MotionId program, const script::StepGate& gate) {
+    if (d_->link && program == d_->link->program.ticket) {
+        d_->link->program.setGate(gate);
+    }
 }
 
 bool RobotSession::hold(MotionId motion, const control::JogTarget& target) {

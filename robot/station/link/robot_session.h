@@ -21,6 +21,7 @@
 #include "robot/core/clock.h"
 #include "robot/core/result.h"
 #include "robot/script/controller_message.h"
+#include "robot/script/step_gate.h"
 #include "robot/station/link/robot_command.h"
 #include "robot/station/link/robot_outputs.h"
 #include "robot/station/link/robot_services.h"
@@ -167,8 +168,12 @@ public:
     /// script   URScript, one `def`. It ends when this process ends or the connection is lost
     /// holding  Held: needs hold() like every motion, and also ends when the program is paused
     /// stops    as MoveRequest::stops
+    /// gate     which steps may begin; the script calls the functions of script::stepGateScript()
     /// Errors   those of permits() that do not depend on the target, and of the project guard
-    Result<MotionId> beginProgram(const QString& script, control::Holding holding, std::uint64_t stops);
+    Result<MotionId> beginProgram(const QString& script, control::Holding holding, std::uint64_t stops,
+                                  const script::StepGate& gate = {});
+    /// Changes which steps of the program may begin.
+    void setStepGate(MotionId program, const script::StepGate& gate);
     /// Number of stops on this connection, from any cause. See MoveRequest::stops.
     std::uint64_t stops() const;
     /// Progress or result of a move, a path or a program.

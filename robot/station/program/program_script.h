@@ -11,7 +11,7 @@
 #include "robot/core/robot_model.h"
 #include "robot/core/version.h"
 #include "robot/project/project_file.h"
-#include "robot/script/supervised_program.h"
+#include "robot/script/step_gate.h"
 #include "robot/station/program/program_problem.h"
 
 namespace tiller::program {
@@ -32,10 +32,19 @@ struct ProgramScript {
     std::vector<NumberedStep>
         steps;  ///< step 1 is at index 0; steps of called programs follow those of the main program
     std::vector<int> stepOfLine;  ///< step number by line index; 0 if the line belongs to no step
-    std::optional<Pose> tcp;      ///< TCP required by the waypoints if the script does not set one
+    /// A line that differs in a run with a step gate.
+    struct GateLine {
+        std::size_t line = 0;  ///< index
+        QString text;
+    };
+    std::vector<GateLine> gateLines;
+    bool hasCycle = false;    ///< the program contains an endless loop
+    std::optional<Pose> tcp;  ///< TCP required by the waypoints if the script does not set one
     std::vector<ProgramProblem> problems;
 
     bool ok() const { return !text.isEmpty(); }  ///< True if the program can run.
+    /// The text with the calls of script::stepGateScript(). The lines have the same numbers as in `text`.
+    QString gatedText() const;
     /// Number of a step of the main program; 0 if there is no step with this id.
     int numberOf(const QUuid& step) const;
     /// Number of the step that a line of the script belongs to, or 0. Lines count from 1.

@@ -31,6 +31,7 @@ struct ProgramCase {
     const char* name;
     double fast;  ///< TCP speed at the event [m/s]; 0: directly after the beginning of the steps
     std::function<std::vector<project::ProgramStep>(project::Project&)> steps;
+    std::int32_t permitted = script::StepGate::kUnlimited;  ///< number of steps that may begin
 };
 
 project::ProgramStep moveTo(const project::Project& project, const char* kind, const char* waypoint,
@@ -237,7 +238,7 @@ QString scriptOf(const ProgramCase& tested) {
     for (const ProgramProblem& problem : script.problems) {
         qWarning("%s: step %d: %s", tested.name, problem.number, qPrintable(problem.text));
     }
-    return script.text;
+    return script.gatedText();
 }
 
 /// A supervised script that runs in its own thread, as in an application.
@@ -248,10 +249,11 @@ public:
             thread_.join();
         }
     }
-    Error begin(ContractCell& cell, const QString& script) {
-        thread_ = std::thread([this, &cell, script] {
+    Error begin(ContractCell& cell, const QString& script, std::int32_t permitted) {
+        thread_ = std::thread([this, &cell, script, permitted] {
             ScriptTerms terms;
             terms.holding = Holding::Held;
+            terms.gate = script::StepGate{permitted, false};
             terms.starting = [this](const Motion& motion) {
                 motion_ = motion;
                 isStarted_ = true;
@@ -316,13 +318,18 @@ QString check(const ProgramCase& tested, const ContractEvent& event) {
         .byOperator = false,
         .isLong = true,
         .fast = tested.fast,
-        .begin = [&](ContractCell& c) { return run.begin(c, script); },
+        .begin = [&](ContractCell& c) { return run.begin(c, script, tested.permitted); },
         .hold = [](ContractCell& c) { (void)c.motion.refresh(); },
     };
     const ContractOutcome outcome = cell.run(motion, event);
+    const bool isAlone = !cell.reachable && cell.robot.truth().runtimeState == RuntimeState::Playing;
     cell.clock.freeze(false);
     cell.robot.stop();
     cell.controller->release();
+    if (outcome.problem.isEmpty() && isAlone) {
+        return QStringLiteral("%1 x %2: the program continues without its client")
+            .arg(QLatin1String(tested.name), QLatin1String(event.name));
+    }
     return outcome.problem.isEmpty()
                ? QString()
                : QStringLiteral("%1 x %2: %3")
@@ -356,6 +363,18 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(problems.isEmpty(), qPrintable(problems.join(QLatin1Char('\n'))));
+    }
+
+    // Every event while the program waits before a move. Opening the gate afterwards has no effect.
+    void everyEventEndsAWaitingProgram_data() { everyEventStopsALinearMove_data(); }
+    void everyEventEndsAWaitingProgram() {
+        QFETCH(int, event);
+        ProgramCase waiting{"waiting", 0, [](project::Project& p) { return moves(p); }};
+        waiting.permitted = 4;  // to home, output, watch, loop
+        ContractEvent late = events()[static_cast<std::size_t>(event)];
+        late.after.emplace_back([](ContractCell& c) { (void)c.motion.setGate({}); });
+        const QString problem = check(waiting, late);
+        QVERIFY2(problem.isEmpty(), qPrintable(problem));
     }
 
     // Every event during a linear move.

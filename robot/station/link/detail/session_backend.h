@@ -63,6 +63,7 @@ struct ProgramRun {
         control::Motion motion;               ///< valid after the start
         bool isStarted = false;
         std::optional<control::StopCause> cancelled;  ///< why the program must not start
+        script::StepGate gate;
     };
     control::MotionId ticket = control::kNoMotion;
     std::shared_ptr<Shared> shared;
@@ -72,6 +73,7 @@ struct ProgramRun {
     /// Returns  false if the program has ended
     bool hold(std::int64_t nowNs);
     void end(control::StopCause cause);
+    void setGate(const script::StepGate& gate);
 
     /// Program numbers start above all path numbers.
     static constexpr control::MotionId kFirstTicket = control::MotionId(1) << 63;

@@ -378,6 +378,9 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
     }
     for (const Lines* part : {&functions, &main}) {
         for (const Line& line : *part) {
+            if (!line.gated.isEmpty()) {
+                result.gateLines.push_back({static_cast<std::size_t>(text.size()), line.gated});
+            }
             put(line.text, line.step);
         }
     }
@@ -469,9 +472,26 @@ void StepWriter::close(const QString& text) {
     }
 }
 void StepWriter::mark() {
+    if (d_.scope.isParallel || d_.scope.isForce) {
+        markReturn();
+    } else {
+        d_.add(QStringLiteral("write_output_integer_register(%1, %2)").arg(kStepRegister).arg(number()),
+               QStringLiteral("tiller_step(%1)").arg(number()));
+    }
+}
+void StepWriter::markReturn() {
     if (!d_.scope.isParallel) {
         d_.add(QStringLiteral("write_output_integer_register(%1, %2)").arg(kStepRegister).arg(number()));
     }
+}
+void StepWriter::countCycle(const QString& counter) {
+    const QString count = QStringLiteral("%1 = %1 + 1").arg(counter);
+    if (d_.scope.isParallel || d_.scope.isCycle) {
+        d_.add(count);
+        return;
+    }
+    d_.add(count, QStringLiteral("%1 = tiller_turn(%1 + 1)").arg(counter));
+    d_.result.hasCycle = true;
 }
 void StepWriter::steps() {
     const bool wasTop = d_.scope.isTop;
@@ -558,7 +578,9 @@ QString StepWriter::programFunction(const QUuid& id) {
     }
     const QString variant = key + scriptNumber(d_.scope.speedFactor) + scriptPose(d_.scope.T_base_frame) +
                             (d_.scope.tcp ? scriptPose(*d_.scope.tcp) : QString()) +
-                            (d_.scope.isParallel ? QStringLiteral("parallel") : QString());
+                            (d_.scope.isParallel ? QStringLiteral("parallel") : QString()) +
+                            (d_.scope.isForce ? QStringLiteral("force") : QString()) +
+                            (d_.scope.isCycle ? QStringLiteral("cycle") : QString());
     if (const QString known = d_.callFunctions.value(variant); !known.isEmpty()) {
         return known;
     }
@@ -643,6 +665,14 @@ void StepWriter::error(const char* key, const QString& text) {
 ProgramScript writeScript(const project::Project& project, const QUuid& program,
                           const ScriptOptions& options) {
     return StepWriter::Private(project, options).write(program);
+}
+
+QString ProgramScript::gatedText() const {
+    QStringList lines = text.split(QLatin1Char('\n'));
+    for (const GateLine& gate : gateLines) {
+        lines[static_cast<qsizetype>(gate.line)] = gate.text;
+    }
+    return lines.join(QLatin1Char('\n'));
 }
 
 int ProgramScript::numberOf(const QUuid& step) const {

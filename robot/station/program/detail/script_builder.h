@@ -22,6 +22,7 @@ public:
     struct Line {
         QString text;
         int step = 0;
+        QString gated = {};  ///< text in a run with a step gate; empty: the same
     };
     using Lines = std::vector<Line>;
     struct LastMove {
@@ -43,6 +44,11 @@ public:
     void add(const QString& text) {
         lines->push_back(
             {QString(2 * (indent + 1), QLatin1Char(' ')) + text, place.step ? numberOf(*place.step) : 0});
+    }
+    /// gated  text in a run with a step gate
+    void add(const QString& text, const QString& gated) {
+        add(text);
+        lines->back().gated = QString(2 * (indent + 1), QLatin1Char(' ')) + gated;
     }
     int numberOf(const project::ProgramStep& step) const { return numbers.value({program->id, step.id}); }
     void numberSteps(const project::Program& program, const Steps& steps);

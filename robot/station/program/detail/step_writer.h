@@ -30,6 +30,8 @@ public:
         Pose T_base_frame;  ///< frame for the axes of relative moves
         int loops = 0;      ///< number of enclosing loops that `break` can leave
         bool isParallel = false;
+        bool isForce = false;     ///< the arm is not at standstill between the steps
+        bool isCycle = false;     ///< inside of an endless loop
         bool isFunction = false;  ///< a failure is returned as its text
         bool isTop = true;        ///< true at the top level of the main program
     };
@@ -67,7 +69,10 @@ public:
     void open(const QString& text);  ///< Writes a line and indents the following lines.
     /// Ends the indentation and, unless the text is empty, writes it as the closing line.
     void close(const QString& text = QStringLiteral("end"));
-    void mark();   ///< Writes the step's number to the step register.
+    void mark();  ///< Writes the step's number to the step register. A run can pause here before the step.
+    void markReturn();  ///< Writes the number again after the steps of another program.
+    /// Writes the line that counts the iterations of an endless loop. A run can end here.
+    void countCycle(const QString& counter);
     void steps();  ///< Writes the steps of the section, indented.
     /// Calls `write` and then restores the scope.
     void inScope(const std::function<void()>& write);

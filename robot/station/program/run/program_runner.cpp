@@ -103,7 +103,8 @@ ProgramRunner::ProgramRunner(RobotSession& session, QObject* parent) : QObject(p
     connect(&session_, &RobotSession::stateChanged, this, &ProgramRunner::follow);
 }
 
-Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control::Holding holding) {
+Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control::Holding holding,
+                                                    std::int32_t permitted) {
     if (!plan.obstacle.isEmpty() || isActive()) {
         return Error{ErrorCode::Cancelled,
                      plan.obstacle.isEmpty() ? ProgramText::tr("A program is running.") : plan.obstacle,
@@ -115,7 +116,8 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     script_ = plan.script;
     log_ = StepLog(static_cast<int>(script_.steps.size()));
     expected_ = plan.expected;
-    const auto begun = session_.beginProgram(script_.text, holding, session_.stops());
+    gate_ = {permitted, false};
+    const auto begun = session_.beginProgram(script_.gatedText(), holding, session_.stops(), gate_);
     if (!begun) {
         state_ = State::Idle;
         return begun.error();
@@ -154,19 +156,48 @@ void ProgramRunner::stop(control::StopCause cause) {
     }
 }
 
+void ProgramRunner::setGate(const script::StepGate& gate) {
+    if (isActive() && gate != gate_) {
+        gate_ = gate;
+        session_.setStepGate(id_, gate_);
+        Q_EMIT changed();
+    }
+}
+
+void ProgramRunner::pause() {
+    if (!isPaused()) {
+        setGate({log_.begun(), gate_.endsWithCycle});
+    }
+}
+
+void ProgramRunner::resume() {
+    setGate({script::StepGate::kUnlimited, gate_.endsWithCycle});
+}
+
+void ProgramRunner::step() {
+    if (isWaiting()) {
+        setGate({log_.begun() + 1, gate_.endsWithCycle});
+    }
+}
+
+void ProgramRunner::setEndsWithCycle(bool ends) {
+    setGate({gate_.permitted, ends});
+}
+
 void ProgramRunner::take(const SampleBatch& batch) {
     if (!isActive()) {
         return;
     }
-    const int before = log_.step();
+    const std::pair before(log_.step(), log_.isWaiting());
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
-        log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0));
+        log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0),
+                 robot.outputIntRegister(script::kGateRegister).value_or(0));
     }
     if (state_ == State::Sending && log_.hasBegun()) {
         state_ = State::Running;
         Q_EMIT changed();
-    } else if (log_.step() != before) {
+    } else if (std::pair(log_.step(), log_.isWaiting()) != before) {
         Q_EMIT changed();
     }
 }

@@ -64,13 +64,29 @@ public:
 
     /// Starts the program of the plan.
     /// Errors  Cancelled with the obstacle of the plan; those of RobotSession::beginProgram()
-    Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding);
+    /// permitted  number of steps before the program pauses
+    Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding,
+                                         std::int32_t permitted = script::StepGate::kUnlimited);
     /// The motion of a button that runs the program while it is held.
     /// plan  called when the button is pressed
     HoldMotion motion(std::function<RunPlan()> plan);
     /// Ends the program, if it runs.
     void stop(control::StopCause cause);
 
+    /// Pauses the program at standstill before its next step. The program continues to run.
+    void pause();
+    /// Continues a paused program.
+    void resume();
+    /// Runs one step of a waiting program, which then pauses again.
+    void step();
+    /// Ends the program at standstill before the next iteration of its outermost endless loop, or not.
+    void setEndsWithCycle(bool ends);
+
+    bool endsWithCycle() const { return gate_.endsWithCycle; }
+
+    bool isPaused() const { return gate_.permitted != script::StepGate::kUnlimited; }
+    /// True if the program is paused and has reached the next step.
+    bool isWaiting() const { return state_ == State::Running && isPaused() && log_.isWaiting(); }
     State state() const { return state_; }
     bool isActive() const { return state_ != State::Idle && state_ != State::Ended; }
     End end() const { return end_; }  ///< Valid in State::Ended.
@@ -87,6 +103,7 @@ private:
     void take(const SampleBatch& batch);
     void follow();
     void finish(const Result<control::MotionProgress>& progress);
+    void setGate(const script::StepGate& gate);
 
     RobotSession& session_;
     RobotSession::MotionId id_ = 0;
@@ -96,6 +113,7 @@ private:
     Error error_;
     ProgramScript script_;
     StepLog log_;
+    script::StepGate gate_;
     double expected_ = 0;
 };
 

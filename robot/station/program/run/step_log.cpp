@@ -3,7 +3,7 @@
 
 namespace tiller::program {
 
-void StepLog::add(double time, RuntimeState runtime, int value) {
+void StepLog::add(double time, RuntimeState runtime, int value, int gate) {
     constexpr int kSettling = 2;
     const bool active = runtime != RuntimeState::Stopped && runtime != RuntimeState::Stopping;
     switch (phase_) {
@@ -23,7 +23,7 @@ void StepLog::add(double time, RuntimeState runtime, int value) {
             return;
     }
     const double now = time - began_;
-    if (step_ > 0) {
+    if (step_ > 0 && !isWaiting_) {
         timings_[static_cast<std::size_t>(step_ - 1)].total += now - time_;
     }
     time_ = now;
@@ -32,6 +32,8 @@ void StepLog::add(double time, RuntimeState runtime, int value) {
         return;
     }
     follow(value);
+    isWaiting_ = active && gate < 0;
+    begun_ = gate < 0 ? -1 - gate : gate;
     if (!active) {
         step_ = 0;
         phase_ = Phase::Ended;

@@ -20,15 +20,19 @@ public:
     /// have no effect.
     /// time   time stamp of the robot [s]
     /// value  of the step register
-    void add(double time, RuntimeState runtime, int value);
+    /// gate   of script::kGateRegister
+    void add(double time, RuntimeState runtime, int value, int gate = 0);
 
-    int step() const { return step_; }          ///< Number of the running step; 0: none.
-    int lastStep() const { return last_; }      ///< Number of the last step that was running; 0: none.
-    int failedStep() const { return failed_; }  ///< Number of the step that ended the program; 0: none.
-    double seconds() const { return time_; }    ///< Duration of the run so far [s].
+    int step() const { return step_; }             ///< Number of the running or waiting step; 0: none.
+    bool isWaiting() const { return isWaiting_; }  ///< True while the program waits before step().
+    int begun() const { return begun_; }           ///< Number of steps that have begun, with repetitions.
+    int lastStep() const { return last_; }         ///< Number of the last step that was running; 0: none.
+    int failedStep() const { return failed_; }     ///< Number of the step that ended the program; 0: none.
+    double seconds() const { return time_; }       ///< Duration of the run so far [s].
     bool hasBegun() const { return phase_ != Phase::Before && phase_ != Phase::Stopped; }
     bool hasEnded() const { return phase_ == Phase::Ended; }
-    /// One per step; step number 1 is at index 0. Times are relative to the start of the program.
+    /// One per step; step number 1 is at index 0. Times are relative to the start of the program, and do not
+    /// include the time for which the program waits before a step.
     const std::vector<StepTiming>& timings() const { return timings_; }
 
 private:
@@ -40,6 +44,8 @@ private:
     double began_ = 0;  ///< time stamp of the start [s]
     double time_ = 0;
     int step_ = 0;
+    bool isWaiting_ = false;
+    int begun_ = 0;
     int last_ = 0;
     int failed_ = 0;
     std::vector<StepTiming> timings_;

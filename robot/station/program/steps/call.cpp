@@ -60,7 +60,7 @@ const StepKind& callStep() {
                 writer.open(QStringLiteral("if %1 != \"\":").arg(result));
                 writer.failWith(result);
                 writer.close();
-                writer.mark();
+                writer.markReturn();
             },
     };
     return kind;

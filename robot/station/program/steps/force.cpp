@@ -51,7 +51,10 @@ const StepKind& forceStep() {
                 };
                 writer.line(QStringLiteral("force_mode(%1, %2, %3, 2, %4)")
                                 .arg(task, list(selection), list(wrench), list(limits)));
-                writer.steps();
+                writer.inScope([&] {
+                    writer.scope().isForce = true;
+                    writer.steps();
+                });
                 writer.line(QStringLiteral("end_force_mode()"));
             },
         .isSection = true,

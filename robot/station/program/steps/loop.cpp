@@ -24,12 +24,19 @@ const StepKind& loopStep() {
                 writer.line(counter + QStringLiteral(" = 0"));
                 writer.open(times == 0 ? QStringLiteral("while True:")
                                        : QStringLiteral("while %1 < %2:").arg(counter).arg(times));
-                writer.line(QStringLiteral("%1 = %1 + 1").arg(counter));
+                if (times == 0) {
+                    writer.countCycle(counter);
+                } else {
+                    writer.line(QStringLiteral("%1 = %1 + 1").arg(counter));
+                }
                 if (writer.has("variable")) {
                     writer.declare(writer.text("variable"), VariableType::Whole);
                     writer.line(QStringLiteral("global %1 = %2").arg(writer.text("variable"), counter));
                 }
-                writeLoopBody(writer, times == 0);
+                writer.inScope([&] {
+                    writer.scope().isCycle = writer.scope().isCycle || times == 0;
+                    writeLoopBody(writer, times == 0);
+                });
                 writer.close();
             },
         .isSection = true,

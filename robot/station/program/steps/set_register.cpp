@@ -25,10 +25,9 @@ const StepKind& setRegisterStep() {
             [](StepWriter& writer) {
                 const QString type = writer.text("type");
                 const int number = writer.whole("register");
-                if (type != QLatin1String("boolean") && number >= kStepRegister) {
-                    writer.error(
-                        "register",
-                        ProgramText::tr("Programs can set registers up to %1.").arg(kStepRegister - 1));
+                if (type != QLatin1String("boolean") && number >= script::kGateRegister) {
+                    writer.error("register", ProgramText::tr("Programs can set registers up to %1.")
+                                                 .arg(script::kGateRegister - 1));
                 }
                 writer.line(QStringLiteral("write_output_%1_register(%2, %3)")
                                 .arg(type)

@@ -57,13 +57,17 @@ struct TabBench {
         }
         QCoreApplication::processEvents();
     }
-    void setSteps(const QStringList& waypoints) {
+    std::vector<project::ProgramStep> moves(const QStringList& waypoints) const {
         std::vector<project::ProgramStep> moves;
         for (const QString& waypoint : waypoints) {
-            moves.push_back(step("moveL", {{"waypoint", waypointId(document.project(), waypoint)}}));
+            moves.push_back(program::step("moveL", {{"waypoint", waypointId(document.project(), waypoint)}}));
         }
+        return moves;
+    }
+    void setSteps(const QStringList& waypoints) { setProgram(moves(waypoints)); }
+    void setProgram(std::vector<project::ProgramStep> steps) {
         project::ProgramList programs;
-        programs.append(makeProgram("Test", std::move(moves)));
+        programs.append(makeProgram("Test", std::move(steps)));
         document.changePrograms(programs, "steps");
         QCoreApplication::processEvents();
     }
@@ -74,6 +78,9 @@ struct TabBench {
     HoldToRunButton& hold() const { return find<HoldToRunButton>("program.runHold"); }
     HoldToRunButton& start() const { return find<HoldToRunButton>("program.moveToStart"); }
     QPushButton& run() const { return find<QPushButton>("program.run"); }
+    QPushButton& pause() const { return find<QPushButton>("program.pause"); }
+    QPushButton& step() const { return find<QPushButton>("program.step"); }
+    QPushButton& finish() const { return find<QPushButton>("program.finishCycle"); }
     QString status() const { return find<ElidedLabel>("program.status").fullText(); }
     const ProgramRunner& runner() const { return find<RunBar>("program.runBar").runner(); }
     void press(HoldToRunButton& key) { QTest::mousePress(&key, Qt::LeftButton); }
@@ -101,6 +108,9 @@ struct TabBench {
     bool preview() {
         find<QPushButton>("program.preview").click();
         return QTest::qWaitFor([this] { return status().contains("Simulated: "); }, kLongMs);
+    }
+    bool reachWaiting() {
+        return cell.advanceUntil([this] { return runner().isWaiting(); }, kLongMs);
     }
     bool moveToStart() {
         press(start());
@@ -252,6 +262,84 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner().end(), ProgramRunner::End::Stopped);
         QVERIFY(bench.session.state().canMove());
+    }
+
+    void aRunPausesAndContinues() {
+        TabBench bench;
+        QStringList log;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.tab,
+                         [&](Severity, const QString& text) { log.append(text); });
+        bench.setSteps({"pick", "place", "home"});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(20);
+        QVERIFY(!bench.pause().isEnabled() && !bench.step().isEnabled());
+        QVERIFY2(bench.pause().toolTip().contains("No program"), qPrintable(bench.pause().toolTip()));
+        QVERIFY2(bench.step().toolTip().contains("Preview"), qPrintable(bench.step().toolTip()));
+        QVERIFY(bench.preview());
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        bench.run().click();
+        QVERIFY(bench.reachMotion());
+        QVERIFY(!bench.step().isEnabled());
+        QVERIFY2(bench.step().toolTip().contains("Pause"), qPrintable(bench.step().toolTip()));
+        QVERIFY(!bench.finish().isEnabled());
+        QVERIFY2(bench.finish().toolTip().contains("endless"), qPrintable(bench.finish().toolTip()));
+        const int width = bench.pause().width();
+        bench.pause().click();
+        QCOMPARE(bench.pause().text(), QStringLiteral("Resume"));
+        QVERIFY2(bench.status().startsWith("Pausing"), qPrintable(bench.status()));
+        const int running = bench.runner().log().step();
+        QVERIFY(bench.reachWaiting());
+        QCOMPARE(bench.pause().width(), width);
+        QCOMPARE(bench.run().text(), QStringLiteral("Stop"));
+        QVERIFY2(bench.status().startsWith(QStringLiteral("Paused before step %1").arg(running + 1)),
+                 qPrintable(bench.status()));
+        QVERIFY2(log.contains(bench.status()), qPrintable(log.join('\n')));
+        QVERIFY2(bench.row(running).startsWith(QStringLiteral("▶")), qPrintable(bench.row(running)));
+        QVERIFY(bench.standstill() <= kStandstillTime);
+        QVERIFY(bench.isStill());
+        bench.pause().click();
+        QCOMPARE(bench.pause().text(), QStringLiteral("Pause"));
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
+        QVERIFY(!bench.pause().isEnabled());
+    }
+
+    void stepRunsOneStep() {
+        TabBench bench;
+        bench.setSteps({"pick", "place", "home"});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.preview());
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        QVERIFY2(bench.step().isEnabled(), qPrintable(bench.step().toolTip()));
+        for (int next = 2; next <= 3; ++next) {
+            bench.step().click();
+            QVERIFY(bench.cell.advanceUntil(
+                [&] { return bench.runner().isWaiting() && bench.runner().log().step() == next; }, kLongMs));
+            QVERIFY(bench.standstill() <= kStandstillTime);
+            QVERIFY(bench.isStill() && bench.step().isEnabled());
+        }
+        // STOP ends a paused program.
+        bench.session.stop(StopCause::StopButton);
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Stopped);
+        QVERIFY(bench.session.state().canMove());
+    }
+
+    void finishCycleEndsAnEndlessProgram() {
+        TabBench bench;
+        bench.setProgram({program::step("loop", {{"times", 0}}, bench.moves({"pick", "place"}))});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.press(bench.hold());
+        QVERIFY(bench.reachMotion());
+        QVERIFY2(bench.finish().isEnabled(), qPrintable(bench.finish().toolTip()));
+        bench.finish().click();
+        QVERIFY(bench.runner().endsWithCycle() && bench.finish().isChecked());
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
+        QVERIFY(!bench.finish().isChecked() && !bench.finish().isEnabled());
+        bench.release(bench.hold());
     }
 
     void moveToStartEndsWithTheButton() {

@@ -60,8 +60,8 @@ struct RunBench {
     void hold(RobotSession::MotionId id) {
         cell.everyRefresh = [this, id] { (void)session.hold(id); };
     }
-    bool begin(Holding holding) {
-        const auto begun = runner.start(plan(), holding);
+    bool begin(Holding holding, std::int32_t permitted = script::StepGate::kUnlimited) {
+        const auto begun = runner.start(plan(), holding, permitted);
         if (!begun) {
             qWarning("%s", qPrintable(begun.error().toString()));
             return false;
@@ -71,8 +71,51 @@ struct RunBench {
         }
         return true;
     }
+    bool reachWaiting() {
+        return cell.advanceUntil([this] { return runner.isWaiting(); }, kLongMs);
+    }
+    bool programEnds(int atMostMs) {
+        for (int ms = 0; ms < atMostMs && cell.truth().runtimeState == RuntimeState::Playing; ms += 2) {
+            clock.advanceNs(2 * kNsPerMs);
+            cell.robot.step();
+        }
+        return cell.truth().runtimeState == RuntimeState::Stopped;
+    }
     bool reachStep(int step) {
         return cell.advanceUntil([this, step] { return runner.log().step() == step; }, kLongMs);
+    }
+    /// Triggers a named stop. Sets `linked` to false if the connection does not transmit any more.
+    bool happen(const QString& stop, bool& linked) {
+        if (stop == "stop key") {
+            session.stop(StopCause::StopButton);
+        } else if (stop == "space") {
+            session.stop(StopCause::Space);
+        } else if (stop == "escape") {
+            session.stop(StopCause::Escape);
+        } else if (stop == "device") {
+            session.stop(StopCause::DeviceLost);
+        } else if (stop == "runner") {
+            runner.stop(StopCause::WindowClosed);
+        } else if (stop == "release") {
+            cell.everyRefresh = {};
+            runner.stop(StopCause::Released);
+        } else if (stop == "hanging window") {
+            cell.everyRefresh = {};
+            cell.advanceWithFrozenInterface(300);
+            return isStill(cell.truth());
+        } else if (stop == "release control") {
+            session.releaseControl();
+        } else if (stop == "monitor only") {
+            session.setMonitorOnly(true);
+        } else if (stop == "protective stop") {
+            cell.robot.protectiveStop();
+        } else if (stop == "disconnect") {
+            session.disconnectFromRobot();
+        } else {
+            linked = false;
+            return cell.robot.inject(stop).ok();
+        }
+        return true;
     }
     bool reachMotion() {
         return cell.advanceUntil([this] { return cell.truth().tcpSpeed.linear.norm() > 0.05; }, kLongMs);
@@ -201,35 +244,7 @@ private Q_SLOTS:
         QVERIFY(bench.reachMotion());
         bench.cell.advanceMs(100);
         bool linked = true;
-        if (stop == "stop key") {
-            bench.session.stop(StopCause::StopButton);
-        } else if (stop == "space") {
-            bench.session.stop(StopCause::Space);
-        } else if (stop == "escape") {
-            bench.session.stop(StopCause::Escape);
-        } else if (stop == "device") {
-            bench.session.stop(StopCause::DeviceLost);
-        } else if (stop == "runner") {
-            bench.runner.stop(StopCause::WindowClosed);
-        } else if (stop == "release") {
-            bench.cell.everyRefresh = {};
-            bench.runner.stop(StopCause::Released);
-        } else if (stop == "hanging window") {
-            bench.cell.everyRefresh = {};
-            bench.cell.advanceWithFrozenInterface(300);
-            QVERIFY(isStill(bench.cell.truth()));
-        } else if (stop == "release control") {
-            bench.session.releaseControl();
-        } else if (stop == "monitor only") {
-            bench.session.setMonitorOnly(true);
-        } else if (stop == "protective stop") {
-            bench.cell.robot.protectiveStop();
-        } else if (stop == "disconnect") {
-            bench.session.disconnectFromRobot();
-        } else {
-            QVERIFY(bench.cell.robot.inject(stop).ok());
-            linked = false;
-        }
+        QVERIFY2(bench.happen(stop, linked), qPrintable(stop));
         const double time = linked ? bench.standstill() : bench.standstillWithoutLink();
         QVERIFY2(time <= kStandstillTime, qPrintable(QString::number(time)));
         QVERIFY(isStill(bench.cell.truth()));
@@ -256,6 +271,253 @@ private Q_SLOTS:
         QVERIFY(bench.awaitEnd());
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Stopped);
         QVERIFY(bench.session.state().canMove());
+    }
+
+    // The pause begins during step 1, or during the first step in it.
+    void aRunPausesAtStandstillBeforeTheNextStep_data() {
+        using Steps = std::vector<project::ProgramStep>;
+        QTest::addColumn<Steps>("first");
+        QTest::addColumn<int>("running");  ///< step at the time of the pause
+        QTest::addColumn<int>("waiting");
+        const RunBench bench;
+        const auto wait = [] { return step("wait", {{"time", 0.3}}); };
+        const auto there = [&](const char* kind, QJsonObject fields = {}) {
+            fields.insert("waypoint", waypointId(bench.project, "place"));
+            return step(kind, fields);
+        };
+        const auto row = [](const char* name, const Steps& steps, int running, int waiting) {
+            QTest::newRow(name) << steps << running << waiting;
+        };
+        row("moveJ", {there("moveJ")}, 1, 2);
+        row("moveL", {there("moveL")}, 1, 2);
+        row("moveL with blend", {there("moveL", {{"blend", 0.02}})}, 1, 2);
+        row("moveP with blend", {there("moveP", {{"blend", 0.02}})}, 1, 2);
+        row("moveRelative", {step("moveRelative", {{"x", -0.1}})}, 1, 2);
+        row("moveUntil", {step("moveUntil", {{"until", "distance"}, {"axes", "base"}, {"distance", 0.02}})},
+            1, 2);
+        row("moveGroup", {step("moveGroup", {{"group", "row"}})}, 1, 2);
+        row("wait", {wait()}, 1, 2);
+        row("waitInput", {step("waitInput", {{"input", 2}, {"timeLimit", 0.3}, {"otherwise", "continue"}})},
+            1, 2);
+        row("waitCondition",
+            {step("waitCondition", {{"condition", "DI2"}, {"timeLimit", 0.3}, {"otherwise", "continue"}})}, 1,
+            2);
+        row("pulse", {step("pulseOutput", {{"output", 2}, {"time", 0.3}})}, 1, 2);
+        row("gripper", {step("gripper", {{"action", "close"}, {"time", 0.3}})}, 1, 2);
+        row("script", {step("script", {{"text", "sleep(0.3)"}})}, 1, 2);
+        row("loop", {step("loop", {{"times", 2}}, {wait(), there("moveL")})}, 2, 3);
+        row("end of an iteration", {step("loop", {{"times", 2}}, {there("moveL"), wait()})}, 3, 2);
+        row("while",
+            {step("while", {{"condition", "not DO1"}}, {wait(), step("setOutput", {{"output", 1}})})}, 2, 3);
+        row("for each",
+            {step("forEachWaypoint", {{"group", "row"}, {"variable", "at"}},
+                  {step("moveL", {{"pose", "at"}}), wait()})},
+            2, 3);
+        row("if", {step("if", {{"condition", "not DI2"}}, {wait(), there("moveL")})}, 2, 3);
+        row("else",
+            {step("if", {{"condition", "DI2"}}, {there("moveL")}),
+             step("else", {}, {wait(), there("moveL")})},
+            4, 5);
+        row("switch", {step("switch", {{"value", "1"}}, {step("case", {{"value", "1"}}, {wait(), wait()})})},
+            3, 4);
+        row("try", {step("try", {}, {wait(), there("moveL")}), step("onError", {}, {wait()})}, 2, 3);
+        row("on error", {step("try", {}, {step("fail")}), step("onError", {}, {wait(), there("moveL")})}, 4,
+            5);
+        row("end of a force section",
+            {step("force", {{"axes", "base"}, {"force", 5}}, {wait(), there("moveL")})}, 2, 4);
+        row("speed section", {step("speed", {{"factor", 0.5}}, {wait(), there("moveL")})}, 2, 3);
+        row("folder", {step("folder", {}, {wait(), there("moveL")})}, 2, 3);
+    }
+    void aRunPausesAtStandstillBeforeTheNextStep() {
+        QFETCH(std::vector<project::ProgramStep>, first);
+        QFETCH(int, running);
+        QFETCH(int, waiting);
+        RunBench bench;
+        // The rows refer to a waypoint of another project.
+        const std::function<void(std::vector<project::ProgramStep>&)> bind = [&](auto& list) {
+            for (project::ProgramStep& each : list) {
+                if (!each.fields["waypoint"].toString().isEmpty()) {
+                    each.fields["waypoint"] = waypointId(bench.project, "place");
+                }
+                bind(each.steps);
+            }
+        };
+        bind(first);
+        first.push_back(bench.move("pick"));
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps(first);
+        QVERIFY2(bench.plan().obstacle.isEmpty(), qPrintable(bench.plan().obstacle));
+        PreviewOptions fromHere;
+        fromHere.start = bench.session.state().q;
+        const Preview expected = previewProgram(bench.project, bench.plan().script,
+                                                optionsFor(bench.project, bench.session.state()), fromHere);
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachStep(running));
+        bench.runner.pause();
+        QVERIFY(bench.runner.isPaused() && !bench.runner.isWaiting());
+        QVERIFY(bench.reachWaiting());
+        QCOMPARE(bench.runner.log().step(), waiting);
+        bench.standstill();
+        QVERIFY(isStill(bench.cell.truth()));
+        QVERIFY(bench.standstill() == 0);
+        QVERIFY(bench.runner.isWaiting());
+        QCOMPARE(bench.cell.truth().runtimeState, RuntimeState::Playing);
+        QVERIFY(!bench.session.state().canMove());
+        bench.runner.resume();
+        QVERIFY(!bench.runner.isPaused());
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QVERIFY((bench.cell.truth().q.values - expected.endJoints.values).cwiseAbs().maxCoeff() < 0.002);
+        // Waiting has not run a step twice.
+        QCOMPARE(bench.runner.log().timings()[static_cast<std::size_t>(waiting - 1)].count,
+                 expected.timings[static_cast<std::size_t>(waiting - 1)].count);
+    }
+
+    void aPauseBeforeTheStartHoldsTheFirstStep() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick"), bench.move("place")});
+        QVERIFY(bench.begin(Holding::Free));
+        bench.runner.pause();
+        QVERIFY(bench.reachWaiting());
+        QCOMPARE(bench.runner.log().step(), 1);
+        QVERIFY(bench.standstill() == 0);
+        // The next run is not paused.
+        bench.runner.stop(StopCause::StopButton);
+        QVERIFY(bench.awaitEnd());
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(!bench.runner.isPaused());
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+    }
+
+    void singleStepsRunInTheOrderOfTheModel() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps(
+            {step("assign", {{"variable", "n"}, {"type", "whole"}, {"value", "0"}}),
+             step("loop", {{"times", 2}},
+                  {bench.move("pick"), step("setOutput", {{"output", 1}}), bench.move("place")}),
+             step("try", {}, {step("wait", {{"time", 0.1}}), step("fail")}),
+             step("onError", {}, {step("wait", {{"time", 0.1}})}),
+             step("if", {{"condition", "n > 0"}}, {step("wait")}), step("else", {}, {bench.move("home")}),
+             step("switch", {{"value", "n"}},
+                  {step("case", {{"value", "1"}}, {step("wait")}), step("default", {}, {step("folder")})}),
+             step("forEachWaypoint", {{"group", "row"}, {"variable", "at"}},
+                  {step("moveL", {{"pose", "at"}, {"blend", 0.005}})})});
+        QVERIFY2(bench.plan().obstacle.isEmpty(), qPrintable(bench.plan().obstacle));
+        PreviewOptions fromHere;
+        fromHere.start = bench.session.state().q;
+        const Preview model = previewProgram(bench.project, bench.plan().script,
+                                             optionsFor(bench.project, bench.session.state()), fromHere);
+        QVERIFY(bench.begin(Holding::Free, 0));
+        std::vector<int> order;
+        while (bench.cell.advanceUntil(
+            [&] { return bench.runner.isWaiting() || bench.runner.state() == ProgramRunner::State::Ended; },
+            kLongMs)) {
+            if (bench.runner.state() == ProgramRunner::State::Ended) {
+                break;
+            }
+            QCOMPARE(bench.runner.log().begun(), static_cast<int>(order.size()));
+            order.push_back(bench.runner.log().step());
+            bench.runner.step();
+            bench.runner.step();  // has no effect until the program waits again
+            const int begun = static_cast<int>(order.size());
+            QVERIFY(bench.cell.advanceUntil(
+                [&] { return bench.runner.log().begun() >= begun || !bench.runner.isWaiting(); }, kLongMs));
+        }
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QCOMPARE(order, model.order);
+    }
+
+    void aRunEndsWithItsCycle_data() {
+        QTest::addColumn<QString>("change");
+        for (const char* change :
+             {"while running", "while paused", "in a section", "with a blend", "withdrawn"}) {
+            QTest::newRow(change) << QString::fromLatin1(change);
+        }
+    }
+    void aRunEndsWithItsCycle() {
+        QFETCH(QString, change);
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        project::ProgramStep last = bench.move("place");
+        last.fields["blend"] = change == "with a blend" ? 0.02 : 0.0;
+        const auto endless =
+            step("loop", {{"times", 0}}, {bench.move("pick"), step("loop", {}, {bench.move("home")}), last});
+        const bool isNested = change == "in a section";
+        bench.setSteps(isNested ? std::vector{step("try", {}, {endless}), step("onError", {}, {step("wait")})}
+                                : std::vector{endless});
+        const int pick = isNested ? 3 : 2;
+        const int place = pick + 3;
+        QVERIFY(bench.plan().script.hasCycle);
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachStep(pick + 2));
+        if (change == "while paused") {
+            bench.runner.pause();
+            QVERIFY(bench.reachWaiting());
+        }
+        bench.runner.setEndsWithCycle(true);
+        QVERIFY(bench.runner.endsWithCycle());
+        if (change == "while paused") {
+            bench.cell.advanceMs(100);
+            QVERIFY(bench.runner.isWaiting());
+            bench.runner.resume();
+        }
+        if (change == "withdrawn") {
+            bench.runner.setEndsWithCycle(false);
+            QVERIFY(bench.reachStep(place));
+            QVERIFY(bench.reachStep(pick));
+            bench.runner.setEndsWithCycle(true);
+        }
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QCOMPARE(bench.runner.log().timings()[static_cast<std::size_t>(place - 1)].count,
+                 change == "withdrawn" ? 2 : 1);
+        // The arm has completed the last move.
+        const double distance = distanceMm(bench.cell.truth().tcpPose, bench.project.waypoints.at(2).pose);
+        QVERIFY2(distance < 0.5, qPrintable(QString::number(distance)));
+        QVERIFY(bench.session.state().canMove());
+        // The next run does not end early.
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(!bench.runner.endsWithCycle());
+    }
+
+    void countedLoopsAreNoCycle() {
+        RunBench bench;
+        bench.setSteps({step("loop", {{"times", 3}}, {bench.move("pick")})});
+        QVERIFY(!bench.plan().script.hasCycle);
+        QVERIFY(!bench.plan().script.gatedText().contains("tiller_turn"));
+    }
+
+    void everyStopEndsAPausedRun_data() { everyStopEndsARun_data(); }
+    void everyStopEndsAPausedRun() {
+        QFETCH(Holding, holding);
+        QFETCH(QString, stop);
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        QVERIFY(bench.begin(holding));
+        QVERIFY(bench.reachMotion());
+        bench.runner.pause();
+        QVERIFY(bench.reachWaiting());
+        bench.standstill();
+        bool linked = true;
+        QVERIFY2(bench.happen(stop, linked), qPrintable(stop));
+        QVERIFY(bench.runner.isWaiting() || !bench.runner.isActive() ||
+                bench.runner.state() == ProgramRunner::State::Stopping);
+        if (linked) {
+            bench.cell.advanceMs(static_cast<int>(1000 * kStandstillTime));
+        } else {
+            QVERIFY(bench.programEnds(static_cast<int>(1000 * kStandstillTime)));
+        }
+        // A late resume has no effect.
+        bench.runner.resume();
+        QVERIFY((linked ? bench.standstill() : bench.standstillWithoutLink()) == 0);
+        QVERIFY(linked ? bench.awaitEnd() : bench.awaitEndWithoutLink());
+        QVERIFY(bench.runner.end() == ProgramRunner::End::Stopped ||
+                bench.runner.end() == ProgramRunner::End::Failed);
+        QVERIFY((linked ? bench.standstill() : bench.standstillWithoutLink()) == 0);
     }
 
     // The button is released while the program is being sent.

@@ -150,8 +150,37 @@ private Q_SLOTS:
         QVERIFY2(script.ok() && script.problems.empty(), qPrintable(describe(script)));
         QVERIFY2(compileError(script.text).isEmpty(),
                  qPrintable(compileError(script.text) + '\n' + script.text));
+        // A run with a step gate has the same lines, except for the calls of the gate.
+        const QStringList lines = script.text.split('\n');
+        const QStringList gated = script.gatedText().split('\n');
+        QCOMPARE(gated.size(), lines.size());
+        QVERIFY(!script.text.contains("tiller_step(") && !script.text.contains("tiller_turn("));
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            QVERIFY2(gated[i] == lines[i] || gated[i].contains("tiller_step("), qPrintable(gated[i]));
+        }
+        QVERIFY(gated != lines);
         QVERIFY(!row->name().isEmpty());
         QVERIFY(!groupName(row->group).isEmpty());
+    }
+
+    // The arm is not at standstill between the steps of a force section, and parallel steps never wait.
+    void forceSectionsAndParallelStepsDoNotPause() {
+        project::Project project = sampleProject();
+        const project::Program called = makeProgram("called", {step("wait")});
+        project.programs.append(called);
+        const auto call = [&] { return step("call", {{"program", idText(called.id)}}); };
+        const ProgramScript script = scriptOf(
+            project, makeProgram("sections", {step("force", {}, {step("wait"), call()}),
+                                              step("watch", {{"condition", "DI1"}}, {call()}), call()}));
+        QVERIFY2(script.ok(), qPrintable(describe(script)));
+        QList<int> numbers;
+        static const QRegularExpression kCall(QStringLiteral("tiller_step\\((\\d+)\\)"));
+        for (auto match = kCall.globalMatch(script.gatedText()); match.hasNext();) {
+            numbers.append(match.next().captured(1).toInt());
+        }
+        std::sort(numbers.begin(), numbers.end());
+        // The force section, the watch, the last call, and the step of the called program.
+        QCOMPARE(numbers, (QList<int>{1, 4, 6, 7}));
     }
 
     void linesBelongToTheirSteps() {

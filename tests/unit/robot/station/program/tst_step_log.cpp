@@ -17,9 +17,9 @@ constexpr double kPeriod = 0.002;
 class Samples {
 public:
     explicit Samples(StepLog& log) : log_(log) {}
-    void add(RuntimeState runtime, int value, double seconds) {
+    void add(RuntimeState runtime, int value, double seconds, int gate = 0) {
         for (int i = 0; i < qRound(seconds / kPeriod); ++i, time_ += kPeriod) {
-            log_.add(time_, runtime, value);
+            log_.add(time_, runtime, value, gate);
         }
     }
 
@@ -34,6 +34,27 @@ class TestStepLog : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void waitingIsNotPartOfAStep() {
+        StepLog log(3);
+        Samples samples(log);
+        samples.add(RuntimeState::Stopped, 0, 0.1, -5);  // left by an earlier program
+        QVERIFY(!log.isWaiting());
+        samples.add(RuntimeState::Playing, 1, 0.2, 1);
+        QVERIFY(!log.isWaiting());
+        QCOMPARE(log.begun(), 1);
+        samples.add(RuntimeState::Playing, 2, 0.5, -2);
+        QVERIFY(log.isWaiting());
+        QCOMPARE(log.step(), 2);
+        QCOMPARE(log.begun(), 1);
+        samples.add(RuntimeState::Playing, 2, 0.3, 2);
+        QVERIFY(!log.isWaiting());
+        QCOMPARE(log.begun(), 2);
+        QCOMPARE(log.timings()[1].count, 1);
+        QVERIFY(qAbs(log.timings()[1].total - 0.3) < 4 * kPeriod);
+        samples.add(RuntimeState::Stopped, 0, 0.1, -4);
+        QVERIFY(!log.isWaiting() && log.hasEnded());
+    }
+
     void timesAndRunsAreCounted() {
         StepLog log(3);
         Samples samples(log);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Pauses a running program between its steps. The program calls tiller_step() at the beginning of each step and
+// tiller_turn() at the beginning of each iteration of its outermost endless loop. Both functions read one integer
+// input register, so the client decides how many steps may begin.
+
+#include <QString>
+#include <cstdint>
+
+namespace tiller::script {
+
+/// Output integer register in which a program of a project writes the number of its step. The control program
+/// does not use this register.
+inline constexpr int kStepRegister = 47;
+
+/// Output integer register with the number of steps that have begun, n, while the program runs, and -1 - n
+/// while the program waits before the next step. The control program does not use this register.
+inline constexpr int kGateRegister = 46;
+
+/// What a program may do next.
+struct StepGate {
+    static constexpr std::int32_t kUnlimited = 1'000'000'000;
+    std::int32_t permitted = kUnlimited;  ///< total number of steps that may begin
+    bool endsWithCycle = false;  ///< the program ends before the next iteration of its outermost endless loop
+
+    /// Value of the input register. Never 0, so a register that was not written permits no step.
+    std::int32_t value() const { return endsWithCycle ? -1 - permitted : 1 + permitted; }
+    bool operator==(const StepGate&) const = default;
+};
+
+/// URScript definitions of the two functions, to be inserted at the beginning of a program.
+/// inputRegister  integer register with StepGate::value()
+///
+/// tiller_step(number)  writes the number to kStepRegister and waits until another step may begin
+/// tiller_turn(turn)    returns `turn`, or ends the program at standstill if it must end with its cycle
+QString stepGateScript(int inputRegister);
+
+}  // namespace tiller::script
