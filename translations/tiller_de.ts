@@ -8649,6 +8649,14 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Stopping…</source>
         <translation>Hält an…</translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2)</source>
+        <translation>Pausiert vor Schritt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Pausing after step %1 (%2)</source>
+        <translation>Pausiert nach Schritt %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9463,6 +9471,50 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
         <translation>Führt das Programm mit seiner eigenen Geschwindigkeit aus, bis es endet oder angehalten wird. Der Arm stoppt auch, wenn Tiller geschlossen wird oder die Verbindung abbricht.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Finish cycle</source>
+        <translation>Zyklus beenden</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>Es läuft kein Programm.</translation>
+    </message>
+    <message>
+        <source>Continues the program</source>
+        <translation>Setzt das Programm fort</translation>
+    </message>
+    <message>
+        <source>Pauses the program before its next step</source>
+        <translation>Pausiert das Programm vor dem nächsten Schritt</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>Pausieren Sie zuerst das Programm.</translation>
+    </message>
+    <message>
+        <source>Runs one step and then pauses the program</source>
+        <translation>Führt einen Schritt aus und pausiert dann das Programm</translation>
+    </message>
+    <message>
+        <source>The program has no endless loop.</source>
+        <translation>Das Programm hat keine Endlosschleife.</translation>
+    </message>
+    <message>
+        <source>Ends the program before the next cycle of its endless loop</source>
+        <translation>Beendet das Programm vor dem nächsten Durchlauf seiner Endlosschleife</translation>
     </message>
 </context>
 <context>

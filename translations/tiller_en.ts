@@ -8636,6 +8636,14 @@ Release the button to stop the arm.</source>
         <source>Stopping…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pausing after step %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9449,6 +9457,50 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finish cycle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continues the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pauses the program before its next step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs one step and then pauses the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program has no endless loop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the program before the next cycle of its endless loop</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

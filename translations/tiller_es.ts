@@ -8649,6 +8649,14 @@ Suelte el botón para detener el brazo.</translation>
         <source>Stopping…</source>
         <translation>Parando…</translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2)</source>
+        <translation>En pausa antes del paso %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Pausing after step %1 (%2)</source>
+        <translation>Se pausará tras el paso %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9463,6 +9471,50 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
         <translation>Ejecuta el programa a su velocidad hasta que termine o se pare. El brazo también se para si se cierra Tiller o se pierde la conexión.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Paso</translation>
+    </message>
+    <message>
+        <source>Finish cycle</source>
+        <translation>Acabar ciclo</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reanudar</translation>
+    </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>No se ejecuta ningún programa.</translation>
+    </message>
+    <message>
+        <source>Continues the program</source>
+        <translation>Continúa el programa</translation>
+    </message>
+    <message>
+        <source>Pauses the program before its next step</source>
+        <translation>Pausa el programa antes del paso siguiente</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>Pause primero el programa.</translation>
+    </message>
+    <message>
+        <source>Runs one step and then pauses the program</source>
+        <translation>Ejecuta un paso y luego pausa el programa</translation>
+    </message>
+    <message>
+        <source>The program has no endless loop.</source>
+        <translation>El programa no tiene un bucle sin fin.</translation>
+    </message>
+    <message>
+        <source>Ends the program before the next cycle of its endless loop</source>
+        <translation>Termina el programa antes del siguiente ciclo de su bucle sin fin</translation>
     </message>
 </context>
 <context>

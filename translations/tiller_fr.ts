@@ -8649,6 +8649,14 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Stopping…</source>
         <translation>Arrêt…</translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2)</source>
+        <translation>En pause avant l&apos;étape %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Pausing after step %1 (%2)</source>
+        <translation>Pause après l&apos;étape %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9463,6 +9471,50 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
         <translation>Exécute le programme à sa propre vitesse jusqu&apos;à sa fin ou son arrêt. Le bras s&apos;arrête aussi si Tiller se ferme ou si la connexion est perdue.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>Finish cycle</source>
+        <translation>Finir le cycle</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>Aucun programme en cours.</translation>
+    </message>
+    <message>
+        <source>Continues the program</source>
+        <translation>Continue le programme</translation>
+    </message>
+    <message>
+        <source>Pauses the program before its next step</source>
+        <translation>Met le programme en pause avant l&apos;étape suivante</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>Mettez d&apos;abord le programme en pause.</translation>
+    </message>
+    <message>
+        <source>Runs one step and then pauses the program</source>
+        <translation>Exécute une étape puis met le programme en pause</translation>
+    </message>
+    <message>
+        <source>The program has no endless loop.</source>
+        <translation>Le programme n&apos;a pas de boucle sans fin.</translation>
+    </message>
+    <message>
+        <source>Ends the program before the next cycle of its endless loop</source>
+        <translation>Termine le programme avant le prochain cycle de sa boucle sans fin</translation>
     </message>
 </context>
 <context>

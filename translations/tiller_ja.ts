@@ -8630,6 +8630,14 @@ Release the button to stop the arm.</source>
         <source>Stopping…</source>
         <translation>停止中…</translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2)</source>
+        <translation>ステップ %1 (%2) の前で一時停止中</translation>
+    </message>
+    <message>
+        <source>Pausing after step %1 (%2)</source>
+        <translation>ステップ %1 (%2) の後で一時停止します</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9439,6 +9447,50 @@ Release the button to stop the arm.</source>
     <message>
         <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
         <translation>プログラムを設定された速度で、終了または停止まで実行します。Tiller を閉じるか接続が切れた場合もアームは停止します。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>Finish cycle</source>
+        <translation>サイクル終了</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>再開</translation>
+    </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>実行中のプログラムはありません。</translation>
+    </message>
+    <message>
+        <source>Continues the program</source>
+        <translation>プログラムを続行します</translation>
+    </message>
+    <message>
+        <source>Pauses the program before its next step</source>
+        <translation>次のステップの前でプログラムを一時停止します</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>先にプログラムを一時停止してください。</translation>
+    </message>
+    <message>
+        <source>Runs one step and then pauses the program</source>
+        <translation>1 ステップ実行してからプログラムを一時停止します</translation>
+    </message>
+    <message>
+        <source>The program has no endless loop.</source>
+        <translation>プログラムに無限ループがありません。</translation>
+    </message>
+    <message>
+        <source>Ends the program before the next cycle of its endless loop</source>
+        <translation>無限ループの次のサイクルの前にプログラムを終了します</translation>
     </message>
 </context>
 <context>

@@ -8630,6 +8630,14 @@ Release the button to stop the arm.</source>
         <source>Stopping…</source>
         <translation>正在停止…</translation>
     </message>
+    <message>
+        <source>Paused before step %1 (%2)</source>
+        <translation>在步骤 %1（%2）之前暂停</translation>
+    </message>
+    <message>
+        <source>Pausing after step %1 (%2)</source>
+        <translation>将在步骤 %1（%2）之后暂停</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9439,6 +9447,50 @@ Release the button to stop the arm.</source>
     <message>
         <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
         <translation>以程序自身的速度运行，直到结束或被停止。关闭 Tiller 或连接中断时机械臂也会停止。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>单步</translation>
+    </message>
+    <message>
+        <source>Finish cycle</source>
+        <translation>完成循环</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>No program is running.</source>
+        <translation>没有程序在运行。</translation>
+    </message>
+    <message>
+        <source>Continues the program</source>
+        <translation>继续程序</translation>
+    </message>
+    <message>
+        <source>Pauses the program before its next step</source>
+        <translation>在下一步之前暂停程序</translation>
+    </message>
+    <message>
+        <source>Pause the program first.</source>
+        <translation>请先暂停程序。</translation>
+    </message>
+    <message>
+        <source>Runs one step and then pauses the program</source>
+        <translation>运行一步，然后暂停程序</translation>
+    </message>
+    <message>
+        <source>The program has no endless loop.</source>
+        <translation>程序没有无限循环。</translation>
+    </message>
+    <message>
+        <source>Ends the program before the next cycle of its endless loop</source>
+        <translation>在无限循环的下一周期之前结束程序</translation>
     </message>
 </context>
 <context>
