@@ -167,6 +167,12 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
     connect(runBar_, &RunBar::refused, this,
             [this](const QString& reason) { showStatus(tr("⚠ %1").arg(reason)); });
     connect(runBar_, &RunBar::runChanged, this, &ProgramTab::showRun);
+    connect(runBar_, &RunBar::startStepChanged, this, [this] {
+        check();
+        if (runBar_->startStep()) {
+            preview();
+        }
+    });
     // The script depends on the software version of the robot.
     connect(&session, &RobotSession::connected, this, &ProgramTab::check);
     check();
@@ -276,6 +282,9 @@ const project::Program* ProgramTab::current() const {
 }
 
 void ProgramTab::follow() {
+    if (runBar_ != nullptr) {
+        runBar_->clearStartStep();
+    }
     const project::ProgramList& programs = document_.project().programs;
     if (current() == nullptr) {
         program_ = programs.isEmpty() ? QUuid() : programs.at(0).id;
@@ -294,8 +303,12 @@ void ProgramTab::follow() {
 }
 
 program::ScriptOptions ProgramTab::scriptOptions() const {
-    return session_ != nullptr ? program::optionsFor(document_.project(), session_->state())
-                               : program::ScriptOptions();
+    if (session_ == nullptr) {
+        return {};
+    }
+    program::ScriptOptions options = program::optionsFor(document_.project(), session_->state());
+    options.from = runBar_->startStep() ? runBar_->startStep()->step : QUuid();
+    return options;
 }
 
 // Compares everything that affects the simulation in addition to the script.
@@ -364,6 +377,9 @@ void ProgramTab::showSelection() {
                                            ? program::findStep(program->steps, *selected.begin())
                                            : nullptr;
     form_->setStep(document_.project(), step);
+    if (runBar_ != nullptr) {
+        runBar_->setSelectedStep(step != nullptr ? step->id : QUuid());
+    }
     form_->setProblem(step != nullptr ? model_->noteAt(step->id) : QString());
     for (QAction* action : std::as_const(selectionActions_)) {
         action->setEnabled(!selected.isEmpty());
@@ -505,7 +521,11 @@ void ProgramTab::preview() {
     previewed_ = script_;
     previewedProject_ = document_.project();
     showStatus(tr("Simulating…"));
-    runner_.start(document_.project(), script_, scriptOptions(), {},
+    program::PreviewOptions options;
+    if (runBar_ != nullptr && runBar_->startStep()) {
+        options.start = runBar_->startStep()->q;
+    }
+    runner_.start(document_.project(), script_, scriptOptions(), options,
                   [this, text = script_.text](const program::Preview& done) {
                       QMetaObject::invokeMethod(this, [this, done, text] {
                           if (previewed_.text == text) {

@@ -71,7 +71,8 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     , run_(keyNamed("program.run", tr("Run")))
     , pause_(keyNamed("program.pause", tr("Pause")))
     , step_(keyNamed("program.step", tr("Step")))
-    , finish_(keyNamed("program.finishCycle", tr("Finish cycle"))) {
+    , finish_(keyNamed("program.finishCycle", tr("Finish cycle")))
+    , from_(keyNamed("program.fromHere", tr("From here"))) {
     setObjectName("program.runBar");
     auto* begin = new QHBoxLayout;
     begin->setSpacing(8);
@@ -80,7 +81,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     begin->addWidget(run_);
     auto* gate = new QHBoxLayout;
     gate->setSpacing(8);
-    for (QPushButton* each : {pause_, step_, finish_}) {
+    for (QPushButton* each : {pause_, step_, finish_, from_}) {
         gate->addWidget(each, 1);
     }
     auto* layout = new QVBoxLayout(this);
@@ -91,6 +92,8 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     reserveWidth(*run_, tr("Stop"));
     reserveWidth(*pause_, tr("Resume"));
     finish_->setCheckable(true);
+    reserveWidth(*from_, tr("From step %1").arg(999));
+    from_->setCheckable(true);
     hold_->setMotion(runner_.motion([this] {
         isHeld_ = true;
         return plan(limits());
@@ -103,6 +106,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     connect(run_, &QPushButton::clicked, this, &RunBar::runOrStop);
     connect(pause_, &QPushButton::clicked, this, &RunBar::pauseOrResume);
     connect(step_, &QPushButton::clicked, this, &RunBar::stepOnce);
+    connect(from_, &QPushButton::clicked, this, &RunBar::toggleStartStep);
     connect(finish_, &QPushButton::toggled, &runner_, &program::ProgramRunner::setEndsWithCycle);
     connect(&runner_, &program::ProgramRunner::changed, this, &RunBar::showRun);
     connect(&session_, &RobotSession::stateChanged, this, &RunBar::follow);
@@ -116,6 +120,7 @@ RunBar::~RunBar() {
 void RunBar::setProgram(const QUuid& program, const program::ProgramScript& script) {
     if (program != program_) {
         stop(control::StopCause::SelectionChanged);
+        clearStartStep();
     }
     program_ = program;
     script_ = script;
@@ -137,7 +142,8 @@ program::SpeedLimits RunBar::limits() const {
 }
 
 program::RunPlan RunBar::plan(const program::SpeedLimits& limits) const {
-    program::RunPlan plan = program::planRun(document_.project(), program_, session_.state(), limits);
+    program::RunPlan plan =
+        program::planRun(document_.project(), program_, session_.state(), limits, startStep_);
     if (preview_ && preview_->completed && previewed_.text == script_.text) {
         plan.expected = program::slowedDuration(*preview_, limits, session_.state().speedFraction);
     }
@@ -145,8 +151,9 @@ program::RunPlan RunBar::plan(const program::SpeedLimits& limits) const {
 }
 
 JointPositions RunBar::start() const {
-    return preview_ && !preview_->path.empty() ? preview_->path.front().q
-                                               : program::startPosition(document_.project(), script_);
+    return startStep_                            ? startStep_->q
+           : preview_ && !preview_->path.empty() ? preview_->path.front().q
+                                                 : program::startPosition(document_.project(), script_);
 }
 
 MoveRequest RunBar::moveToStart() const {
@@ -209,6 +216,38 @@ void RunBar::stepOnce() {
         runner_.step();
     } else {
         run(1);
+    }
+}
+
+void RunBar::setSelectedStep(const QUuid& step) {
+    selected_ = step;
+    updateGateKeys();
+}
+
+void RunBar::clearStartStep() {
+    if (startStep_) {
+        stop(control::StopCause::SelectionChanged);
+        startStep_.reset();
+        updateAvailability();
+    }
+}
+
+void RunBar::toggleStartStep() {
+    if (startStep_) {
+        clearStartStep();
+        Q_EMIT startStepChanged();
+        return;
+    }
+    const program::StartStepChoice choice = program::chooseStartStep(
+        document_.project(), program_, selected_, program::optionsFor(document_.project(), session_.state()),
+        previewed_, preview_ ? &*preview_ : nullptr);
+    startStep_ = choice.start;
+    updateAvailability();
+    if (startStep_) {
+        stop(control::StopCause::SelectionChanged);
+        Q_EMIT startStepChanged();
+    } else {
+        Q_EMIT refused(choice.obstacle);
     }
 }
 
@@ -280,6 +319,16 @@ void RunBar::updateGateKeys() {
               : !runner_.script().hasCycle ? tr("The program has no endless loop.")
                                            : QString(),
               tr("Ends the program before the next cycle of its endless loop"));
+    setReason(*from_,
+              runner_.isActive()   ? cannotMoveReason(session_.state())
+              : startStep_         ? QString()
+              : !preview_          ? runObstacle()
+              : selected_.isNull() ? tr("Select one step.")
+                                   : QString(),
+              tr("Starts the program at the selected step, or at its beginning again. Move the arm to the "
+                 "start position of the step first."));
+    from_->setChecked(startStep_.has_value());
+    from_->setText(startStep_ ? tr("From step %1").arg(script_.numberOf(startStep_->step)) : tr("From here"));
     const QSignalBlocker blocker(finish_);
     finish_->setChecked(runs && runner_.endsWithCycle());
 }

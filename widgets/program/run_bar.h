@@ -3,7 +3,7 @@
 
 // The buttons that run the program of the Program tab: "Run (hold)", "Move to start", and "Run", which also
 // stops a program that runs without a held button. "Pause", "Step" and "Finish cycle" control the running
-// program. The rules for held buttons are those of HoldRules.
+// program, and "From here" makes the selected step the first one. The rules for held buttons are those of HoldRules.
 
 #include <QWidget>
 #include <functional>
@@ -35,6 +35,11 @@ public:
     void setProgram(const QUuid& program, const program::ProgramScript& script);
     /// Sets the preview of this script; empty: none.
     void setPreview(const program::ProgramScript& script, const std::optional<program::Preview>& preview);
+    /// Sets the selected step; null: none, or more than one.
+    void setSelectedStep(const QUuid& step);
+    /// The step at which the program starts; empty: at its beginning.
+    const std::optional<program::StartStep>& startStep() const { return startStep_; }
+    void clearStartStep();
     /// Updates the displayed speed.
     void showSpeed();
     const program::ProgramRunner& runner() const { return runner_; }
@@ -44,6 +49,8 @@ public:
 Q_SIGNALS:
     /// A press had no effect. The argument is the reason.
     void refused(const QString& reason);
+    /// The user has changed startStep(), so script and preview are out of date.
+    void startStepChanged();
     /// State or running step of the program have changed.
     void runChanged();
 
@@ -57,6 +64,7 @@ private:
     void run(std::int32_t permitted);
     void pauseOrResume();
     void stepOnce();
+    void toggleStartStep();
     void follow(const SessionState& state);
     QString programObstacle() const;
     QString runObstacle() const;
@@ -73,6 +81,8 @@ private:
     program::ProgramScript script_;
     program::ProgramScript previewed_;
     std::optional<program::Preview> preview_;
+    QUuid selected_;
+    std::optional<program::StartStep> startStep_;
     MoveRequest startMove_;  ///< of the current "Move to start"
     HoldToRunButton* hold_;
     HoldToRunButton* start_;
@@ -80,6 +90,7 @@ private:
     QPushButton* pause_;
     QPushButton* step_;
     QPushButton* finish_;
+    QPushButton* from_;
 };
 
 }  // namespace tiller

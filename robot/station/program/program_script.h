@@ -60,7 +60,9 @@ struct SpeedLimits {
 struct ScriptOptions {
     SoftwareVersion version{5, 22, 0, 0};
     std::optional<RobotModelId> model;  ///< empty: the model of the project or, if it has none, a UR5e
-    QUuid from;  ///< first step to run, at the top level of the program; null: run from the beginning
+    /// First step to run, at the top level of the program; null: run from the beginning. It is a problem if the
+    /// steps before it set a variable or the payload for it or a later step, or start a parallel watch.
+    QUuid from;
     SpeedLimits limits = {};
 };
 

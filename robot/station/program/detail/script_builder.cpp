@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/program/detail/script_builder.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
 #include "robot/project/reachability.h"
 #include "robot/script/supervised_program.h"
 #include "robot/station/program/expression.h"
+#include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
 
 namespace tiller::program {
@@ -327,6 +329,79 @@ void StepWriter::Private::writeFrom(const project::Program& owner) {
     // Write the remaining steps as a separate list, which exists until the call returns.
     const Steps rest(first, owner.steps.end());
     writeSteps(rest);
+    checkSkipped(Steps(owner.steps.begin(), first), rest);
+}
+
+void StepWriter::Private::addEffects(const Steps& steps, int caller, int depth,
+                                     std::vector<Effect>& effects) const {
+    for (const ProgramStep& step : steps) {
+        const StepKind* kind = findStepKind(step.kind);
+        if (step.disabled || kind == nullptr) {
+            continue;
+        }
+        const int number = caller > 0 ? caller : numberOf(step);
+        for (const StepField& field : kind->fields()) {
+            const QString variable =
+                field.type == FieldType::Variable ? fieldValue(step, field).toString() : QString();
+            if (!variable.isEmpty()) {
+                effects.push_back({number, variable});
+            }
+        }
+        if (step.kind == QLatin1String("payload") || (step.kind == QLatin1String("watch") && caller == 0)) {
+            effects.push_back({number, {}});
+        }
+        const project::Program* called =
+            step.kind == QLatin1String("call")
+                ? project.programs.find(QUuid(step.fields.value(QLatin1String("program")).toString()))
+                : nullptr;
+        if (called != nullptr && depth < kMaxCallDepth) {
+            addEffects(called->steps, number, depth + 1, effects);
+        }
+        addEffects(step.steps, caller, depth, effects);
+    }
+}
+
+/// Returns true unless the first line with the variable sets it at the top level of the program.
+bool StepWriter::Private::usesBeforeSetting(const QString& variable) const {
+    static const QRegularExpression kText(QStringLiteral("\"[^\"]*\"|#.*"));
+    const QRegularExpression word(QStringLiteral("\\b%1\\b").arg(QRegularExpression::escape(variable)));
+    const QString assignment = QStringLiteral("  global %1 = ").arg(variable);
+    for (const Lines* part : {&functions, &main}) {
+        for (const Line& line : *part) {
+            const QString code = QString(line.text).remove(kText);
+            if (code.contains(word)) {
+                return !code.startsWith(assignment) || code.mid(assignment.size()).contains(word);
+            }
+        }
+    }
+    return false;
+}
+
+void StepWriter::Private::checkSkipped(const Steps& skipped, const Steps& rest) {
+    std::vector<Effect> effects;
+    addEffects(skipped, 0, 0, effects);
+    const auto next = std::find_if(rest.begin(), rest.end(), [](const ProgramStep& step) {
+        return !step.disabled && step.kind != QLatin1String("comment");
+    });
+    const bool setsPayload = next != rest.end() && next->kind == QLatin1String("payload");
+    for (const Effect& effect : effects) {
+        const NumberedStep& at = result.steps[static_cast<std::size_t>(effect.step - 1)];
+        const ProgramStep* step = findStep(program->steps, at.step);
+        const QString name = findStepKind(step->kind)->name();
+        if (!effect.variable.isEmpty()) {
+            if (usesBeforeSetting(effect.variable)) {
+                report({}, ProgramText::tr("Later steps use the variable “%1” of step %2 (%3). Start at that "
+                                           "step or before it.")
+                               .arg(effect.variable)
+                               .arg(effect.step)
+                               .arg(name));
+            }
+        } else if (!setsPayload || step->kind == QLatin1String("watch")) {
+            report({}, ProgramText::tr("Later steps need step %1 (%2). Start at that step or before it.")
+                           .arg(effect.step)
+                           .arg(name));
+        }
+    }
 }
 
 ProgramScript StepWriter::Private::write(const QUuid& id) {

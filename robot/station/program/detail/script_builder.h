@@ -63,6 +63,14 @@ public:
     const StepField* field(const char* key) const;
     QJsonValue value(const char* key) const;
     void writeFrom(const project::Program& program);
+    /// An effect of a step on the steps after it, outside of sections.
+    struct Effect {
+        int step = 0;      ///< number in the main program
+        QString variable;  ///< that the step sets; empty: payload or parallel watch
+    };
+    void addEffects(const Steps& steps, int caller, int depth, std::vector<Effect>& effects) const;
+    bool usesBeforeSetting(const QString& variable) const;
+    void checkSkipped(const Steps& skipped, const Steps& rest);
 
     const project::Project& project;
     const ScriptOptions options;

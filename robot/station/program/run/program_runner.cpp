@@ -26,6 +26,14 @@ bool isSameTcp(const Pose& a, const Pose& b) {
            (a.transform().linear() - b.transform().linear()).norm() < kSameRotation;
 }
 
+bool isAt(const JointPositions& q, const SessionState& state) {
+    return (q.values - state.q.values).cwiseAbs().maxCoeff() < kAtStart;
+}
+
+QString notAtStart() {
+    return ProgramText::tr("Move the arm to the start position first.");
+}
+
 }  // namespace
 
 ScriptOptions optionsFor(const project::Project& project, const SessionState& state,
@@ -42,9 +50,11 @@ ScriptOptions optionsFor(const project::Project& project, const SessionState& st
 }
 
 RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
-                const SpeedLimits& limits) {
+                const SpeedLimits& limits, const std::optional<StartStep>& start) {
     RunPlan plan;
-    plan.script = writeScript(project, program, optionsFor(project, state, limits));
+    ScriptOptions options = optionsFor(project, state, limits);
+    options.from = start ? start->step : QUuid();
+    plan.script = writeScript(project, program, options);
     if (!plan.script.ok()) {
         const std::vector<ProgramProblem>& problems = plan.script.problems;
         plan.obstacle =
@@ -61,13 +71,14 @@ RunPlan planRun(const project::Project& project, const QUuid& program, const Ses
     } else if (plan.script.tcp && !isSameTcp(*plan.script.tcp, state.tcpOffset)) {
         plan.obstacle =
             ProgramText::tr("The TCP of the robot differs from the TCP of the program's waypoints.");
+    } else if (start && !isAt(start->q, state)) {
+        plan.obstacle = notAtStart();
     }
     return plan;
 }
 
 bool isAtStart(const Preview& preview, const SessionState& state) {
-    return !preview.path.empty() &&
-           (preview.path.front().q.values - state.q.values).cwiseAbs().maxCoeff() < kAtStart;
+    return !preview.path.empty() && isAt(preview.path.front().q, state);
 }
 
 QString obstacleWithoutHold(const RunPlan& plan, const SessionState& state, const Preview* preview,
@@ -81,8 +92,7 @@ QString obstacleWithoutHold(const RunPlan& plan, const SessionState& state, cons
     if (!preview->isGood()) {
         return ProgramText::tr("The preview found problems.");
     }
-    return isAtStart(*preview, state) ? QString()
-                                      : ProgramText::tr("Move the arm to the start position first.");
+    return isAtStart(*preview, state) ? QString() : notAtStart();
 }
 
 double slowedDuration(const Preview& preview, const SpeedLimits& limits, double speedFraction) {

@@ -13,6 +13,7 @@
 #include "robot/station/link/hold_motion.h"
 #include "robot/station/link/robot_session.h"
 #include "robot/station/program/program_script.h"
+#include "robot/station/program/run/start_step.h"
 #include "robot/station/program/run/step_log.h"
 
 namespace tiller::program {
@@ -33,9 +34,10 @@ ScriptOptions optionsFor(const project::Project& project, const SessionState& st
                          const SpeedLimits& limits = {});
 
 /// Writes the script of the program for the connected robot. Reports as obstacle: a problem of the program, a
-/// different model or TCP, a robot that cannot be moved now.
+/// different model or TCP, a robot that cannot be moved now, an arm that is not at the position of `start`.
+/// start  first step of the run; empty: the program runs from its beginning
 RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
-                const SpeedLimits& limits = {});
+                const SpeedLimits& limits = {}, const std::optional<StartStep>& start = {});
 
 /// Reason why the program must not run without a held button, as a sentence; empty if it may.
 /// preview    of the same script, started at the current position of the arm; null: none

@@ -81,6 +81,7 @@ struct TabBench {
     QPushButton& pause() const { return find<QPushButton>("program.pause"); }
     QPushButton& step() const { return find<QPushButton>("program.step"); }
     QPushButton& finish() const { return find<QPushButton>("program.finishCycle"); }
+    QPushButton& from() const { return find<QPushButton>("program.fromHere"); }
     QString status() const { return find<ElidedLabel>("program.status").fullText(); }
     const ProgramRunner& runner() const { return find<RunBar>("program.runBar").runner(); }
     void press(HoldToRunButton& key) { QTest::mousePress(&key, Qt::LeftButton); }
@@ -340,6 +341,55 @@ private Q_SLOTS:
         QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
         QVERIFY(!bench.finish().isChecked() && !bench.finish().isEnabled());
         bench.release(bench.hold());
+    }
+
+    void fromHereStartsAtTheSelectedStep() {
+        TabBench bench;
+        bench.setSteps({"pick", "place", "home"});
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(20);
+        QVERIFY(!bench.from().isEnabled());
+        QVERIFY2(bench.from().toolTip().contains("Preview"), qPrintable(bench.from().toolTip()));
+        QVERIFY(bench.preview());
+        bench.tab.tree().selectIds({});
+        QVERIFY(!bench.from().isEnabled());
+        const std::vector<project::ProgramStep> steps = bench.document.project().programs.at(0).steps;
+        bench.tab.tree().selectIds({steps[1].id});
+        QVERIFY2(bench.from().isEnabled(), qPrintable(bench.from().toolTip()));
+        const int width = bench.from().width();
+        bench.from().click();
+        QCOMPARE(bench.from().text(), QStringLiteral("From step 2"));
+        QVERIFY(bench.from().isChecked());
+        QCOMPARE(bench.from().width(), width);
+        QVERIFY(QTest::qWaitFor([&] { return bench.status().contains("Simulated: "); }, kLongMs));
+        bench.cell.advanceMs(20);
+        QVERIFY2(bench.run().toolTip().contains("start position"), qPrintable(bench.run().toolTip()));
+        bench.press(bench.hold());  // not at the start position
+        QVERIFY2(bench.status().contains("start position"), qPrintable(bench.status()));
+        bench.release(bench.hold());
+        QVERIFY(bench.standstill() == 0);
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        const Pose pick = bench.document.project().waypoints.at(1).pose;
+        QVERIFY(distanceMm(bench.cell.truth().tcpPose, pick) < 0.5);
+        bench.run().click();
+        QVERIFY(bench.reachMotion());
+        QVERIFY(!bench.from().isEnabled());
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner().end(), ProgramRunner::End::Completed);
+        QCOMPARE(bench.runner().log().timings()[0].count, 0);
+        QCOMPARE(bench.runner().log().timings()[1].count, 1);
+        QCOMPARE(bench.runner().log().timings()[2].count, 1);
+        // The button and every edit return to the beginning.
+        bench.from().click();
+        QCOMPARE(bench.from().text(), QStringLiteral("From here"));
+        QVERIFY(!bench.from().isChecked());
+        QVERIFY(bench.preview());
+        bench.tab.tree().selectIds({steps[1].id});
+        bench.from().click();
+        QVERIFY(bench.from().isChecked());
+        bench.setSteps({"pick", "place"});
+        QVERIFY(!bench.from().isChecked());
     }
 
     void moveToStartEndsWithTheButton() {

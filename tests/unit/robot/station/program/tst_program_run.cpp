@@ -27,17 +27,18 @@ bool isStill(const simulator::SimulatedState& state) {
 struct RunBench {
     VirtualClock clock;
     RobotSession session{clock};
-    VirtualCell cell{clock, session, [] {
-                         simulator::SimulatorOptions options = VirtualCell::options();
-                         options.startJoints = sampleProject().waypoints.at(0).joints;
-                         return options;
-                     }()};
+    VirtualCell cell;
     ProgramRunner runner{session};
     project::Project project = sampleProject();
     QUuid program;
     QList<int> steps;  ///< running steps in their order
 
-    RunBench() {
+    explicit RunBench(const JointPositions& start = sampleProject().waypoints.at(0).joints)
+        : cell(clock, session, [&] {
+            simulator::SimulatorOptions options = VirtualCell::options();
+            options.startJoints = start;
+            return options;
+        }()) {
         QObject::connect(&runner, &ProgramRunner::changed, &runner, [this] {
             if (const int now = runner.log().step(); now > 0 && (steps.isEmpty() || steps.last() != now)) {
                 steps.append(now);
@@ -488,6 +489,80 @@ private Q_SLOTS:
         bench.setSteps({step("loop", {{"times", 3}}, {bench.move("pick")})});
         QVERIFY(!bench.plan().script.hasCycle);
         QVERIFY(!bench.plan().script.gatedText().contains("tiller_turn"));
+    }
+
+    void aRunFromAStepEqualsTheTailOfTheFullRun() {
+        project::Project project = sampleProject();
+        const auto move = [&](const char* kind, const char* waypoint) {
+            return step(kind, {{"waypoint", waypointId(project, waypoint)}});
+        };
+        const project::Program program = makeProgram(
+            "Test",
+            {move("moveJ", "pick"), step("setOutput", {{"output", 1}}), move("moveL", "place"),
+             step("loop", {{"times", 2}}, {move("moveL", "home"), step("moveRelative", {{"x", 0.05}})}),
+             step("wait", {{"time", 0.1}}), step("moveRelative", {{"z", 0.03}}),
+             step("if", {{"condition", "DI1"}}, {step("wait")}), step("else", {}, {move("moveJ", "pick")}),
+             step("speed", {{"factor", 0.5}}, {move("moveL", "row 1")})});
+        project.programs.append(program);
+        const ProgramScript script = writeScript(project, program.id);
+        QVERIFY(script.ok());
+        const Preview full = previewProgram(project, script);
+        QVERIFY(full.isGood());
+        int starts = 0;
+        for (const project::ProgramStep& first : program.steps) {
+            const StartStepChoice choice = chooseStartStep(project, program.id, first.id, {}, script, &full);
+            if (first.kind == "else") {
+                QVERIFY(!choice.start && !choice.obstacle.isEmpty());
+                continue;
+            }
+            QVERIFY2(choice.start, qPrintable(choice.obstacle));
+            ScriptOptions options;
+            options.from = first.id;
+            PreviewOptions fromThere;
+            fromThere.start = choice.start->q;
+            const Preview tail =
+                previewProgram(project, writeScript(project, program.id, options), options, fromThere);
+            QVERIFY(tail.isGood());
+            const auto begin = std::find(full.order.begin(), full.order.end(), script.numberOf(first.id));
+            QCOMPARE(tail.order, (std::vector<int>(begin, full.order.end())));
+            QVERIFY((tail.endPose.position - full.endPose.position).norm() < 0.0005);
+            ++starts;
+        }
+        QCOMPARE(starts, 8);
+        const QUuid fourth = program.steps[3].id;
+        QVERIFY(!chooseStartStep(project, program.id, fourth, {}, script, nullptr).obstacle.isEmpty());
+        QVERIFY(!chooseStartStep(project, program.id, program.steps[3].steps[0].id, {}, script, &full)
+                     .obstacle.isEmpty());
+
+        // The run in the session, which is refused at every other position of the arm.
+        const StartStep start = *chooseStartStep(project, program.id, fourth, {}, script, &full).start;
+        {
+            RunBench elsewhere;
+            QVERIFY2(elsewhere.cell.bringUp(), qPrintable(elsewhere.cell.what()));
+            const RunPlan refused = planRun(project, program.id, elsewhere.session.state(), {}, start);
+            QVERIFY2(refused.obstacle.contains("start position"), qPrintable(refused.obstacle));
+            QVERIFY(!elsewhere.runner.start(refused, Holding::Held).ok());
+        }
+        RunBench there(start.q);
+        QVERIFY2(there.cell.bringUp(), qPrintable(there.cell.what()));
+        const RunPlan plan = planRun(project, program.id, there.session.state(), {}, start);
+        QVERIFY2(plan.obstacle.isEmpty(), qPrintable(plan.obstacle));
+        QVERIFY(there.runner.start(plan, Holding::Free).ok());
+        QVERIFY(there.awaitEnd());
+        QCOMPARE(there.runner.end(), ProgramRunner::End::Completed);
+        QVERIFY(there.steps.front() >= 4);
+        QVERIFY((there.cell.truth().q.values - full.endJoints.values).cwiseAbs().maxCoeff() < 0.002);
+    }
+
+    void aStepThatThePreviewDoesNotReachIsRefused() {
+        project::Project project = sampleProject();
+        const project::Program program = makeProgram("Test", {step("wait"), step("end"), step("wait")});
+        project.programs.append(program);
+        const ProgramScript script = writeScript(project, program.id);
+        const Preview full = previewProgram(project, script);
+        const StartStepChoice choice =
+            chooseStartStep(project, program.id, program.steps[2].id, {}, script, &full);
+        QVERIFY2(choice.obstacle.contains("does not reach"), qPrintable(choice.obstacle));
     }
 
     void everyStopEndsAPausedRun_data() { everyStopEndsARun_data(); }

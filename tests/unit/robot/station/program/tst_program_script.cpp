@@ -363,6 +363,75 @@ private Q_SLOTS:
         QVERIFY(!scriptOf(project, tray, options).ok());
     }
 
+    void aStartStepMustNotNeedSkippedSteps_data() {
+        using Steps = std::vector<project::ProgramStep>;
+        QTest::addColumn<Steps>("skipped");
+        QTest::addColumn<Steps>("rest");
+        QTest::addColumn<QStringList>("words");  ///< of the reason; empty: the program can start
+        const auto assign = [](const char* value) {
+            return step("assign", {{"variable", "count"}, {"type", "whole"}, {"value", value}});
+        };
+        const auto use = [] { return step("waitCondition", {{"condition", "count > 0"}}); };
+        const auto row = [](const char* name, const Steps& skipped, const Steps& rest,
+                            const QStringList& words) { QTest::newRow(name) << skipped << rest << words; };
+        row("nothing", {step("wait")}, {step("wait")}, {});
+        row("variable", {step("wait"), assign("1")}, {use()}, {"count", "step 2", "Set variable"});
+        row("variable in a section", {step("loop", {}, {assign("1")})}, {use()}, {"count", "step 2"});
+        row("unused variable", {assign("1")}, {step("wait")}, {});
+        row("name in a text", {assign("1")}, {step("message", {{"text", "count"}})}, {});
+        row("variable that is set again", {assign("1")}, {assign("2"), use()}, {});
+        row("variable that changes", {assign("1")}, {assign("count + 1"), use()}, {"count", "step 1"});
+        row("variable that is set in a section", {assign("1")},
+            {step("if", {{"condition", "DI1"}}, {assign("2")}), use()}, {"count", "step 1"});
+        row("counter", {step("loop", {{"variable", "count"}}, {step("wait")})}, {use()}, {"count", "step 1"});
+        row("answer", {step("question", {{"text", "?"}, {"variable", "count"}})}, {use()},
+            {"count", "step 1"});
+        project::ProgramStep disabled = assign("1");
+        disabled.disabled = true;
+        row("disabled", {disabled}, {assign("2"), use()}, {});
+        row("payload", {step("payload")}, {step("wait")}, {"step 1", "Set payload"});
+        row("payload that is set again", {step("payload")}, {step("payload")}, {});
+        row("watch", {step("watch", {{"condition", "DI1"}}, {step("wait")})}, {step("wait")}, {"step 1"});
+    }
+    void aStartStepMustNotNeedSkippedSteps() {
+        QFETCH(std::vector<project::ProgramStep>, skipped);
+        QFETCH(std::vector<project::ProgramStep>, rest);
+        QFETCH(QStringList, words);
+        const project::Project project = sampleProject();
+        std::vector<project::ProgramStep> steps = skipped;
+        steps.insert(steps.end(), rest.begin(), rest.end());
+        for (project::ProgramStep& each : steps) {
+            if (each.kind == "payload") {
+                each.fields["payload"] = idText(project.tooling.payloads.at(0).id);
+            }
+        }
+        ScriptOptions options;
+        options.from = rest.front().id;
+        const ProgramScript script = scriptOf(project, makeProgram("from", steps), options);
+        QVERIFY2(script.ok() == words.isEmpty(), qPrintable(describe(script)));
+        for (const QString& word : words) {
+            QVERIFY2(script.problems.front().text.contains(word), qPrintable(describe(script)));
+        }
+        if (script.ok()) {
+            QVERIFY2(compileError(script.text).isEmpty(), qPrintable(compileError(script.text)));
+        }
+    }
+
+    void aCalledProgramCanSetAVariableForLaterSteps() {
+        project::Project project = sampleProject();
+        const project::Program called = makeProgram(
+            "called", {step("assign", {{"variable", "count"}, {"type", "whole"}, {"value", "1"}})});
+        project.programs.append(called);
+        const project::Program program =
+            makeProgram("from", {step("call", {{"program", idText(called.id)}}),
+                                 step("waitCondition", {{"condition", "count > 0"}})});
+        ScriptOptions options;
+        options.from = program.steps[1].id;
+        const ProgramScript script = scriptOf(project, program, options);
+        QVERIFY(!script.ok());
+        QVERIFY2(script.problems.front().text.contains("count"), qPrintable(describe(script)));
+    }
+
     void otherRobotModelIsRefused() {
         const project::Project project = sampleProject();
         ScriptOptions options;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// A run that begins at a selected step instead of the beginning of the program.
+
+#include <QString>
+#include <optional>
+
+#include "robot/station/program/preview/preview.h"
+
+namespace tiller::program {
+
+struct StartStep {
+    QUuid step;        ///< at the top level of the program
+    JointPositions q;  ///< position of the arm at the beginning of the step [rad]
+};
+
+struct StartStepChoice {
+    std::optional<StartStep> start;
+    QString obstacle;  ///< why the program cannot start at this step, as a sentence; empty if it can
+};
+
+/// Determines the position of the arm at a step from a preview of the complete program.
+/// options  those of the preview, without ScriptOptions::from
+/// script   of the preview
+/// preview  null: none
+StartStepChoice chooseStartStep(const project::Project& project, const QUuid& program, const QUuid& step,
+                                ScriptOptions options, const ProgramScript& script, const Preview* preview);
+
+}  // namespace tiller::program
