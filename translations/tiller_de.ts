@@ -2899,6 +2899,18 @@
         <source>Stopped before the first step: %1</source>
         <translation>Vor dem ersten Schritt angehalten: %1</translation>
     </message>
+    <message>
+        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <translation>Spätere Schritte verwenden die Variable „%1“ aus Schritt %2 (%3). Beginnen Sie bei diesem Schritt oder davor.</translation>
+    </message>
+    <message>
+        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <translation>Spätere Schritte benötigen Schritt %1 (%2). Beginnen Sie bei diesem Schritt oder davor.</translation>
+    </message>
+    <message>
+        <source>The preview does not reach this step.</source>
+        <translation>Die Vorschau erreicht diesen Schritt nicht.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9515,6 +9527,22 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Ends the program before the next cycle of its endless loop</source>
         <translation>Beendet das Programm vor dem nächsten Durchlauf seiner Endlosschleife</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Ab hier</translation>
+    </message>
+    <message>
+        <source>From step %1</source>
+        <translation>Ab Schritt %1</translation>
+    </message>
+    <message>
+        <source>Select one step.</source>
+        <translation>Wählen Sie einen Schritt aus.</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
+        <translation>Startet das Programm beim ausgewählten Schritt oder wieder am Anfang. Fahren Sie den Arm zuerst zur Startposition des Schritts.</translation>
     </message>
 </context>
 <context>

@@ -2899,6 +2899,18 @@
         <source>Stopped before the first step: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The preview does not reach this step.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9501,6 +9513,22 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Ends the program before the next cycle of its endless loop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From step %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select one step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2899,6 +2899,18 @@
         <source>Stopped before the first step: %1</source>
         <translation>Parada antes del primer paso: %1</translation>
     </message>
+    <message>
+        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <translation>Los pasos posteriores usan la variable «%1» del paso %2 (%3). Empiece en ese paso o antes.</translation>
+    </message>
+    <message>
+        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <translation>Los pasos posteriores necesitan el paso %1 (%2). Empiece en ese paso o antes.</translation>
+    </message>
+    <message>
+        <source>The preview does not reach this step.</source>
+        <translation>La vista previa no llega a este paso.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9515,6 +9527,22 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Ends the program before the next cycle of its endless loop</source>
         <translation>Termina el programa antes del siguiente ciclo de su bucle sin fin</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>Desde aquí</translation>
+    </message>
+    <message>
+        <source>From step %1</source>
+        <translation>Desde el paso %1</translation>
+    </message>
+    <message>
+        <source>Select one step.</source>
+        <translation>Seleccione un paso.</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
+        <translation>Inicia el programa en el paso seleccionado o de nuevo al principio. Mueva antes el brazo a la posición inicial del paso.</translation>
     </message>
 </context>
 <context>

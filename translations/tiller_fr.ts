@@ -2899,6 +2899,18 @@
         <source>Stopped before the first step: %1</source>
         <translation>Arrêt avant la première étape : %1</translation>
     </message>
+    <message>
+        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <translation>Des étapes suivantes utilisent la variable « %1 » de l&apos;étape %2 (%3). Commencez à cette étape ou avant.</translation>
+    </message>
+    <message>
+        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <translation>Des étapes suivantes dépendent de l&apos;étape %1 (%2). Commencez à cette étape ou avant.</translation>
+    </message>
+    <message>
+        <source>The preview does not reach this step.</source>
+        <translation>L&apos;aperçu n&apos;atteint pas cette étape.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9515,6 +9527,22 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Ends the program before the next cycle of its endless loop</source>
         <translation>Termine le programme avant le prochain cycle de sa boucle sans fin</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>D&apos;ici</translation>
+    </message>
+    <message>
+        <source>From step %1</source>
+        <translation>De l&apos;étape %1</translation>
+    </message>
+    <message>
+        <source>Select one step.</source>
+        <translation>Sélectionnez une étape.</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
+        <translation>Démarre le programme à l&apos;étape sélectionnée, ou de nouveau au début. Déplacez d&apos;abord le bras à la position de départ de l&apos;étape.</translation>
     </message>
 </context>
 <context>

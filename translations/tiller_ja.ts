@@ -2899,6 +2899,18 @@
         <source>Stopped before the first step: %1</source>
         <translation>最初のステップの前に停止: %1</translation>
     </message>
+    <message>
+        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <translation>後のステップがステップ %2 (%3) の変数「%1」を使用します。そのステップ以前から開始してください。</translation>
+    </message>
+    <message>
+        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <translation>後のステップにはステップ %1 (%2) が必要です。そのステップ以前から開始してください。</translation>
+    </message>
+    <message>
+        <source>The preview does not reach this step.</source>
+        <translation>プレビューはこのステップに到達しません。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9491,6 +9503,22 @@ Release the button to stop the arm.</source>
     <message>
         <source>Ends the program before the next cycle of its endless loop</source>
         <translation>無限ループの次のサイクルの前にプログラムを終了します</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>ここから</translation>
+    </message>
+    <message>
+        <source>From step %1</source>
+        <translation>ステップ %1 から</translation>
+    </message>
+    <message>
+        <source>Select one step.</source>
+        <translation>ステップを 1 つ選択してください。</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
+        <translation>選択したステップ、または再び先頭からプログラムを開始します。先にアームをステップの開始位置へ移動してください。</translation>
     </message>
 </context>
 <context>

@@ -2899,6 +2899,18 @@
         <source>Stopped before the first step: %1</source>
         <translation>在第一步之前停止：%1</translation>
     </message>
+    <message>
+        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <translation>后续步骤使用步骤 %2（%3）的变量“%1”。请从该步骤或之前开始。</translation>
+    </message>
+    <message>
+        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <translation>后续步骤需要步骤 %1（%2）。请从该步骤或之前开始。</translation>
+    </message>
+    <message>
+        <source>The preview does not reach this step.</source>
+        <translation>预览未到达此步骤。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -9491,6 +9503,22 @@ Release the button to stop the arm.</source>
     <message>
         <source>Ends the program before the next cycle of its endless loop</source>
         <translation>在无限循环的下一周期之前结束程序</translation>
+    </message>
+    <message>
+        <source>From here</source>
+        <translation>从此处</translation>
+    </message>
+    <message>
+        <source>From step %1</source>
+        <translation>从步骤 %1</translation>
+    </message>
+    <message>
+        <source>Select one step.</source>
+        <translation>请选择一个步骤。</translation>
+    </message>
+    <message>
+        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
+        <translation>从所选步骤或重新从头启动程序。请先将机械臂移动到该步骤的起始位置。</translation>
     </message>
 </context>
 <context>
