@@ -21,6 +21,8 @@ inline constexpr double kBegin = 50;             // start on the time axis [s]
 inline constexpr std::uint64_t kGap = 123'456;
 inline constexpr std::uint64_t kLost = 400;
 constexpr double kSpike = 40;
+inline constexpr std::uint64_t kStop = 250'000;  // first row of a protective stop
+inline constexpr std::uint64_t kStopRows = 100;
 
 /// A recording with few signals, with spikes at random rows and one gap.
 struct Long {
@@ -30,13 +32,15 @@ struct Long {
     std::vector<std::uint64_t> spikes;  ///< number of rows
 
     Long() {
-        test::MadeSamples made({"timestamp", "actual_TCP_force", "robot_mode"});
+        test::MadeSamples made({"timestamp", "actual_TCP_force", "robot_mode", "safety_mode"});
         const std::size_t fz = *made.layout->indexOfComponent("actual_TCP_force_2");
         const std::size_t clock = *made.layout->indexOfComponent("timestamp");
         const std::size_t mode = *made.layout->indexOfComponent("robot_mode");
+        const std::size_t safety = *made.layout->indexOfComponent("safety_mode");
         const auto encoder =
             recording::mcapFormat({.ros = false, .closeAfter = std::chrono::milliseconds(0)})
-                ->encoder({made.layout, {"timestamp", "actual_TCP_force", "robot_mode"}, false});
+                ->encoder(
+                    {made.layout, {"timestamp", "actual_TCP_force", "robot_mode", "safety_mode"}, false});
         std::mt19937 random(19);
         std::uniform_int_distribution<std::uint64_t> place(0, kRows - 1);
         for (int i = 0; i < 60; ++i) {
@@ -56,6 +60,7 @@ struct Long {
             sample.values[fz] =
                 isSpike ? (row % 2 == 0 ? kSpike : -kSpike) : std::sin(static_cast<double>(row) * 1e-3);
             sample.values[mode] = row < kRows / 2 ? 7 : 5;
+            sample.values[safety] = row >= kStop && row < kStop + kStopRows ? 3 : 1;
             force.push_back(static_cast<float>(sample.values[fz]));
             encoder->add(sample, row == kGap ? kLost : 0, made.utcNs(packet));
             if (row % 250 == 249) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <random>
 
+#include "robot/station/history/recorded_lane.h"
 #include "tests/unit/robot/station/history/long_recording.h"
 
 using namespace tiller;
@@ -287,6 +288,56 @@ private Q_SLOTS:
         const auto one = strange.store.derive(
             QStringLiteral("x = %1").arg(DerivedSignal::written(strange.name + "/actual_q_0")));
         QVERIFY2(one.ok(), qPrintable(one ? QString() : one.error().toString()));
+    }
+
+    // A stop that is much shorter than a pixel column remains visible.
+    void theStateLaneIsReadFromSummaries() {
+        Opened opened(long_->path);
+        const std::vector<int> needed = recordedLaneSignals(opened.store, opened.name);
+        QCOMPARE(needed.size(), std::size_t{2});
+        QVERIFY(recordedLane(opened.store, opened.name, {}).empty());
+        QVERIFY(opened.store.want(this, {needed[0], needed[1], opened.signal}));
+        const SeriesBuffer& history = opened.history();
+        constexpr int kColumns = 1000;
+        while (opened.store.sharpen(history, 0, history.end(), kColumns, HistoryFile::Effort::Turn)) {
+        }
+        const double begin = long_->timeOf(0) - 20;
+        const double width = (long_->timeOf(kRows - 1) + 20 - begin) / kColumns;
+        ColumnGrid grid;
+        history.cut(begin, width, kColumns, grid);
+        const std::vector<LaneSegment> lane = recordedLane(opened.store, opened.name, grid);
+        QStringList labels;
+        for (const LaneSegment& segment : lane) {
+            labels << segment.label;
+        }
+        QCOMPARE(labels, QStringList({"Running", "Protective stop", "Running", "Brakes on"}));
+        QVERIFY(std::abs(lane[0].start - long_->timeOf(0)) <= width);
+        QVERIFY(std::abs(lane[1].start - long_->timeOf(kStop)) <= width);
+        QVERIFY(lane[1].end - lane[1].start <= 2 * width);
+        // A summary may extend over the boundary between two columns.
+        QVERIFY(std::abs(lane[3].start - long_->timeOf(kRows / 2)) <= 2 * width);
+        QVERIFY(std::abs(lane[3].end - long_->timeOf(kRows - 1)) <= width);
+    }
+
+    // The gap is wider than a pixel column.
+    void theStateLaneShowsAGap() {
+        Opened opened(long_->path);
+        const std::vector<int> needed = recordedLaneSignals(opened.store, opened.name);
+        QVERIFY(opened.store.want(this, {needed[0], needed[1], opened.signal}));
+        const SeriesBuffer& history = opened.history();
+        ColumnGrid grid;
+        const auto cut = [&] { history.cut(long_->timeOf(kGap) - 3, 0.01, 600, grid); };
+        cut();
+        while (opened.store.sharpen(history, grid.edges.front(), grid.edges.back(), 600,
+                                    HistoryFile::Effort::Turn)) {
+        }
+        cut();
+        const std::vector<LaneSegment> lane = recordedLane(opened.store, opened.name, grid);
+        QCOMPARE(lane.size(), std::size_t{3});
+        QVERIFY(lane[0].kind == LaneKind::Idle && lane[2].kind == LaneKind::Idle);
+        QVERIFY(lane[1].kind == LaneKind::NoData);
+        QVERIFY(std::abs(lane[1].start - long_->timeOf(kGap - 1)) <= 0.02);
+        QVERIFY(std::abs(lane[1].end - long_->timeOf(kGap)) <= 0.02);
     }
 };
 
