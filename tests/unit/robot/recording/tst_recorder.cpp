@@ -470,7 +470,10 @@ void TestRecorder::notesOfACsvRecordingAreInASecondFile() {
     Bench bench;
     const QString path = bench.path();
     const QString notes = QFileInfo(path).path() + '/' + QFileInfo(path).completeBaseName() + ".notes.csv";
-    test::writeFile(notes, "row,utc,level,source,text\n5,,20,note,of an older recording\n");
+    QFile older(notes);
+    QVERIFY(older.open(QIODevice::WriteOnly));
+    older.write("row,utc,level,source,text\n5,,20,note,of an older recording\n");
+    older.close();
     Recorder recorder;
     QVERIFY(recorder.start({path, {"timestamp"}}, bench.receiver).ok());
     const auto sendUntil = [&](int rows) {
