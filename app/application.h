@@ -18,7 +18,10 @@ public:
     /// The object must be deleted before the application; it is removed automatically.
     void setKeyRepeat(KeyRepeat* keyRepeat) { keyRepeat_ = keyRepeat; }
     bool notify(QObject* receiver, QEvent* event) override {
-        return (keyRepeat_ != nullptr && keyRepeat_->intercepts(*receiver, *event)) ||
+        // Other threads also deliver their events here; only key events belong to the GUI thread.
+        const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease ||
+                           event->type() == QEvent::ShortcutOverride;
+        return (isKey && keyRepeat_ != nullptr && keyRepeat_->intercepts(*receiver, *event)) ||
                QApplication::notify(receiver, event);
     }
 

@@ -168,7 +168,8 @@ MainWindow::MainWindow(const Settings& settings, const Clock& clock, QWidget* pa
     stopKeys_ = new StopKeys(*session_, clock, this);
     jog_->axisJog().setClock(clock);
     setKeyStateProbe(KeyStateProbe::ofThisPlatform());
-    header_->setHoldNote([this] { return witness_->isThere() ? QString() : witness_->description(); });
+    header_->setHoldNote(
+        [this] { return keyStateProbe_->isThere() ? QString() : keyStateProbe_->description(); });
     keyboard_ = new KeyboardJog(jog_->axisJog(), *this, this);
     keyboard_->setClock(clock);
     jog_->addHoldKeys(*keyboard_);
@@ -539,11 +540,11 @@ void MainWindow::connectDevices(const Clock& clock) {
     connect(devices_, &DeviceJog::stopPressed, this, [this] { stopMotion(control::StopCause::StopButton); });
 }
 
-void MainWindow::setKeyStateProbe(std::unique_ptr<KeyStateProbe> witness) {
+void MainWindow::setKeyStateProbe(std::unique_ptr<KeyStateProbe> probe) {
     holdPolicy_.stop(control::StopCause::SelectionChanged);
-    holdPolicy_.witness = witness.get();
-    keyRepeat_.setProbe(witness.get());
-    witness_ = std::move(witness);
+    holdPolicy_.witness = probe.get();
+    keyRepeat_.setProbe(probe.get());
+    keyStateProbe_ = std::move(probe);
 }
 
 void MainWindow::lookForDevices() {
@@ -604,8 +605,14 @@ void MainWindow::showPaths() {
 }
 
 void MainWindow::stopMotion(control::StopCause cause) {
+    using control::StopCause;
     jog_->stopMotion(cause);
-    session_->stop(cause);
+    // These causes end what is held. A program that runs without a held button continues.
+    const bool endsOnlyHolds = cause == StopCause::SelectionChanged || cause == StopCause::DialogOpened ||
+                               cause == StopCause::WindowDeactivated;
+    if (!endsOnlyHolds || !program_->runsFreely()) {
+        session_->stop(cause);
+    }
 }
 
 // ---- robots -------------------------------------------------------------------------------------------------
@@ -988,16 +995,12 @@ void MainWindow::addProjectActions() {
     actions_->add(
         {"project.new", tr("New project…"), tr("Starts an empty project in a new file."), {}, [this] {
              stopMotion(control::StopCause::DialogOpened);
-             if (files_->mayLeave(this)) {
-                 files_->askForNew(this);
-             }
+             files_->askForNew(this);
          }});
     actions_->add({"project.open", tr("Open project…"), tr("Opens waypoints and frames from a file."),
                    QKeySequence(QKeySequence::Open), [this] {
                        stopMotion(control::StopCause::DialogOpened);
-                       if (files_->mayLeave(this)) {
-                           files_->askToOpen(this);
-                       }
+                       files_->askToOpen(this);
                    }});
     actions_->add({"project.sample",
                    tr("Open sample project…"),
@@ -1234,12 +1237,13 @@ void MainWindow::askToTakeControl() {
 }
 
 void MainWindow::askToChange(const QString& what, const std::function<void()>& change) {
-    askToEndProgram(QStringLiteral("changeQuestion"), what,
-                    tr("The change takes effect immediately and may disturb the program."),
-                    tr("Change anyway"), tr("Cancel"), [this, change] {
-                        session_->confirmChanges();
-                        change();
-                    });
+    askToEndProgram(
+        QStringLiteral("changeQuestion"), tr("Change during a program"),
+        what + QLatin1Char('\n') + tr("The change takes effect immediately and may disturb the program."),
+        tr("Change anyway"), tr("Cancel"), [this, change] {
+            session_->confirmChanges();
+            change();
+        });
 }
 
 void MainWindow::askToPowerOff() {
@@ -1254,7 +1258,7 @@ void MainWindow::showSettings(bool atRecording) {
     const QString theme = Theme::current().isDark() ? "dark" : "light";
     auto* page = new SettingsPage(preferences_, theme, *actions_, *devices_, this);
     page->setAttribute(Qt::WA_DeleteOnClose);
-    page->setHoldNote(witness_->description());
+    page->setHoldNote(keyStateProbe_->description());
     if (monitorOnlyLocked_) {
         page->lockMonitorOnly();
     }

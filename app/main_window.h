@@ -79,7 +79,7 @@ public:
     ToolsTab& tools() { return *tools_; }
     DeviceJog& devices() { return *devices_; }
     /// Replaces the key-state check of the platform.
-    void setKeyStateProbe(std::unique_ptr<KeyStateProbe> witness);
+    void setKeyStateProbe(std::unique_ptr<KeyStateProbe> probe);
     /// Recognizes auto-repeat with the key-state check.
     KeyRepeat& keyRepeat() { return keyRepeat_; }
     /// Starts to detect gamepads and a SpaceMouse.
@@ -201,7 +201,7 @@ private:
     bool cellIsSimulated_ = false;
     std::optional<RobotAddress> toRemember_;  ///< robot that is stored as soon as it has responded
     std::unique_ptr<RobotSession> session_;
-    std::unique_ptr<KeyStateProbe> witness_;
+    std::unique_ptr<KeyStateProbe> keyStateProbe_;
     KeyRepeat keyRepeat_;
     HoldPolicy holdPolicy_;
     std::unique_ptr<UndoableDocument> document_;

@@ -3461,6 +3461,10 @@
             <numerusform>%n Zeilen nach %1 aufgezeichnet</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The recording continues without notes. %1</source>
+        <translation>Die Aufzeichnung läuft ohne Notizen weiter. %1</translation>
+    </message>
 </context>
 <context>
     <name>SettingsFile</name>
@@ -6190,6 +6194,14 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     <message>
         <source>controlled by another program</source>
         <translation>von einem anderen Programm gesteuert</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
     </message>
 </context>
 <context>
@@ -9449,20 +9461,12 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Programm ausführen, halten</translation>
     </message>
     <message>
-        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>Führt das Programm von Anfang an aus, solange die Taste gehalten wird, höchstens mit der Jog-Geschwindigkeit. Beim Loslassen endet das Programm.</translation>
-    </message>
-    <message>
         <source>To start (hold)</source>
         <translation>Zum Start (halten)</translation>
     </message>
     <message>
         <source>Move to the start position, hold</source>
         <translation>Zur Startposition fahren, halten</translation>
-    </message>
-    <message>
-        <source>Moves all joints to the start position of the program while the button is held</source>
-        <translation>Fährt alle Gelenke zur Startposition des Programms, solange die Taste gehalten wird</translation>
     </message>
     <message>
         <source>Run</source>
@@ -9543,6 +9547,14 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
         <translation>Startet das Programm beim ausgewählten Schritt oder wieder am Anfang. Fahren Sie den Arm zuerst zur Startposition des Schritts.</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>Führt das Programm aus, solange die Taste gehalten wird, höchstens mit der Jog-Geschwindigkeit. Beim Loslassen endet das Programm.</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position while the button is held</source>
+        <translation>Fährt alle Gelenke zur Startposition, solange die Taste gehalten wird</translation>
     </message>
 </context>
 <context>
@@ -11940,6 +11952,10 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change during a program</source>
+        <translation>Änderung während eines Programms</translation>
     </message>
 </context>
 <context>

@@ -3461,6 +3461,10 @@
             <numerusform>Recorded %n rows to %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The recording continues without notes. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>SettingsFile</name>
@@ -6182,6 +6186,14 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>controlled by another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9436,19 +9448,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>To start (hold)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Move to the start position, hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moves all joints to the start position of the program while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9529,6 +9533,14 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11923,6 +11935,10 @@ Jog the arm to a position and press Teach here (T).</source>
     </message>
     <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change during a program</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

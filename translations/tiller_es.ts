@@ -3461,6 +3461,10 @@
             <numerusform>%n filas grabadas en %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The recording continues without notes. %1</source>
+        <translation>La grabación continúa sin notas. %1</translation>
+    </message>
 </context>
 <context>
     <name>SettingsFile</name>
@@ -6190,6 +6194,14 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     <message>
         <source>controlled by another program</source>
         <translation>controlado por otro programa</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivada</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activada</translation>
     </message>
 </context>
 <context>
@@ -9449,20 +9461,12 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Ejecutar el programa, mantener</translation>
     </message>
     <message>
-        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>Ejecuta el programa desde el principio mientras se mantiene el botón, sin superar la velocidad de jog. El programa termina al soltar el botón.</translation>
-    </message>
-    <message>
         <source>To start (hold)</source>
         <translation>Al inicio (mantener)</translation>
     </message>
     <message>
         <source>Move to the start position, hold</source>
         <translation>Mover a la posición inicial, mantener</translation>
-    </message>
-    <message>
-        <source>Moves all joints to the start position of the program while the button is held</source>
-        <translation>Mueve todas las articulaciones a la posición inicial del programa mientras se mantiene el botón</translation>
     </message>
     <message>
         <source>Run</source>
@@ -9543,6 +9547,14 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
         <translation>Inicia el programa en el paso seleccionado o de nuevo al principio. Mueva antes el brazo a la posición inicial del paso.</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>Ejecuta el programa mientras se mantiene el botón, sin superar la velocidad de jog. El programa termina al soltar el botón.</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position while the button is held</source>
+        <translation>Mueve todas las articulaciones a la posición inicial mientras se mantiene el botón</translation>
     </message>
 </context>
 <context>
@@ -11940,6 +11952,10 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Change during a program</source>
+        <translation>Cambio durante un programa</translation>
     </message>
 </context>
 <context>

@@ -3461,6 +3461,10 @@
             <numerusform>%n lignes enregistrées dans %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The recording continues without notes. %1</source>
+        <translation>L&apos;enregistrement continue sans notes. %1</translation>
+    </message>
 </context>
 <context>
     <name>SettingsFile</name>
@@ -6190,6 +6194,14 @@ Clic droit ou F2 pour renommer.</translation>
     <message>
         <source>controlled by another program</source>
         <translation>commandé par un autre programme</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivée</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activée</translation>
     </message>
 </context>
 <context>
@@ -9449,20 +9461,12 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Exécuter le programme, maintenir</translation>
     </message>
     <message>
-        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>Exécute le programme depuis le début tant que le bouton est maintenu, sans dépasser la vitesse de jog. Le programme se termine au relâchement.</translation>
-    </message>
-    <message>
         <source>To start (hold)</source>
         <translation>Au départ (maintenir)</translation>
     </message>
     <message>
         <source>Move to the start position, hold</source>
         <translation>Aller à la position de départ, maintenir</translation>
-    </message>
-    <message>
-        <source>Moves all joints to the start position of the program while the button is held</source>
-        <translation>Déplace tous les axes à la position de départ du programme tant que le bouton est maintenu</translation>
     </message>
     <message>
         <source>Run</source>
@@ -9543,6 +9547,14 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
         <translation>Démarre le programme à l&apos;étape sélectionnée, ou de nouveau au début. Déplacez d&apos;abord le bras à la position de départ de l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>Exécute le programme tant que le bouton est maintenu, sans dépasser la vitesse de jog. Le programme se termine au relâchement.</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position while the button is held</source>
+        <translation>Déplace tous les axes à la position de départ tant que le bouton est maintenu</translation>
     </message>
 </context>
 <context>
@@ -11940,6 +11952,10 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Change during a program</source>
+        <translation>Changement pendant un programme</translation>
     </message>
 </context>
 <context>

@@ -3460,6 +3460,10 @@
             <numerusform>%n 行を %1 に記録しました</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The recording continues without notes. %1</source>
+        <translation>メモなしで記録を続けます。%1</translation>
+    </message>
 </context>
 <context>
     <name>SettingsFile</name>
@@ -6182,6 +6186,14 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>controlled by another program</source>
         <translation>別のプログラムが制御中</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
     </message>
 </context>
 <context>
@@ -9425,20 +9437,12 @@ Release the button to stop the arm.</source>
         <translation>プログラムを実行、長押し</translation>
     </message>
     <message>
-        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>ボタンを押している間、プログラムを先頭から実行します。ジョグ速度を超えません。ボタンを離すとプログラムは終了します。</translation>
-    </message>
-    <message>
         <source>To start (hold)</source>
         <translation>開始位置へ (長押し)</translation>
     </message>
     <message>
         <source>Move to the start position, hold</source>
         <translation>開始位置へ移動、長押し</translation>
-    </message>
-    <message>
-        <source>Moves all joints to the start position of the program while the button is held</source>
-        <translation>ボタンを押している間、全関節をプログラムの開始位置へ動かします</translation>
     </message>
     <message>
         <source>Run</source>
@@ -9519,6 +9523,14 @@ Release the button to stop the arm.</source>
     <message>
         <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
         <translation>選択したステップ、または再び先頭からプログラムを開始します。先にアームをステップの開始位置へ移動してください。</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>ボタンを押している間、ジョグ速度を超えずにプログラムを実行します。ボタンを離すとプログラムは終了します。</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position while the button is held</source>
+        <translation>ボタンを押している間、全関節を開始位置へ動かします</translation>
     </message>
 </context>
 <context>
@@ -11900,6 +11912,10 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Cancel</source>
         <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Change during a program</source>
+        <translation>プログラム実行中の変更</translation>
     </message>
 </context>
 <context>

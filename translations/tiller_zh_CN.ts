@@ -3460,6 +3460,10 @@
             <numerusform>已录制 %n 行到 %1</numerusform>
         </translation>
     </message>
+    <message>
+        <source>The recording continues without notes. %1</source>
+        <translation>录制继续，但不含备注。%1</translation>
+    </message>
 </context>
 <context>
     <name>SettingsFile</name>
@@ -6182,6 +6186,14 @@ Right-click or press F2 to rename it.</source>
     <message>
         <source>controlled by another program</source>
         <translation>由其他程序控制</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
     </message>
 </context>
 <context>
@@ -9425,20 +9437,12 @@ Release the button to stop the arm.</source>
         <translation>运行程序，按住</translation>
     </message>
     <message>
-        <source>Runs the program from its beginning while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
-        <translation>按住按钮时从头运行程序，速度不超过点动速度。松开按钮时程序结束。</translation>
-    </message>
-    <message>
         <source>To start (hold)</source>
         <translation>到起点（按住）</translation>
     </message>
     <message>
         <source>Move to the start position, hold</source>
         <translation>移动到起始位置，按住</translation>
-    </message>
-    <message>
-        <source>Moves all joints to the start position of the program while the button is held</source>
-        <translation>按住按钮时将所有关节移动到程序的起始位置</translation>
     </message>
     <message>
         <source>Run</source>
@@ -9519,6 +9523,14 @@ Release the button to stop the arm.</source>
     <message>
         <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
         <translation>从所选步骤或重新从头启动程序。请先将机械臂移动到该步骤的起始位置。</translation>
+    </message>
+    <message>
+        <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
+        <translation>按住按钮时运行程序，速度不超过点动速度。松开按钮时程序结束。</translation>
+    </message>
+    <message>
+        <source>Moves all joints to the start position while the button is held</source>
+        <translation>按住按钮时将所有关节移动到起始位置</translation>
     </message>
 </context>
 <context>
@@ -11900,6 +11912,10 @@ Jog the arm to a position and press Teach here (T).</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+    <message>
+        <source>Change during a program</source>
+        <translation>程序运行期间的更改</translation>
     </message>
 </context>
 <context>

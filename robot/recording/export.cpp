@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/recording/export.h"
 
-#include <QFile>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "robot/recording/detail/column_knowledge.h"
 #include "robot/recording/detail/csv_notes.h"
 #include "robot/recording/detail/ranges.h"
+#include "robot/recording/detail/restart_note.h"
 
 namespace tiller::recording {
 
@@ -144,10 +144,13 @@ Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choi
 
 namespace {
 
-/// Writes the notes and log lines in these rows to the second file. Without any, an older file is removed.
+/// Writes the notes and log lines in these rows to the second file, and removes an older one.
 Result<void> exportNotes(const Recording& recording, const RowRange& rows, const QString& path) {
     std::string lines;
     for (const RecordedEvent& event : recording.events()) {
+        if (event.source == QLatin1String(kRestartSource)) {
+            continue;  // the reader finds it in the time stamps
+        }
         const auto row = recording.rowAt(std::max(event.seconds, 0.0));
         if (!row) {
             return row.error();
@@ -160,8 +163,10 @@ Result<void> exportNotes(const Recording& recording, const RowRange& rows, const
         lines += csvNoteLine(row.value() - rows.first, {utcNs, event.level, event.source, event.text});
     }
     const QString notes = csvNotesPath(path);
+    if (const Result<void> free = removeCsvNotes(path); !free) {
+        return lines.empty() ? Result<void>() : free;
+    }
     if (lines.empty()) {
-        QFile::remove(notes);
         return {};
     }
     AtomicFile file(notes, QStringLiteral("export to %1").arg(notes));

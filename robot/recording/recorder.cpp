@@ -88,6 +88,7 @@ struct Recorder::Worker {
     bool stopping = false;
     Error error;
     QString path;
+    Error notesError;
     std::vector<RecordedNote> notes;
 
     std::atomic<RecorderState> state{RecorderState::Idle};
@@ -136,10 +137,11 @@ struct Recorder::Worker {
         {
             const std::lock_guard lock(mutex);
             path = to;
+            notesError = {};
         }
         file = std::move(next);
         if (!options.format->keepsNotes()) {
-            QFile::remove(csvNotesPath(to));  // of an earlier recording with this name
+            noteFailed(removeCsvNotes(to));
         }
         rowsInFile = 0;
         bytes = 0;
@@ -181,9 +183,8 @@ struct Recorder::Worker {
         const Result<void> closed = file->close();
         file.reset();
         if (notesFile) {
-            const Result<void> notesClosed = notesFile->close();
+            noteFailed(notesFile->close());
             notesFile.reset();
-            result = result ? notesClosed : result;
         }
         earlierNs += lastNs - firstNs;
         return result ? closed : result;
@@ -270,9 +271,20 @@ struct Recorder::Worker {
         }
     }
 
+    /// Without its notes, a recording is still complete, so it continues.
+    void noteFailed(const Result<void>& result) {
+        if (!result) {
+            const std::lock_guard lock(mutex);
+            notesError = result.error();
+        }
+    }
+
     Result<void> keepNote(const RecordedNote& note) {
         if (options.format->keepsNotes()) {
             encoder->add(note);
+            return {};
+        }
+        if (notesError.code != ErrorCode::None) {
             return {};
         }
         std::size_t written = 0;
@@ -312,9 +324,7 @@ struct Recorder::Worker {
             return {};
         }
         for (const RecordedNote& note : said) {
-            if (auto written = keepNote(note); !written) {
-                return written;
-            }
+            noteFailed(keepNote(note));
         }
         return write(RecordingEncoder::Close::WhenDue);
     }
@@ -484,6 +494,12 @@ Error Recorder::error() const {
     const auto current = worker();
     const std::lock_guard lock(current->mutex);
     return current->error;
+}
+
+Error Recorder::notesError() const {
+    const auto current = worker();
+    const std::lock_guard lock(current->mutex);
+    return current->notesError;
 }
 
 QString Recorder::path() const {

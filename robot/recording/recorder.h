@@ -103,8 +103,11 @@ public:
     /// have succeeded. It is Failed if a disk or share lost data that it had accepted.
     void stop();
 
-    /// Adds a note if the format supports it. Threads: any
+    /// Adds a note to the recording, or to the file next to it. Threads: any
     void note(const RecordedNote& note);
+
+    /// Reason why notes could not be written next to the recording, which continues; otherwise code None. Threads: any
+    Error notesError() const;
 
     RecorderProgress progress() const;  ///< Rows, seconds and lost are totals of all files. Threads: any
     /// Reason for a failure: DiskFull or FileNotWritable; otherwise code None.

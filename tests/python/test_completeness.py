@@ -67,6 +67,7 @@ TABLE = {
     "Motion": {
         "id": Missing("identifies a motion in the status of C++"), "kind": "Move.__repr__", "isActive": "Move.active",
         "state": "Move.cause", "progress": "Move.progress", "plan": "Move.plan", "wait": "Move.wait",
+        "setGate": Missing("permits the steps of a program; the window uses it"),
         "cancel": "Move.cancel", "stop": "Stream.stop", "refresh": "Jog.refresh"},
     "PacketLoop": dict.fromkeys(("servoJ", "servoL", "speedJ", "speedL", "torque"), "Robot.packet_loop"),
     "Outputs": {

@@ -36,6 +36,49 @@ class TestProgramEditor : public QObject {
     Q_OBJECT
 
 private:
+    /// Moves to the start of a program, and runs it with a held button or without.
+    void startMoves(bool held) {
+        const QString pick = [&] {
+            document().setProject(program::sampleProject());
+            return program::waypointId(document().project(), "pick");
+        }();
+        const QString place = program::waypointId(document().project(), "place");
+        project::ProgramList programs;
+        programs.append(
+            program::makeProgram("moves", {program::step("loop", {{"times", 5}},
+                                                         {program::step("moveL", {{"waypoint", pick}}),
+                                                          program::step("moveL", {{"waypoint", place}})})}));
+        document().changePrograms(programs, "open");
+        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
+        auto& hold = bench_->find<HoldToRunButton>("program.runHold");
+        auto& start = bench_->find<HoldToRunButton>("program.moveToStart");
+        for (HoldToRunButton* button : {&hold, &start}) {
+            button->guard().setClock(bench_->clock);
+        }
+        cell().everyRefresh = [&] {
+            hold.guard().pump();
+            start.guard().pump();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
+        QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
+        QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated: the program takes"), qPrintable(status()),
+                                  60'000);
+        cell().advanceMs(40);
+        QVERIFY2(start.isEnabled(), qPrintable(start.toolTip()));
+        QTest::mousePress(&start, Qt::LeftButton);
+        QVERIFY2(cell().advanceUntil([&] { return !start.isHolding(); }, 60'000), qPrintable(status()));
+        QTest::mouseRelease(&start, Qt::LeftButton);
+        cell().advanceMs(40);
+        if (held) {
+            QTest::mousePress(&hold, Qt::LeftButton);
+        } else {
+            QVERIFY2(key("program.run").isEnabled(), qPrintable(key("program.run").toolTip()));
+            QTest::mouseClick(&key("program.run"), Qt::LeftButton);
+        }
+        QVERIFY2(cell().advanceUntil([&] { return tcpSpeed(cell()) > 0.04; }, 60'000), qPrintable(status()));
+        QVERIFY2(status().contains("Running step"), qPrintable(status()));
+    }
+
     std::unique_ptr<WindowBench> bench_;
 
     app::MainWindow& window() { return bench_->window; }
@@ -324,45 +367,10 @@ private Q_SLOTS:
     void everyStopInputStopsAProgram() {
         QFETCH(bool, held);
         QFETCH(QString, way);
-        const QString pick = [&] {
-            document().setProject(program::sampleProject());
-            return program::waypointId(document().project(), "pick");
-        }();
-        const QString place = program::waypointId(document().project(), "place");
-        project::ProgramList programs;
-        programs.append(
-            program::makeProgram("moves", {program::step("loop", {{"times", 5}},
-                                                         {program::step("moveL", {{"waypoint", pick}}),
-                                                          program::step("moveL", {{"waypoint", place}})})}));
-        document().changePrograms(programs, "open");
-        QVERIFY2(cell().bringUp(), qPrintable(cell().what()));
-        auto& hold = bench_->find<HoldToRunButton>("program.runHold");
-        auto& start = bench_->find<HoldToRunButton>("program.moveToStart");
-        for (HoldToRunButton* button : {&hold, &start}) {
-            button->guard().setClock(bench_->clock);
+        startMoves(held);
+        if (QTest::currentTestFailed()) {
+            return;
         }
-        cell().everyRefresh = [&] {
-            hold.guard().pump();
-            start.guard().pump();
-        };
-        QTRY_VERIFY_WITH_TIMEOUT(key("program.preview").isEnabled(), 60'000);
-        QTest::mouseClick(&key("program.preview"), Qt::LeftButton);
-        QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated: the program takes"), qPrintable(status()),
-                                  60'000);
-        cell().advanceMs(40);
-        QVERIFY2(start.isEnabled(), qPrintable(start.toolTip()));
-        QTest::mousePress(&start, Qt::LeftButton);
-        QVERIFY2(cell().advanceUntil([&] { return !start.isHolding(); }, 60'000), qPrintable(status()));
-        QTest::mouseRelease(&start, Qt::LeftButton);
-        cell().advanceMs(40);
-        if (held) {
-            QTest::mousePress(&hold, Qt::LeftButton);
-        } else {
-            QVERIFY2(key("program.run").isEnabled(), qPrintable(key("program.run").toolTip()));
-            QTest::mouseClick(&key("program.run"), Qt::LeftButton);
-        }
-        QVERIFY2(cell().advanceUntil([&] { return tcpSpeed(cell()) > 0.04; }, 60'000), qPrintable(status()));
-        QVERIFY2(status().contains("Running step"), qPrintable(status()));
         QDialog dialog(&window());
         if (way == "Space" || way == "Esc") {
             QTest::keyPress(QApplication::focusWidget(), way == "Esc" ? Qt::Key_Escape : Qt::Key_Space);
@@ -373,7 +381,7 @@ private Q_SLOTS:
         } else if (way == "close") {
             window().session().shutDown();
         } else if (way == "release") {
-            QTest::mouseRelease(&hold, Qt::LeftButton);
+            QTest::mouseRelease(&bench_->find<HoldToRunButton>("program.runHold"), Qt::LeftButton);
         } else if (way == "other tab") {
             window().showTab("log");
         } else {
@@ -385,6 +393,36 @@ private Q_SLOTS:
         cell().advanceMs(1000);
         QVERIFY(tcpSpeed(cell()) < 0.001);
         QVERIFY2(way == "close" || status().startsWith("Stopped in step"), qPrintable(status()));
+    }
+
+    // Looking at another tab or opening a dialog ends what is held, but not a program that runs by itself.
+    void aProgramThatRunsByItselfContinues_data() {
+        QTest::addColumn<QString>("event");
+        for (const char* event : {"other tab", "dialog", "settings"}) {
+            QTest::newRow(event) << QString(event);
+        }
+    }
+    void aProgramThatRunsByItselfContinues() {
+        QFETCH(QString, event);
+        startMoves(false);
+        if (QTest::currentTestFailed()) {
+            return;
+        }
+        QDialog dialog(&window());
+        if (event == "other tab") {
+            window().showTab("log");
+        } else if (event == "dialog") {
+            dialog.show();
+            QCoreApplication::processEvents();
+        } else {
+            window().actions().find("app.settings")->trigger();
+        }
+        cell().advanceMs(500);
+        QVERIFY2(cell().advanceUntil([&] { return tcpSpeed(cell()) > 0.04; }, 20'000), "the program ended");
+        QVERIFY2(status().contains("Running step"), qPrintable(status()));
+        window().session().stop(control::StopCause::StopButton);
+        const int ms = timeToStandstill(cell());
+        QVERIFY2(ms >= 0 && ms <= 250, qPrintable(QString::number(ms)));
     }
 
     // Each control of the tab gets the focus once. Space and Esc must stop the arm, like STOP.

@@ -57,7 +57,8 @@ bool KeyRepeat::intercepts(QObject& receiver, QEvent& event) {
 
 bool KeyRepeat::delays(QWindow& window, const QKeyEvent& event) {
     const KeyCode code = PhysicalKeys::codeOf(event);
-    if (probe_ == nullptr || !probe_->isThere() || event.isAutoRepeat() || !PhysicalKeys::hasNumber(code)) {
+    if (probe_ == nullptr || !probe_->isThere() || event.isAutoRepeat() || !PhysicalKeys::hasNumber(code) ||
+        probe_->waitingNs() > kLongestMs * kNsPerMs) {  // a display server that does not reply
         return false;
     }
     release_ = std::make_unique<Release>();

@@ -36,7 +36,7 @@ public:
     /// Checks for the reply of the key-state check. The timer calls it every millisecond while a release is delayed.
     void poll();
 
-    static constexpr int kLongestMs = 20;
+    static constexpr int kLongestMs = 10;
 
 private:
     struct Release {

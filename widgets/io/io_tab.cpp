@@ -161,7 +161,8 @@ void IoTab::toggle(int output) {
     // Compare with the requested state, so that a second click reverts the first click.
     const auto asked = pending_.constFind(output);
     const bool now = asked != pending_.constEnd() ? asked->wanted : bit(state_.digitalOutputs, output);
-    if (!session_.asksBeforeChange(terminal(true, output), [this, output, now] { ask(output, !now); })) {
+    const QString what = QStringLiteral("%1: %2").arg(terminal(true, output), now ? tr("off") : tr("on"));
+    if (!session_.asksBeforeChange(what, [this, output, now] { ask(output, !now); })) {
         ask(output, !now);
     }
 }

@@ -178,6 +178,10 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
     check();
 }
 
+bool ProgramTab::runsFreely() const {
+    return runBar_ != nullptr && runBar_->runsFreely();
+}
+
 void ProgramTab::followSpeed() {
     runBar_->showSpeed();
 }

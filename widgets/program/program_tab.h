@@ -52,6 +52,8 @@ public:
     /// All actions, for menus, the command palette and the help.
     QList<QAction*> commandActions() const { return actions_; }
     StepTree& tree() { return *tree_; }
+    /// True while a program runs without a held button.
+    bool runsFreely() const;
     /// Path of the TCP in the preview, in the base frame [m]; empty without a preview.
     const std::vector<Eigen::Vector3d>& previewPath() const { return path_; }
 

@@ -39,9 +39,16 @@ void reserveWidth(QPushButton& key, const QString& otherText) {
     key.setMinimumWidth(std::max(key.sizeHint().width(), EnterKey(otherText).sizeHint().width()));
 }
 
+/// Every assignment sends an event, also without a change.
+void setToolTipOf(QPushButton& key, const QString& text) {
+    if (key.toolTip() != text) {
+        key.setToolTip(text);
+    }
+}
+
 void setReason(QPushButton& key, const QString& reason, const QString& toolTip) {
     key.setEnabled(reason.isEmpty());
-    key.setToolTip(reason.isEmpty() ? toolTip : reason);
+    setToolTipOf(key, reason.isEmpty() ? toolTip : reason);
 }
 
 /// Text of an error at the start of a motion: a sentence, or a text made of the code.
@@ -61,13 +68,13 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     , document_(document)
     , heldSpeed_(std::move(heldSpeed))
     , runner_(session)
-    , hold_(holdKey("program.runHold", tr("Run (hold)"), tr("Run the program, hold"),
-                    tr("Runs the program from its beginning while the button is held, no faster than the jog "
-                       "speed. The program ends when you release the button."),
-                    policy))
+    , hold_(holdKey(
+          "program.runHold", tr("Run (hold)"), tr("Run the program, hold"),
+          tr("Runs the program while the button is held, no faster than the jog speed. The program ends "
+             "when you release the button."),
+          policy))
     , start_(holdKey("program.moveToStart", tr("To start (hold)"), tr("Move to the start position, hold"),
-                     tr("Moves all joints to the start position of the program while the button is held"),
-                     policy))
+                     tr("Moves all joints to the start position while the button is held"), policy))
     , run_(keyNamed("program.run", tr("Run")))
     , pause_(keyNamed("program.pause", tr("Pause")))
     , step_(keyNamed("program.step", tr("Step")))
@@ -96,7 +103,11 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     from_->setCheckable(true);
     hold_->setMotion(runner_.motion([this] {
         isHeld_ = true;
-        return plan(limits());
+        program::RunPlan planned = plan(limits());
+        if (planned.obstacle.isEmpty() && preview_ && previewed_.text == script_.text) {
+            planned.obstacle = program::collisionText(document_.project(), script_, *preview_);
+        }
+        return planned;
     }));
     start_->setMotion(startMotion());
     for (HoldToRunButton* key : {hold_, start_}) {
@@ -137,8 +148,8 @@ void RunBar::setPreview(const program::ProgramScript& script,
 
 program::SpeedLimits RunBar::limits() const {
     const HeldSpeed held = heldSpeed_();
-    // At this joint speed, the TCP of the extended arm reaches the TCP speed if one joint rotates.
-    return {.tool = held.tcp, .joint = std::min(held.joint, held.tcp / session_.state().arm().reach)};
+    const bool isPreviewed = preview_ && previewed_.text == script_.text;
+    return program::heldLimits(held.tcp, held.joint, session_.state(), isPreviewed ? &*preview_ : nullptr);
 }
 
 program::RunPlan RunBar::plan(const program::SpeedLimits& limits) const {
@@ -195,7 +206,7 @@ void RunBar::runOrStop() {
 
 void RunBar::run(std::int32_t permitted) {
     program::RunPlan planned = plan({});
-    planned.obstacle = program::obstacleWithoutHold(planned, session_.state(),
+    planned.obstacle = program::obstacleWithoutHold(planned.obstacle, planned.script.text, session_.state(),
                                                     preview_ ? &*preview_ : nullptr, previewed_.text);
     isHeld_ = false;
     if (const auto begun = runner_.start(planned, control::Holding::Free, permitted); !begun) {
@@ -270,11 +281,8 @@ QString RunBar::programObstacle() const {
 }
 
 QString RunBar::runObstacle() const {
-    program::RunPlan known;
-    known.script = script_;
-    known.obstacle = programObstacle();
-    return program::obstacleWithoutHold(known, session_.state(), preview_ ? &*preview_ : nullptr,
-                                        previewed_.text);
+    return program::obstacleWithoutHold(programObstacle(), script_.text, session_.state(),
+                                        preview_ ? &*preview_ : nullptr, previewed_.text);
 }
 
 void RunBar::updateAvailability() {
@@ -293,11 +301,11 @@ void RunBar::updateAvailability() {
     const bool stops = runner_.isActive() && !isHeld_;
     const QString why = !robot.isEmpty() ? robot : runObstacle();
     run_->setEnabled(stops || why.isEmpty());
-    run_->setToolTip(stops ? tr("Stops the program")
-                     : why.isEmpty()
-                         ? tr("Runs the program at its own speed until it ends or is stopped. The "
-                              "arm also stops when Tiller closes or the connection is lost.")
-                         : why);
+    setToolTipOf(*run_, stops ? tr("Stops the program")
+                        : why.isEmpty()
+                            ? tr("Runs the program at its own speed until it ends or is stopped. The "
+                                 "arm also stops when Tiller closes or the connection is lost.")
+                            : why);
     updateGateKeys();
 }
 

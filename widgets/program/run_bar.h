@@ -43,6 +43,8 @@ public:
     /// Updates the displayed speed.
     void showSpeed();
     const program::ProgramRunner& runner() const { return runner_; }
+    /// True while a program runs without a held button.
+    bool runsFreely() const { return runner_.isActive() && !isHeld_; }
     /// Ends a held motion, if any.
     void stop(control::StopCause cause);
 

@@ -196,7 +196,8 @@ QString ProjectFiles::startingPlace() const {
 void ProjectFiles::askToOpen(QWidget* over) {
     const QString path = QFileDialog::getOpenFileName(over, tr("Open project"), startingPlace(),
                                                       tr("Tiller projects (*.tiller)"));
-    if (!path.isEmpty()) {
+    // Unsaved work is discarded only when the other project is certain.
+    if (!path.isEmpty() && mayLeave(over)) {
         open(path);
     }
 }
@@ -209,16 +210,18 @@ void ProjectFiles::askForNew(QWidget* over) {
     if (path.isEmpty()) {
         return;
     }
-    startNew(withSuffix(path));
+    startNew(withSuffix(path), over);
 }
 
-void ProjectFiles::startNew(const QString& path) {
+void ProjectFiles::startNew(const QString& path, QWidget* over) {
     if (QFileInfo::exists(path)) {
         Q_EMIT message(Severity::Warning,
                        tr("%1 already exists. Choose another name for the new project.").arg(path));
         return;
     }
-    open(path);
+    if (mayLeave(over)) {
+        open(path);
+    }
 }
 
 void ProjectFiles::askToSave(QWidget* over) {

@@ -26,12 +26,13 @@ public:
     /// The file of the project: its path, autosave, and the text for the status line.
     ProjectStore& store() { return store_; }
 
-    /// over  the parent window of the question
+    /// over  the parent window of the questions
     void askToOpen(QWidget* over);
     void askToSave(QWidget* over);
     void askForNew(QWidget* over);
-    /// Starts an empty project that will be saved to this file. An existing file is refused with a message.
-    void startNew(const QString& path);
+    /// Starts an empty project that will be saved to this file, after mayLeave(). An existing file is refused with a
+    /// message.
+    void startNew(const QString& path, QWidget* over);
     /// Opens the file. If it does not exist, opens an empty project that will be saved under this name. If
     /// the file is damaged, reports the error and offers to load the readable part.
     void open(const QString& path);

@@ -43,11 +43,43 @@ QStringList cellsOf(const QString& line) {
     return cells;
 }
 
+/// Spreadsheet programs end lines with CR and LF.
+QByteArray lineOf(QFile& file) {
+    QByteArray line = file.readLine();
+    while (line.endsWith('\n') || line.endsWith('\r')) {
+        line.chop(1);
+    }
+    return line;
+}
+
+bool hasHeader(QFile& file) {
+    QByteArray line = lineOf(file);
+    if (line.startsWith("\xEF\xBB\xBF")) {
+        line.remove(0, 3);
+    }
+    return line + '\n' == kHeader;
+}
+
 }  // namespace
 
 QString csvNotesPath(const QString& recording) {
     const QFileInfo file(recording);
     return file.path() + QLatin1Char('/') + file.completeBaseName() + QStringLiteral(".notes.csv");
+}
+
+Result<void> removeCsvNotes(const QString& recording) {
+    const QString path = csvNotesPath(recording);
+    QFile file;
+    if (!QFileInfo::exists(path)) {
+        return {};
+    }
+    if (!openForReading(file, path) || !hasHeader(file)) {
+        return Error{ErrorCode::FileNotWritable, path,
+                     QStringLiteral("the file does not contain notes of a recording; rename it")};
+    }
+    file.close();
+    return QFile::remove(path) ? Result<void>()
+                               : Result<void>(Error{ErrorCode::FileNotWritable, path, QString()});
 }
 
 std::string csvNotesHeader() {
@@ -68,12 +100,12 @@ std::vector<std::pair<std::uint64_t, RecordedEvent>> readCsvNotes(const QString&
     QFile file;
     const QString path = csvNotesPath(recording);
     if (!QFileInfo::exists(path) || !openForReading(file, path) || file.size() > kMaxBytes ||
-        file.readLine() != kHeader) {
+        !hasHeader(file)) {
         return {};
     }
     std::vector<std::pair<std::uint64_t, RecordedEvent>> notes;
     while (!file.atEnd()) {
-        const QStringList cells = cellsOf(QString::fromUtf8(file.readLine()).remove(QLatin1Char('\n')));
+        const QStringList cells = cellsOf(QString::fromUtf8(lineOf(file)));
         bool hasRow = false;
         bool hasLevel = false;
         const std::uint64_t row = cells.value(0).toULongLong(&hasRow);

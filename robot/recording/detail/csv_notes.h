@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "robot/core/result.h"
 #include "robot/recording/recording.h"
 #include "robot/recording/recording_format.h"
 
@@ -17,6 +18,9 @@ namespace tiller::recording {
 
 /// "a.csv" becomes "a.notes.csv".
 QString csvNotesPath(const QString& recording);
+/// Removes the notes of an earlier recording with this name.
+/// Errors  FileNotWritable if there is a file with this name that was not written by a recorder; it is kept
+Result<void> removeCsvNotes(const QString& recording);
 std::string csvNotesHeader();
 /// row  number of rows before the note
 std::string csvNoteLine(std::uint64_t row, const RecordedNote& note);

@@ -528,6 +528,16 @@ void ProgramRun::end(control::StopCause cause) {
     }
 }
 
+void ProgramRun::cancelStart(control::StopCause cause) {
+    if (!isRunning()) {
+        return;
+    }
+    const std::lock_guard lock(shared->mutex);
+    if (!shared->isStarted && !shared->cancelled) {
+        shared->cancelled = cause;
+    }
+}
+
 void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath>& prepared) {
     PathStart& start = d_->link->path;
     --start.sending;
@@ -662,6 +672,7 @@ void RobotSession::stop(control::StopCause cause) {
     if (!d_->link) {
         return;
     }
+    d_->link->program.cancelStart(cause);
     const std::uint64_t epoch = d_->link->controller->stop(cause);
     services_.stopPrograms(cause, epoch);
 }

@@ -82,6 +82,7 @@ void SessionRecording::start(const RecordingOrder& order) {
         return std::function<void()>([this, path = options.path, result] {
             if (result) {
                 wasRecording_ = true;
+                reportedNotes_ = false;
                 Q_EMIT session_.message(Severity::Info, tr("Recording to %1").arg(path), Origin::Operator);
             } else {
                 Q_EMIT session_.message(Severity::Error, texts::errorText(result.error()));
@@ -113,6 +114,15 @@ void SessionRecording::stop() {
 }
 
 void SessionRecording::reportFailure() {
+    if (wasRecording_ && !reportedNotes_) {
+        const Error notes = d_.recorder.notesError();
+        reportedNotes_ = notes.code != ErrorCode::None;
+        if (reportedNotes_) {
+            Q_EMIT session_.message(
+                Severity::Warning,
+                tr("The recording continues without notes. %1").arg(texts::errorText(notes)));
+        }
+    }
     if (wasRecording_ && !d_.state.recording.error.isEmpty()) {
         wasRecording_ = false;
         Q_EMIT session_.message(Severity::Error, d_.state.recording.error);

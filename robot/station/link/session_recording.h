@@ -53,6 +53,7 @@ private:
     RobotSession& session_;
     SessionBackend& d_;
     bool wasRecording_ = false;
+    bool reportedNotes_ = false;  ///< that notes cannot be written
     QString projectName_;
     QByteArray project_;
 };

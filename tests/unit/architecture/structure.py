@@ -29,7 +29,7 @@ TUTORIAL = "the tutorial of the window"
 REASONS = {
     "AxisRange": PLOT, "Camera": VIEW, "DeviceSource": DEVICE, "Filter": FILTER, "FirstSteps": TUTORIAL,
     "FrameCheck": TUTORIAL, "FrameModel": MODEL, "Gamepad": DEVICE, "GamepadSource": DEVICE, "HoverKeeper": EVENTS,
-    "InputDevice": DEVICE, "KeyGhosts": EVENTS, "KeyStateProbe": PROBE, "LabelPlacer": VIEW, "LimitCheck": TUTORIAL,
+    "InputDevice": DEVICE, "KeyGhosts": EVENTS, "KeyRepeat": EVENTS, "KeyStateProbe": PROBE, "LabelPlacer": VIEW, "LimitCheck": TUTORIAL,
     "Link": PROBE, "ListTyping": EVENTS, "LogFilter": FILTER, "MeasureCheck": TUTORIAL, "NoKeyStateProbe": PROBE,
     "PaintWatch": EVENTS, "PaperColors": "selects the theme for printing", "PartModel": MODEL,
     "PhysicalKeys": "the pressed keys of the keyboard, from key events",

@@ -297,6 +297,7 @@ const QHash<QString, QString>& withoutDisplay() {
     static const QString kTutorial = "the tutorial of the window";
     static const QHash<QString, QString> table = {
         {"widgets/common/scene_marks", kView},
+        {"widgets/common/stop_mark", "a property of the STOP button"},
         {"widgets/jog/input_device", "what devices in widgets/ implement"},
         {"widgets/plots/axis_range", kPlots},
         {"widgets/plots/plot_layout", kPlots},

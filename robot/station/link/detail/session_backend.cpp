@@ -63,6 +63,7 @@ void SessionBackend::read() {
         state.monitorOnly = monitorOnly;
         state.recording = recordingState;
         movedBefore = false;
+        externalRunSeen = changesConfirmed = false;
         state.speedCap = limits.tcpSpeed;
         state.controlReason = RobotSession::tr("Not connected to a robot.");
         readRecording();

@@ -73,6 +73,8 @@ struct ProgramRun {
     /// Returns  false if the program has ended
     bool hold(std::int64_t nowNs);
     void end(control::StopCause cause);
+    /// Prevents the start of a program that is being sent.
+    void cancelStart(control::StopCause cause);
     void setGate(const script::StepGate& gate);
 
     /// Program numbers start above all path numbers.

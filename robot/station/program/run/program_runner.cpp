@@ -3,8 +3,10 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "robot/kinematics/arm_kinematics.h"
 #include "robot/receive/robot_state.h"
 #include "robot/station/link/obstacles.h"
 #include "robot/station/program/program_edit.h"
@@ -30,6 +32,42 @@ bool isAt(const JointPositions& q, const SessionState& state) {
     return (q.values - state.q.values).cwiseAbs().maxCoeff() < kAtStart;
 }
 
+/// Speed of TCP or elbow while the fastest joint rotates at 1 rad/s, for any joint move [m]. Each joint moves the TCP
+/// at most by its distance from the axis, which is at most the length of all later links.
+double longestLever(const SessionState& state) {
+    const DhParameters& dh = robotModel(state.model).dh;
+    double sum = 0;
+    double links = state.tcpOffset.position.norm();
+    for (std::size_t joint = dh.a.size(); joint-- > 0;) {
+        links += std::abs(dh.a[joint]);
+        sum += links;
+        links += std::abs(dh.d[joint]);  // parallel to the axis of this joint
+    }
+    return sum;
+}
+
+/// As longestLever(), for the joint motions of this path.
+double leverOf(const Preview& preview, const SessionState& state) {
+    constexpr double kLeastTurn = 1e-4;  // [rad]
+    constexpr double kChord = 1.05;      // samples are connected by chords
+    const DhParameters dh = state.arm().dh;
+    double lever = 0;
+    const auto elbow = [&dh](const PathSample& at) {
+        return kinematics::linkFrames(dh, at.q)[2].translation();
+    };
+    for (std::size_t i = 1; i < preview.path.size(); ++i) {
+        const PathSample& from = preview.path[i - 1];
+        const PathSample& to = preview.path[i];
+        const double turn = (to.q.values - from.q.values).cwiseAbs().maxCoeff();
+        if (turn > kLeastTurn) {
+            const double way =
+                std::max((to.tcp.position - from.tcp.position).norm(), (elbow(to) - elbow(from)).norm());
+            lever = std::max(lever, kChord * way / turn);
+        }
+    }
+    return lever;
+}
+
 QString notAtStart() {
     return ProgramText::tr("Move the arm to the start position first.");
 }
@@ -52,6 +90,7 @@ ScriptOptions optionsFor(const project::Project& project, const SessionState& st
 RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
                 const SpeedLimits& limits, const std::optional<StartStep>& start) {
     RunPlan plan;
+    plan.limits = limits;
     ScriptOptions options = optionsFor(project, state, limits);
     options.from = start ? start->step : QUuid();
     plan.script = writeScript(project, program, options);
@@ -81,12 +120,25 @@ bool isAtStart(const Preview& preview, const SessionState& state) {
     return !preview.path.empty() && isAt(preview.path.front().q, state);
 }
 
-QString obstacleWithoutHold(const RunPlan& plan, const SessionState& state, const Preview* preview,
-                            const QString& previewed) {
-    if (!plan.obstacle.isEmpty()) {
-        return plan.obstacle;
+SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview) {
+    const bool isKnown = preview != nullptr && preview->completed && isAtStart(*preview, state);
+    const double lever = isKnown ? leverOf(*preview, state) : longestLever(state);
+    return {.tool = tool, .joint = lever > 0 ? std::min(joint, tool / lever) : joint};
+}
+
+QString collisionText(const project::Project& project, const ProgramScript& script, const Preview& preview) {
+    const auto collision =
+        std::find_if(preview.findings.begin(), preview.findings.end(),
+                     [](const Finding& each) { return each.kind == Finding::Kind::Collision; });
+    return collision == preview.findings.end() ? QString() : findingText(project, script, *collision);
+}
+
+QString obstacleWithoutHold(const QString& obstacle, const QString& script, const SessionState& state,
+                            const Preview* preview, const QString& previewed) {
+    if (!obstacle.isEmpty()) {
+        return obstacle;
     }
-    if (preview == nullptr || previewed != plan.script.text) {
+    if (preview == nullptr || previewed != script) {
         return ProgramText::tr("Preview the program first.");
     }
     if (!preview->isGood()) {
@@ -126,6 +178,7 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     script_ = plan.script;
     log_ = StepLog(static_cast<int>(script_.steps.size()));
     expected_ = plan.expected;
+    limits_ = plan.limits;
     gate_ = {permitted, false};
     const auto begun = session_.beginProgram(script_.gatedText(), holding, session_.stops(), gate_);
     if (!begun) {
@@ -150,6 +203,7 @@ HoldMotion ProgramRunner::motion(std::function<RunPlan()> plan) {
                 HoldBounds bounds;
                 // A program of unknown duration has the limit of motions without an end.
                 bounds.longestNs = expected_ > 0 ? HoldBounds::longestOf(kSlower * expected_) : 0;
+                bounds.holdTimeoutNs = HoldBounds::holdTimeoutAt(limits_.tool, limits_.joint);
                 return bounds;
             },
     };

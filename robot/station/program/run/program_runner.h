@@ -23,7 +23,18 @@ struct RunPlan {
     ProgramScript script;
     QString obstacle;     ///< a translated sentence; empty if the program can run
     double expected = 0;  ///< expected duration [s]; 0: unknown
+    SpeedLimits limits;   ///< of the moves
 };
+
+/// Speed limits of a held run, at which neither TCP nor elbow exceeds `tool` in a joint move.
+/// tool     [m/s]
+/// joint    [rad/s]
+/// preview  of the same script, started at the current position of the arm: the limit fits its joint moves. Null: the
+///          limit fits every joint move of the arm and is much lower.
+SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview);
+
+/// The first collision of the preview as a sentence; empty if there is none.
+QString collisionText(const project::Project& project, const ProgramScript& script, const Preview& preview);
 
 /// Expected duration of a run with these speed limits [s], from the path of the preview.
 /// speedFraction  speed slider, 0 ... 1
@@ -40,10 +51,12 @@ RunPlan planRun(const project::Project& project, const QUuid& program, const Ses
                 const SpeedLimits& limits = {}, const std::optional<StartStep>& start = {});
 
 /// Reason why the program must not run without a held button, as a sentence; empty if it may.
+/// obstacle   RunPlan::obstacle
+/// script     text of the script
 /// preview    of the same script, started at the current position of the arm; null: none
 /// previewed  text of the script of the preview
-QString obstacleWithoutHold(const RunPlan& plan, const SessionState& state, const Preview* preview,
-                            const QString& previewed);
+QString obstacleWithoutHold(const QString& obstacle, const QString& script, const SessionState& state,
+                            const Preview* preview, const QString& previewed);
 
 /// True if the arm is at the start position of the preview.
 bool isAtStart(const Preview& preview, const SessionState& state);
@@ -117,6 +130,7 @@ private:
     StepLog log_;
     script::StepGate gate_;
     double expected_ = 0;
+    SpeedLimits limits_;
 };
 
 }  // namespace tiller::program

@@ -24,6 +24,7 @@ public:
 
     bool there = true;
     int queries = 0;
+    std::int64_t waiting = 0;
 
     void reply(bool down) {
         word_.askedNs = clock_.nowNs();
@@ -35,7 +36,7 @@ public:
     void query() override { ++queries; }
     Word leftButton() const override { return {}; }
     Word key(KeyCode) const override { return word_; }
-    std::int64_t waitingNs() const override { return 0; }
+    std::int64_t waitingNs() const override { return waiting; }
     QString description() const override { return {}; }
 
 private:
@@ -194,6 +195,14 @@ private Q_SLOTS:
         QCOMPARE(c.widget.received, (QStringList{"release", "press"}));
     }
 
+    void aReleaseIsNotDelayedByAServerThatDoesNotReply() {
+        Cell c;
+        c.send(QEvent::KeyPress, 100);
+        c.probe.waiting = 50 * kNsPerMs;
+        c.send(QEvent::KeyRelease, 760);
+        QCOMPARE(c.widget.received, (QStringList{"press", "release"}));
+    }
+
     void aDeletedWindowReceivesNothing() {
         VirtualClock clock;
         SlowProbe probe(clock);
@@ -206,7 +215,10 @@ private Q_SLOTS:
         clock.advanceNs(kNsPerMs);
         probe.reply(false);
         repeat.poll();
-        QVERIFY(!repeat.intercepts(repeat, event));
+        // Nothing is delayed any more.
+        QKeyEvent press(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, scan::kRight, 0, 0);
+        QWindow other;
+        QVERIFY(!repeat.intercepts(other, press));
     }
 };
 

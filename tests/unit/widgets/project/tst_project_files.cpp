@@ -313,11 +313,11 @@ private Q_SLOTS:
         QStringList messages;
         connect(files_.get(), &ProjectFiles::message, this,
                 [&](Severity, const QString& text) { messages << text; });
-        files_->startNew(path_);
+        files_->startNew(path_, nullptr);
         QCOMPARE(messages.filter("already exists").size(), 1);
         QCOMPARE(document_->waypoints().size(), 1);
         const QString fresh = directory_->filePath("fresh.tiller");
-        files_->startNew(fresh);
+        files_->startNew(fresh, nullptr);
         QCOMPARE(files_->store().path(), fresh);
         QVERIFY(document_->waypoints().isEmpty());
         document_->insertWaypoints(0, {named("b")}, "Teach");
@@ -325,6 +325,16 @@ private Q_SLOTS:
         QVERIFY(QFileInfo::exists(fresh));
         files_->open(path_);
         QCOMPARE(document_->waypoints().at(0).name, QString("a"));
+    }
+
+    void anExistingFileForANewProjectDiscardsNothing() {
+        document_->insertWaypoints(0, {named("a")}, "Teach");
+        QFile other(path_);
+        QVERIFY(other.open(QIODevice::WriteOnly));
+        other.close();
+        files_->startNew(path_, nullptr);
+        QCOMPARE(document_->waypoints().size(), 1);
+        QVERIFY(files_->store().isModified());
     }
 
     void recoveredWorkIsDiscardedOnRequest() {

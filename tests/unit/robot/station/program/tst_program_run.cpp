@@ -697,7 +697,7 @@ private Q_SLOTS:
         bench.setSteps({bench.move("pick"), bench.move("place")});
         const RunPlan plan = bench.plan();
         const auto why = [&](const Preview* preview, const QString& text) {
-            return obstacleWithoutHold(plan, bench.session.state(), preview, text);
+            return obstacleWithoutHold(plan.obstacle, plan.script.text, bench.session.state(), preview, text);
         };
         QVERIFY(!why(nullptr, {}).isEmpty());
         const ScriptOptions options = optionsFor(bench.project, bench.session.state());
@@ -725,6 +725,76 @@ private Q_SLOTS:
         preview.path[2].q = JointPositions(0.4, 0, 0, 0, 0, 0);
         QCOMPARE(slowedDuration(preview, {.tool = 0.05, .joint = 0.1}, 1), 6.0);
         QCOMPARE(slowedDuration({}, {}, 1), 0.0);
+    }
+
+    void jointMovesOfAHeldRunKeepTheTcpSpeed_data() {
+        QTest::addColumn<bool>("previewed");
+        QTest::newRow("previewed") << true;
+        QTest::newRow("without preview") << false;
+    }
+    void jointMovesOfAHeldRunKeepTheTcpSpeed() {
+        QFETCH(const bool, previewed);
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        // Base, shoulder and elbow turn together.
+        project::Waypoint far = bench.project.waypoints.at(0);
+        far.id = QUuid::createUuid();
+        far.name = QStringLiteral("far");
+        far.joints.values += (Vector6() << 0.5, 0.4, 0.4, 0, 0, 0).finished();
+        far.pose = kinematics::forwardTcp(robotModel(bench.session.state().model).dh, far.joints, far.tcp);
+        bench.project.waypoints.append(far);
+        bench.setSteps({step("moveJ", {{"waypoint", waypointId(bench.project, "far")}})});
+        std::optional<Preview> preview;
+        if (previewed) {
+            PreviewOptions options;
+            options.start = bench.session.state().q;
+            preview = previewProgram(bench.project, bench.plan().script, {}, options);
+            QVERIFY(preview->completed);
+        }
+        constexpr double kTool = 0.1;
+        const SpeedLimits limits = heldLimits(kTool, 2, bench.session.state(), preview ? &*preview : nullptr);
+        const RunPlan plan = planRun(bench.project, bench.program, bench.session.state(), limits);
+        QVERIFY2(plan.obstacle.isEmpty(), qPrintable(plan.obstacle));
+        const auto begun = bench.runner.start(plan, Holding::Held);
+        QVERIFY(begun.ok());
+        bench.hold(*begun);
+        double fastest = 0;
+        QVERIFY(bench.cell.advanceUntil(
+            [&] {
+                fastest = std::max(fastest, bench.cell.truth().tcpSpeed.linear.norm());
+                return bench.runner.state() == ProgramRunner::State::Ended;
+            },
+            kLongMs));
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QVERIFY2(fastest <= kTool * 1.02, qPrintable(QString::number(fastest)));
+        QVERIFY2(fastest >= kTool * (previewed ? 0.85 : 0.1), qPrintable(QString::number(fastest)));
+    }
+
+    void aCollisionOfThePreviewIsNamed() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.move("pick")});
+        Preview preview;
+        QVERIFY(collisionText(bench.project, bench.plan().script, preview).isEmpty());
+        preview.findings.push_back({Finding::Kind::StepFailed, 1, 0.5, QStringLiteral("failed")});
+        QVERIFY(collisionText(bench.project, bench.plan().script, preview).isEmpty());
+        preview.findings.push_back({Finding::Kind::Collision, 1, 1.5, QStringLiteral("too close")});
+        QVERIFY(collisionText(bench.project, bench.plan().script, preview).contains("too close"));
+    }
+
+    void aStopWhileTheProgramIsSentNamesItsCause() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        QVERIFY(bench.begin(Holding::Free));
+        QCOMPARE(bench.runner.state(), ProgramRunner::State::Sending);
+        bench.session.stop(StopCause::Space);
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.runner.state() == ProgramRunner::State::Ended; },
+                                        kLongMs));
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Stopped);
+        QVERIFY2(bench.runner.endText(bench.project).contains("Space"),
+                 qPrintable(bench.runner.endText(bench.project)));
+        QVERIFY(isStill(bench.cell.truth()));
     }
 
     void speedLimitsSlowTheMoves() {
