@@ -147,6 +147,7 @@ private Q_SLOTS:
                                "app.importSettings",
                                "log.action.export",
                                "plots.action.export",
+                               "project.new",
                                "project.open",
                                "project.saveAs",
                                "waypoint.action.import",

@@ -356,7 +356,13 @@ private Q_SLOTS:
         QVERIFY(bench.reachStep(running));
         bench.runner.pause();
         QVERIFY(bench.runner.isPaused() && !bench.runner.isWaiting());
-        QVERIFY(bench.reachWaiting());
+        const int begun = bench.runner.log().begun();
+        QVERIFY2(bench.reachWaiting(),
+                 qPrintable(QStringLiteral("paused after %1 steps, %2 begun, state %3: %4")
+                                .arg(begun)
+                                .arg(bench.runner.log().begun())
+                                .arg(int(bench.runner.state()))
+                                .arg(bench.runner.endText(bench.project))));
         QCOMPARE(bench.runner.log().step(), waiting);
         bench.standstill();
         QVERIFY(isStill(bench.cell.truth()));
