@@ -144,12 +144,13 @@ Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choi
 
 namespace {
 
-/// Writes the notes and log lines in these rows to the second file, and removes an older one.
+/// Writes the notes, warnings and errors in these rows to the second file, and removes an older one.
 Result<void> exportNotes(const Recording& recording, const RowRange& rows, const QString& path) {
     std::string lines;
     for (const RecordedEvent& event : recording.events()) {
-        if (event.source == QLatin1String(kRestartSource)) {
-            continue;  // the reader finds it in the time stamps
+        // The reader finds restarts in the time stamps.
+        if (event.source == QLatin1String(kRestartSource) || !isCsvNote(event.level, event.source)) {
+            continue;
         }
         const auto row = recording.rowAt(std::max(event.seconds, 0.0));
         if (!row) {

@@ -58,7 +58,7 @@ std::string csvNumber(float value);
 Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choice);
 
 /// Writes a text file. Numbers are written as the shortest text that converts back exactly; missing values
-/// are empty cells. Notes and log lines are written to a second file, "a.notes.csv" for "a.csv".
+/// are empty cells. Notes, warnings and errors are written to a second file, "a.notes.csv" for "a.csv".
 /// Errors   FileNotWritable, DiskFull, FieldUnknown, InvalidArgument, Cancelled, and read errors
 /// Blocks   until the file is written
 Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& choice,

@@ -284,7 +284,7 @@ struct Recorder::Worker {
             encoder->add(note);
             return {};
         }
-        if (notesError.code != ErrorCode::None) {
+        if (notesError.code != ErrorCode::None || !isCsvNote(note.level, note.source)) {
             return {};
         }
         std::size_t written = 0;

@@ -180,20 +180,22 @@ private Q_SLOTS:
         };
         // The answer "Cancel" to the question about the project keeps the window and the recording.
         bench.window.document().insertWaypoints(0, {project::Waypoint()}, "Teach");
-        QTimer stay;
-        connect(&stay, &QTimer::timeout, &stay, [&] {
+        QString answer = "unsavedCopy.stay";
+        QTimer asked;
+        connect(&asked, &QTimer::timeout, &asked, [&] {
             if (QWidget* open = QApplication::activeModalWidget()) {
-                stay.stop();
-                open->findChild<QPushButton*>("unsavedCopy.stay")->click();
+                asked.stop();
+                open->findChild<QPushButton*>(answer)->click();
             }
         });
-        stay.start(10);
+        asked.start(10);
         end();
-        QTRY_VERIFY_WITH_TIMEOUT(!stay.isActive(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!asked.isActive(), 60'000);
         QVERIFY(bench.window.isVisible());
         QVERIFY2(active(), "the recording ended although the window stays open");
-        bench.window.document().undo();
 
+        answer = "unsavedCopy.drop";
+        asked.start(10);
         end();
         QTRY_VERIFY_WITH_TIMEOUT(!bench.window.isVisible(), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!active(), 20'000);

@@ -62,6 +62,11 @@ bool hasHeader(QFile& file) {
 
 }  // namespace
 
+bool isCsvNote(int level, const QString& source) {
+    constexpr int kWarning = 30;
+    return level >= kWarning || source == QLatin1String(kNoteSource);
+}
+
 QString csvNotesPath(const QString& recording) {
     const QFileInfo file(recording);
     return file.path() + QLatin1Char('/') + file.completeBaseName() + QStringLiteral(".notes.csv");

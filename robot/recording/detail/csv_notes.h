@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The notes and log lines of a CSV recording. A table of numbers has no place for text, so they are in a second CSV
+// The notes, warnings and errors of a CSV recording. A table of numbers has no place for text, so they are in a second CSV
 // file next to the recording, with the columns row, utc, level, source and text.
 
 #include <QString>
@@ -16,6 +16,8 @@
 
 namespace tiller::recording {
 
+/// True for notes of the operator, warnings and errors. Other log lines would create a second file for every recording.
+bool isCsvNote(int level, const QString& source);
 /// "a.csv" becomes "a.notes.csv".
 QString csvNotesPath(const QString& recording);
 /// Removes the notes of an earlier recording with this name.

@@ -483,6 +483,7 @@ void TestRecorder::notesOfACsvRecordingAreInASecondFile() {
         TRY_COMPARE(recorder.progress().rows, std::uint64_t(rows));
     };
     sendUntil(100);
+    recorder.note({1'700'000'000'000'000'000, 20, "tiller", QStringLiteral("Recording to a file")});
     recorder.note({1'700'000'000'000'000'000, 30, kNoteSource, QStringLiteral("part \"2\", jammed\nagain")});
     TRY_COMPARE(QFileInfo(notes).size() > 60, true);
     sendUntil(200);

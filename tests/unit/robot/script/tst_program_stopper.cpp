@@ -4,6 +4,7 @@
 #include <array>
 #include <future>
 #include <mutex>
+#include <set>
 
 #include "robot/script/program_stopper.h"
 #include "tests/support/raw_peer.h"
@@ -226,22 +227,26 @@ private Q_SLOTS:
             QTest::qWait(10);
         }
         QCOMPARE(stopper.error().code, ErrorCode::Timeout);
-        const auto isReset = [](native_socket::Descriptor each) {
-            std::array<std::uint8_t, 256> bytes;
-            native_socket::Transfer got{native_socket::Status::Ok, 0};
-            while (got.status == native_socket::Status::Ok) {
-                got = native_socket::receive(each, bytes);
-            }
-            return got.status == native_socket::Status::Failed;
-        };
+        // The system reports a reset only once.
+        std::set<native_socket::Descriptor> reset;
         const auto resets = [&] {
             const std::lock_guard lock(mutex);
-            return std::count_if(forgotten.begin(), forgotten.end(), isReset);
+            for (const native_socket::Descriptor each : forgotten) {
+                std::array<std::uint8_t, 256> bytes;
+                native_socket::Transfer got{native_socket::Status::Ok, 0};
+                while (got.status == native_socket::Status::Ok) {
+                    got = native_socket::receive(each, bytes);
+                }
+                if (got.status == native_socket::Status::Failed) {
+                    reset.insert(each);
+                }
+            }
+            return static_cast<int>(reset.size());
         };
         QVERIFY(peer.clients() > 2);
-        // All connections with the command; the newest one has not carried it.
-        QTRY_VERIFY2_WITH_TIMEOUT(resets() >= std::ptrdiff_t(peer.clients()) - 1,
-                                  "the stop is delivered later", kWaitTimeoutMs);
+        // All connections with the command; the newest one may not have carried it.
+        QTRY_VERIFY2_WITH_TIMEOUT(resets() >= peer.clients() - 1, "the stop is delivered later",
+                                  kWaitTimeoutMs);
         stopper.end();
         std::for_each(forgotten.begin(), forgotten.end(), native_socket::close);
     }

@@ -747,7 +747,8 @@ private Q_SLOTS:
         far.id = QUuid::createUuid();
         far.name = QStringLiteral("far");
         far.joints.values += (Vector6() << 0.5, 0.4, 0.4, 0, 0, 0).finished();
-        far.pose = kinematics::forwardTcp(robotModel(bench.session.state().model).dh, far.joints, far.tcp);
+        far.pose =
+            kinematics::forwardTcp(robotModel(bench.session.state().model).dh, far.joints, far.tcpOffset);
         bench.project.waypoints.append(far);
         bench.setSteps({step("moveJ", {{"waypoint", waypointId(bench.project, "far")}})});
         std::optional<Preview> preview;
