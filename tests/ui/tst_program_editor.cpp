@@ -14,6 +14,7 @@
 #include <QTest>
 #include <functional>
 
+#include "app/action_table.h"
 #include "program_samples.h"
 #include "robot/station/program/program_edit.h"
 #include "tests/support/window_bench.h"

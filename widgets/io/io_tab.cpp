@@ -392,12 +392,8 @@ void IoTab::buildAnalog(QVBoxLayout* layout) {
     layout->addWidget(registerHeading_);
     registers_ = new RegisterPanel;
     layout->addWidget(registers_);
-    connect(registers_, &RegisterPanel::writeRequested, this, [this](const RegisterValue& value) {
-        const auto set = [this, value] { session_.outputs().setRegister(value); };
-        if (!session_.asksBeforeChange(tr("Registers of robot programs"), set)) {
-            set();
-        }
-    });
+    connect(registers_, &RegisterPanel::writeRequested, this,
+            [this](const RegisterValue& value) { session_.outputs().setRegister(value); });
 }
 
 void IoTab::refreshAnalog(bool known, bool stale) {

@@ -115,7 +115,7 @@ public:
     /// monitor-only mode, reports that `command` is rejected and returns true.
     bool refusesCommand(const QString& command);
 
-    /// For a change of outputs, registers or the gripper by the operator. If a program of another client runs, emits
+    /// For a change of outputs or the gripper by the operator. If a program of another client runs, emits
     /// changeQuestion() and returns true, and the caller must not make the change. Without a receiver of the question,
     /// returns false.
     /// what    name of the change, e.g. "DO 3"

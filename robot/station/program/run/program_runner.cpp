@@ -52,7 +52,7 @@ double leverOf(const Preview& preview, const SessionState& state) {
     constexpr double kChord = 1.05;      // samples are connected by chords
     const DhParameters dh = state.arm().dh;
     double lever = 0;
-    const auto elbow = [&dh](const PathSample& at) {
+    const auto elbow = [&dh](const PathSample& at) -> Eigen::Vector3d {
         return kinematics::linkFrames(dh, at.q)[2].translation();
     };
     for (std::size_t i = 1; i < preview.path.size(); ++i) {
