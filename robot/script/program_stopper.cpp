@@ -38,11 +38,7 @@ struct ProgramStopper::Private {
     bool running = false;
     Descriptor socket = -1;  ///< closed by the thread only
     bool renew = false;      ///< close this connection and open a new one
-    bool discard = false;    ///< the request has ended without a stop: connections with a request are reset
-    /// Connections on which the request was sent and that were replaced. They stay open until the outcome is known,
-    /// because closing a socket with unread data resets the connection and could discard the request. Used by the
-    /// thread only.
-    std::vector<Descriptor> replaced;
+    bool discard = false;    ///< the request has ended without a stop
     Error connectionError;
     bool asked = false;
     bool sent = false;    ///< the request was sent on this connection
@@ -65,7 +61,6 @@ struct ProgramStopper::Private {
     void send();
     void settle(Error how);
     void look();
-    void closeReplaced();
     void hear(PrimaryParser& parser, std::uint64_t& packages);
     bool pauseFor(milliseconds time);
 };
@@ -88,8 +83,6 @@ void ProgramStopper::Private::send() {
 
 void ProgramStopper::Private::settle(Error how) {
     asked = false;
-    // When a lost connection works again, the operating system would deliver a request that it still holds. It would
-    // then stop whatever runs at that time.
     if (how.code != ErrorCode::None && how.code != ErrorCode::RemoteControlRequired) {
         discard = true;
         renew = renew || sent;
@@ -122,6 +115,7 @@ void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& package
     for (const ControllerMessage& message : parser.takeMessages()) {
         if (waits && !renew && message.kind == MessageKind::ErrorCode && message.code == kReadOnlySocket) {
             ++refusals;
+            sent = false;  // answered
             renew = true;
         }
     }
@@ -137,21 +131,6 @@ void ProgramStopper::Private::hear(PrimaryParser& parser, std::uint64_t& package
 }
 
 // The following functions are called by the thread only.
-
-void ProgramStopper::Private::closeReplaced() {
-    std::unique_lock lock(mutex);
-    if (asked) {
-        return;
-    }
-    const bool reset = discard;
-    lock.unlock();
-    for (const Descriptor each : std::exchange(replaced, {})) {
-        if (reset) {
-            native_socket::discardOnClose(each);
-        }
-        native_socket::close(each);
-    }
-}
 
 void ProgramStopper::Private::run() {
     // Limits the rate of attempts if the peer closes every connection immediately.
@@ -176,21 +155,16 @@ void ProgramStopper::Private::run() {
             connectionError = ended;
             look();
         }
-        closeReplaced();
         changed.notify_all();
         if (!atOnce) {
             pauseFor(kReconnectDelays[std::min(attempt++, kReconnectDelays.size() - 1)]);
         }
     }
-    {
-        const std::lock_guard lock(mutex);
-        running = false;
-        if (asked) {
-            settle({ErrorCode::Cancelled, context(), {}});
-        }
-        discard = false;  // the program ends: a request that was just sent must still arrive
+    const std::lock_guard lock(mutex);
+    running = false;
+    if (asked) {
+        settle({ErrorCode::Cancelled, context(), {}});
     }
-    closeReplaced();
 }
 
 void ProgramStopper::Private::use(Descriptor descriptor) {
@@ -219,12 +193,18 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
     constexpr milliseconds kPoll(10);
     Error ended{ErrorCode::ConnectionClosed, context(), {}};
     bool goesOn = true;
+    // The previous connection. It stays open, because closing a socket with unread data resets the connection
+    // and could discard a stop request that was just sent on it.
+    Descriptor before = -1;
     while (goesOn && !thread.cancel.isCancelled()) {
         if (wantsSecond()) {
             if (const auto opened = connectTcp(options.host, options.port,
                                                Deadline::after(kSecondConnectTime, thread.cancel));
                 opened) {
-                replaced.push_back(std::exchange(descriptor, *opened));
+                if (before >= 0) {
+                    native_socket::close(before);
+                }
+                before = std::exchange(descriptor, *opened);
                 reader = std::make_unique<PrimaryReader>();
                 packages = 0;
                 use(descriptor);
@@ -242,18 +222,22 @@ Error ProgramStopper::Private::listen(Descriptor descriptor) {
             look();
             goesOn = goesOn && !renew;
         }
-        closeReplaced();
     }
-    bool isUnanswered = false;
+    // When a lost connection works again, the operating system would deliver a request that it still holds, and stop
+    // whatever runs at that time. A reset discards it. If the request continues, it is sent on the next connection.
+    bool reset = false;
     {
         const std::lock_guard lock(mutex);
         socket = -1;
-        isUnanswered = sent;
+        reset = sent && (asked || std::exchange(discard, false)) && !thread.cancel.isCancelled();
     }
-    if (isUnanswered && !thread.cancel.isCancelled()) {
-        replaced.push_back(descriptor);
-    } else {
-        native_socket::close(descriptor);
+    for (const Descriptor each : {before, descriptor}) {
+        if (each >= 0) {
+            if (reset) {
+                native_socket::discardOnClose(each);
+            }
+            native_socket::close(each);
+        }
     }
     return ended;
 }

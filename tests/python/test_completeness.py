@@ -82,7 +82,7 @@ TABLE = {
         "setInt": "Registers.set_int", "setDouble": "Registers.set_double", "setBit": "Registers.set_bit"},
     "Recorder": {
         "start": "Robot.record", "stop": "Recording.stop", "progress": "Recording.rows", "error": "Recording.stop",
-        "note": Missing("notes have no Python API"), "path": "Recording.__repr__"},
+        "note": Missing("notes have no Python API"), "notesError": Missing("notes have no Python API"), "path": "Recording.__repr__"},
     "Receiver": {
         "start": INTERNAL, "stop": INTERNAL, "state": "Robot.__repr__", "localPort": INTERNAL,
         "lastError": "Robot.wait_for_data", "counters": "Robot.link", "resetCounters": Missing("not needed for totals"),

@@ -13,6 +13,7 @@
 #include "program_samples.h"
 #include "robot/station/program/program_script.h"
 #include "tests/integration/control/contract_cell.h"
+#include "tests/support/waiting.h"
 
 using namespace tiller;
 using namespace tiller::control;
@@ -267,8 +268,9 @@ public:
         }
         cell.motion = motion_;
         const std::uint64_t started = 1U << kStartedOutput;
-        for (double t = 0; (cell.robot.truth().digitalOutputs & started) == 0 && !isEnded_ && t < 20'000;
-             t += 1) {
+        // The thread that sends the program needs real time.
+        const Deadline limit = patience();
+        while ((cell.robot.truth().digitalOutputs & started) == 0 && !isEnded_ && !limit.hasExpired()) {
             (void)motion_.refresh();
             cell.stepMs(1);
         }

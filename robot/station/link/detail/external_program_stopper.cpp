@@ -93,7 +93,13 @@ void ExternalProgramStopper::askService() {
     const auto stop = [wanted = wanted_](RobotService& service, const Deadline& deadline) -> Result<void> {
         // The job may have waited for a connection. It must not stop a program that was started in the
         // meantime.
-        return *wanted ? service.perform(dashboard::RobotCommand::StopProgram, deadline) : Result<void>();
+        if (!*wanted) {
+            return {};
+        }
+        const CancelToken withdrawn(
+            [wanted, outer = deadline.token()] { return !*wanted || outer.isCancelled(); });
+        return service.perform(dashboard::RobotCommand::StopProgram,
+                               Deadline::after(deadline.remaining(), withdrawn));
     };
     service_.post(
         stop, &context_, [](const Result<void>&) {}, kServiceTime);
@@ -114,7 +120,9 @@ void ExternalProgramStopper::askService() {
 
 void ExternalProgramStopper::withdraw() {
     *wanted_ = false;
-    request_.reset();
+    if (std::exchange(request_, std::nullopt)) {
+        warmUp();  // cancelling a pending request closes its connection
+    }
     stopper_.withdraw();
 }
 
