@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QScrollBar>
+#include <QTabBar>
 #include <algorithm>
 #include <cstdlib>
 
@@ -116,6 +117,10 @@ const QWidget* PlacesWatch::containerOf(const QWidget& clicked) {
         if (qobject_cast<const QAbstractButton*>(at) != nullptr &&
             qobject_cast<const QLineEdit*>(parent) != nullptr) {
             return parent->parentWidget();  // the button that clears a search makes all rows appear again
+        }
+        if (qobject_cast<const QAbstractButton*>(at) != nullptr &&
+            qobject_cast<const QTabBar*>(parent) != nullptr) {
+            return ancestorNamed(*parent, "plots");  // closing the last but one page closes the row of tabs
         }
     }
     return nullptr;

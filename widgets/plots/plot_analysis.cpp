@@ -66,8 +66,13 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     layout->setSpacing(2);
     layout->addLayout(above);
     layout->addWidget(canvas_, 1);
-    over_->hide();
-    x_->hide();
+    // Their room is reserved, so that a click on XY does not widen the panel and move the buttons from the pointer.
+    for (QWidget* each : {static_cast<QWidget*>(over_), static_cast<QWidget*>(x_)}) {
+        QSizePolicy policy = each->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        each->setSizePolicy(policy);
+        each->hide();
+    }
     soon_.setSingleShot(true);
     soon_.setInterval(kAnalyseAfter);
     connect(&soon_, &QTimer::timeout, this, &PlotAnalysis::fill);
