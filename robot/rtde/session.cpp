@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kTextsKept = 32;
 
-/// A message has no room for all registers of a range.
+/// A message has no space for all registers of a range.
 QString listed(const std::vector<std::string>& names) {
     constexpr std::size_t kShown = 3;
     const auto shown =

@@ -188,11 +188,11 @@ QString PoseView::deltaText(int axis) const {
     return valid_ ? paced(inFrame(pose_.position - zero_)[axis], moving_) : dash();
 }
 
-/// With fewer decimals if the text would not fit into the room [px].
-QString PoseView::deltaText(int axis, const QFont& font, int room) const {
+/// With fewer decimals if the text would not fit into the space [px].
+QString PoseView::deltaText(int axis, const QFont& font, int space) const {
     const QFontMetrics metrics(font);
     QString text = deltaText(axis);
-    for (int digits = 1; valid_ && digits >= 0 && metrics.horizontalAdvance(text) > room; --digits) {
+    for (int digits = 1; valid_ && digits >= 0 && metrics.horizontalAdvance(text) > space; --digits) {
         text = format::lengthNumber(inFrame(pose_.position - zero_)[axis], digits, true);
     }
     return text;
@@ -258,8 +258,8 @@ void PoseView::paintEvent(QPaintEvent*) {
         const QString sign = ownZero_ ? QStringLiteral("Δ₀") : QStringLiteral("Δ");
         const int signLeft = number + (narrow ? 33 : 43);
         put(label, theme.secondary, signLeft, 20, Qt::AlignLeft, sign);
-        const int room = delta - signLeft - QFontMetrics(label).horizontalAdvance(sign) - 2;
-        put(label, theme.secondary, delta - room, room, Qt::AlignRight, deltaText(axis, label, room));
+        const int space = delta - signLeft - QFontMetrics(label).horizontalAdvance(sign) - 2;
+        put(label, theme.secondary, delta - space, space, Qt::AlignRight, deltaText(axis, label, space));
         put(label, theme.secondary, right - (narrow ? 121 : 124), 26, Qt::AlignLeft,
             QLatin1String(kTurns[axis]));
         put(value, ink, right - 100, 98, Qt::AlignRight, rotationText(axis));

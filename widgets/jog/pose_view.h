@@ -38,7 +38,7 @@ public:
 
     QString positionText(int axis) const;
     QString deltaText(int axis) const;
-    QString deltaText(int axis, const QFont& font, int room) const;
+    QString deltaText(int axis, const QFont& font, int space) const;
     QString rotationText(int axis) const;
     /// Text of the caption, e.g. "in Base · TCP 120.0 mm from the flange".
     QString frameText() const;

@@ -517,14 +517,13 @@ void ProgramRun::setGate(const script::StepGate& gate) {
 }
 
 void ProgramRun::end(control::StopCause cause) {
+    cancelStart(cause);
     if (!isRunning()) {
         return;
     }
     const std::lock_guard lock(shared->mutex);
     if (shared->isStarted) {
         shared->motion.cancel(cause);
-    } else if (!shared->cancelled) {
-        shared->cancelled = cause;
     }
 }
 
