@@ -9502,7 +9502,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>Resume</source>
-        <translation>Fortsetzen</translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>No program is running.</source>
@@ -9538,7 +9538,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>From step %1</source>
-        <translation>Ab Schritt %1</translation>
+        <translation>Ab %1</translation>
     </message>
     <message>
         <source>Select one step.</source>

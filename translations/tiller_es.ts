@@ -9538,7 +9538,7 @@ Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>From step %1</source>
-        <translation>Desde el paso %1</translation>
+        <translation>Desde %1</translation>
     </message>
     <message>
         <source>Select one step.</source>

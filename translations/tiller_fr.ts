@@ -9538,7 +9538,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>From step %1</source>
-        <translation>De l&apos;étape %1</translation>
+        <translation>Dès %1</translation>
     </message>
     <message>
         <source>Select one step.</source>

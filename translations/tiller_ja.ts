@@ -9514,7 +9514,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>From step %1</source>
-        <translation>ステップ %1 から</translation>
+        <translation>%1 から</translation>
     </message>
     <message>
         <source>Select one step.</source>
