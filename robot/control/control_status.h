@@ -87,6 +87,7 @@ struct ControllerStatus {
     double speedFraction = 1;        ///< speed slider value
     double speedScaling = 1;         ///< speed reduction by the controller's own limits
     RuntimeState runtimeState = RuntimeState::Stopped;
+    std::uint64_t playing = 0;           ///< number of data packages that reported a running program
     std::uint32_t robotStatusBits = 0;   ///< as RTDE robot_status_bits
     std::uint32_t safetyStatusBits = 0;  ///< as RTDE safety_status_bits
     int waypoint = 0;                    ///< paths: current target, counted from 1

@@ -70,7 +70,7 @@ Result<void> bringBack(Controller::Private& d) {
 struct RunningScript {
     Motion motion;  ///< ended, if the script is unattended
     std::uint64_t epoch = 0;
-    std::uint64_t played = 0;  ///< ControlLoop::playing() before the start
+    std::uint64_t played = 0;  ///< ControllerStatus::playing before the start
 };
 
 /// Permits the motion of a script for the lifetime of the object.
@@ -114,13 +114,15 @@ Result<void> watchScript(Controller::Private& d, const RunningScript& run, const
     const auto settled = [&] {
         // The reason for the end arrives slightly later on another connection, but before the second robot
         // state from now. The next state may have been sent earlier than the reason.
+        // The data that report the end may arrive after the message.
+        const ControllerStatus now = d.loop.status();
         const bool receivedAll = messageDeadline && (messageDeadline->hasExpired() ||
-                                                     d.program.statesReceived() > statesAtEnd + 1);
+                                                     (d.program.statesReceived() > statesAtEnd + 1 &&
+                                                      now.runtimeState == RuntimeState::Stopped));
         bad = d.program.complaint(context);
         if (bad.code != ErrorCode::None || receivedAll) {
             return true;
         }
-        const ControllerStatus now = d.loop.status();
         if (!d.link.isRunning()) {
             bad = {ErrorCode::LinkLost, context, QStringLiteral("the script was ended")};
         } else if (deadline.hasExpired()) {
@@ -138,9 +140,10 @@ Result<void> watchScript(Controller::Private& d, const RunningScript& run, const
         if (bad.code != ErrorCode::None) {
             return true;
         }
-        // A short program may not be reported as playing in any package. A paused program has not ended.
+        // A short program may not be reported as playing in any package. A paused program has not ended. The count
+        // and the state must be from the same package: the state before the start is also "stopped".
         const ControlProgram::ScriptFeedback heard = d.program.scriptFeedback();
-        if (d.loop.playing() != run.played || heard.stopped) {
+        if (now.playing != run.played || heard.stopped) {
             const bool over = now.runtimeState == RuntimeState::Stopped;
             if (!messageDeadline && (over || heard.stopped)) {
                 messageDeadline =
@@ -261,7 +264,7 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
                                          d.program.version())
                     : script::unsupervised(program);
             d.program.yieldTo(sent);
-            run.played = d.loop.playing();
+            run.played = d.loop.status().playing;
             outcome = client.send(sent.text, start);
         }
         if (outcome) {

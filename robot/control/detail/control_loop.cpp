@@ -328,7 +328,7 @@ void ControlLoop::watch(const Feedback& data) {
     status_.safetyStatusBits = data.safetyStatusBits;
     status_.forceKnown = data.tcpForce.has_value();
     if (data.runtimeState == RuntimeState::Playing) {
-        playing_.fetch_add(1, std::memory_order_acq_rel);
+        ++status_.playing;
     }
     if (data.robotMode != RobotMode::Running || !allowsMotion(data.safetyMode)) {
         endActive(StopCause::UnsafeMode, data.hostNs);

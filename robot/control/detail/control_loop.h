@@ -157,8 +157,6 @@ public:
     bool yieldedWhenPaused() const { return yieldedWhenPaused_; }
     /// State of the control program according to the newest package.
     ScriptState scriptState() const { return scriptState_.load(std::memory_order_acquire); }
-    /// Number of packages that reported a running program.
-    std::uint64_t playing() const { return playing_.load(std::memory_order_acquire); }
     /// Publishes a loss of control while there is no control thread.
     void publishLoss(ControlLoss loss);
 
@@ -202,7 +200,6 @@ private:
     std::int32_t finishSequence_ = 0;  ///< sequence number of the first package with the permission; 0: none
     std::int64_t dataTimeoutNs_ = kMaxDataAgeNs;
     bool sentEarly_ = false;  ///< a set point was sent since the newest package
-    std::atomic<std::uint64_t> playing_{0};
     std::atomic<ScriptState> scriptState_{ScriptState::Ready};
     std::atomic<CycleHook*> hook_{nullptr};
     std::atomic<bool> hookInUse_{false};
