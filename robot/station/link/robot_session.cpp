@@ -407,7 +407,7 @@ Result<RobotSession::MotionId> RobotSession::beginPath(control::MotionPath path,
         return permitted.error();
     }
     PathStart& start = d_->link->path;
-    start.ticket = std::max(start.ticket + 1, PathStart::kFirstTicket);
+    start.ticket = d_->nextPath++;
     start.phase = PathStart::Phase::Sending;
     ++start.sending;
     d_->controlling.post(
@@ -437,7 +437,7 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& script,
         return permitted.error();
     }
     ProgramRun& run = d_->link->program;
-    run.ticket = std::max(run.ticket + 1, ProgramRun::kFirstTicket);
+    run.ticket = d_->nextProgram++;
     run.outcome.reset();
     run.shared = std::make_shared<ProgramRun::Shared>();
     run.shared->heldNs = d_->clock->nowNs();

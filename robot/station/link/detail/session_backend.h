@@ -107,6 +107,10 @@ struct SessionBackend {
     SessionState state;
     RobotAddress address;
     std::uint64_t generation = 0;  ///< number of the connection; replies to earlier ones are ignored
+    /// Numbers of the next path and the next program. They do not start again with a connection, so that a
+    /// button of an earlier connection cannot hold a new motion.
+    control::MotionId nextPath = PathStart::kFirstTicket;
+    control::MotionId nextProgram = ProgramRun::kFirstTicket;
     std::unique_ptr<RobotLink> link;
     recording::Recorder recorder;
     QTimer frameClock;

@@ -620,6 +620,25 @@ private Q_SLOTS:
     }
 
     // No motion starts if nothing has confirmed the button since the press.
+    void aButtonOfAnEarlierConnectionDoesNotHoldARun() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({bench.endless()});
+        const auto earlier = bench.runner.start(bench.plan(), Holding::Held);
+        QVERIFY(earlier.ok());
+        bench.session.disconnectFromRobot();
+        bench.cell.robot.stop();
+        bench.session.refresh();
+        QVERIFY(!bench.runner.isActive());
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        QVERIFY(bench.begin(Holding::Held));
+        QVERIFY(bench.reachMotion());
+        QVERIFY(!bench.session.hold(*earlier));
+        bench.hold(*earlier);
+        QVERIFY(bench.awaitEnd());
+        QVERIFY(bench.standstill() == 0);
+    }
+
     void aHeldRunDoesNotStartWithoutRefresh() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
