@@ -116,9 +116,10 @@ Result<void> watchScript(Controller::Private& d, const RunningScript& run, const
         // state from now. The next state may have been sent earlier than the reason.
         // The data that report the end may arrive after the message.
         const ControllerStatus now = d.loop.status();
-        const bool receivedAll = messageDeadline && (messageDeadline->hasExpired() ||
-                                                     (d.program.statesReceived() > statesAtEnd + 1 &&
-                                                      now.runtimeState == RuntimeState::Stopped));
+        const bool receivedAll =
+            messageDeadline &&
+            (messageDeadline->hasExpired() ||
+             (d.program.statesReceived() > statesAtEnd + 1 && now.runtimeState == RuntimeState::Stopped));
         bad = d.program.complaint(context);
         if (bad.code != ErrorCode::None || receivedAll) {
             return true;
