@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "tests/support/jog_window_test.h"
+#include "widgets/common/segmented_control.h"
 #include "widgets/jog/jog_selectors.h"
 
 using namespace tiller;
@@ -85,6 +86,57 @@ private Q_SLOTS:
         QVERIFY(cell().truth().tcpSpeed.linear.x() > 0.045);
         QTest::keyRelease(&window(), Qt::Key_Right);
         QVERIFY(timeToStandstill(cell()) >= 0);
+    }
+
+    void armedKeysMakeOneStepForEachPress() {
+        window().jogColumn().selectors().setFreeStep({0.001, toRadians(1)});
+        keyboard().setArmed(true);
+        const auto movedMm = [this](const auto& action) {
+            const Pose from = cell().truth().tcpPose;
+            action();
+            cell().advanceMs(1500);
+            return distanceMm(from, cell().truth().tcpPose);
+        };
+        const auto tap = [this](Qt::Key one) {
+            QTest::keyPress(&window(), one);
+            cell().advanceMs(40);
+            QTest::keyRelease(&window(), one);
+        };
+        QVERIFY(std::abs(movedMm([&] { tap(Qt::Key_Right); }) - 1) < 0.05);
+        QVERIFY(std::abs(movedMm([&] { QTest::keyPress(&window(), Qt::Key_Up); }) - 1) < 0.05);
+        // The arm does not move again while the key is held, even after the motion becomes "Hold".
+        bench_->find<SegmentedControl>("jogMotion").setCurrentIndex(0);
+        QVERIFY(movedMm([&] {}) < 0.01);
+        QVERIFY(movedMm([&] { QTest::keyRelease(&window(), Qt::Key_Up); }) < 0.01);
+        window().jogColumn().selectors().setFreeStep({0.001, toRadians(1)});
+        // Two directions together are not a step.
+        QVERIFY(movedMm([&] {
+                    QTest::keyPress(&window(), Qt::Key_Right);
+                    cell().advanceMs(1500);
+                    QTest::keyPress(&window(), Qt::Key_PageUp);
+                    QTest::keyRelease(&window(), Qt::Key_Right);
+                    cell().advanceMs(200);
+                    QTest::keyRelease(&window(), Qt::Key_PageUp);
+                }) < 1.05);
+        const double joint = cell().truth().q[5];
+        QTest::keyPress(&window(), Qt::Key_6);
+        tap(Qt::Key_Plus);
+        cell().advanceMs(1500);
+        QVERIFY(std::abs(toDegrees(cell().truth().q[5] - joint) - 1) < 0.02);
+        QTest::keyRelease(&window(), Qt::Key_6);
+        cell().advanceMs(500);
+        QVERIFY(std::abs(toDegrees(cell().truth().q[5] - joint) - 1) < 0.02);
+    }
+
+    void aLongStepByKeyEndsAtTheRelease() {
+        window().jogColumn().selectors().setFreeStep({0.05, toRadians(45)});
+        keyboard().setArmed(true);
+        QTest::keyPress(&window(), Qt::Key_Right);
+        cell().advanceMs(400);
+        QVERIFY(!standsStill(cell()));
+        QTest::keyRelease(&window(), Qt::Key_Right);
+        const int ms = timeToStandstill(cell());
+        QVERIFY2(ms >= 0 && ms <= kReleaseToStandstillMs, qPrintable(QString::number(ms)));
     }
 
     void theKeyboardMovesOnlyWhileArmedAndDisarmsByItself() {

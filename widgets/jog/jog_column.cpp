@@ -23,6 +23,7 @@
 #include "widgets/common/density.h"
 #include "widgets/common/segmented_control.h"
 #include "widgets/common/text_entry.h"
+#include "widgets/hold/hold_guard.h"
 #include "widgets/hold/hold_to_run_button.h"
 #include "widgets/jog/arm_key.h"
 #include "widgets/jog/axis_jog.h"
@@ -651,11 +652,30 @@ void JogColumn::connectBottom() {
     }
 }
 
+HoldGuard* JogColumn::stepButton(const Deflection& wish) const {
+    if ((wish.axes.array() != 0).count() + (wish.joints.array() != 0).count() != 1) {
+        return nullptr;
+    }
+    for (JogKey* key : pad_->keys()) {
+        if (wish.axes[key->key().axis] * key->key().direction > 0) {
+            return &key->guard();
+        }
+    }
+    for (const JointRow* row : joints_->rows()) {
+        if (const double direction = wish.joints[row->joint()]; direction != 0) {
+            return &(direction > 0 ? row->plusKey() : row->minusKey())->guard();
+        }
+    }
+    return nullptr;
+}
+
 void JogColumn::addHoldKeys(KeyboardJog& keyboard) {
     keyboard.addHoldKey(Qt::Key_F, freedrive_->guard());
     keyboard.addHoldKey(Qt::Key_Home, homeKey_->guard());
     keyboard.addHoldKey(Qt::Key_End, align_->guard());
     keyboard.addHoldKey(Qt::Key_Backspace, back_->guard());
+    keyboard.setSteps({[this] { return !isHeld(selection().motion); },
+                       [this](const Deflection& wish) { return stepButton(wish); }});
     armKey_->show();
     connect(armKey_, &QAbstractButton::clicked, &keyboard, [&keyboard] {
         // A text field with the focus would also receive the keys.

@@ -27,7 +27,9 @@ namespace tiller {
 class ArmKey;
 class AxisJog;
 class RetracePath;
+class HoldGuard;
 class HoldToRunButton;
+struct Deflection;
 struct HoldMotion;
 class JogKey;
 class JogPad;
@@ -157,6 +159,7 @@ private:
     void lightKeys();
     void showFactor();
     std::optional<ShownJog> shownJog() const;
+    HoldGuard* stepButton(const Deflection& wish) const;
     bool isDriven(const JogKey& key) const;
     bool isDriven(int joint, int direction) const;
     void showSpeeds();

@@ -100,8 +100,9 @@ bool KeyboardJog::isMoving() const {
     if (keys_.isEmpty()) {
         return false;
     }
-    return jog_.isActive() || std::any_of(holdKeys_.begin(), holdKeys_.end(),
-                                          [](const HoldGuard* guard) { return guard->active(); });
+    return jog_.isActive() || (step_ && step_->active()) ||
+           std::any_of(holdKeys_.begin(), holdKeys_.end(),
+                       [](const HoldGuard* guard) { return guard->active(); });
 }
 
 /// Ends the motion held by keys because of a keyboard event. The keys remain registered as pressed, so that
@@ -109,6 +110,9 @@ bool KeyboardJog::isMoving() const {
 void KeyboardJog::tell(HoldEvent::Kind kind) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->tell(kind);
+    }
+    if (step_) {
+        step_->tell(kind);
     }
     jog_.tell(kind);
     jog_.requireNeutral(HoldSource::By::Keys);  // rule: release all keys first
@@ -118,6 +122,9 @@ void KeyboardJog::tell(HoldEvent::Kind kind) {
 void KeyboardJog::forget(control::StopCause cause) {
     for (HoldGuard* guard : std::as_const(holdKeys_)) {
         guard->stop(cause);
+    }
+    if (step_) {
+        step_->stop(cause);
     }
     keys_.clear();
     jog_.stop(cause);
@@ -265,11 +272,24 @@ void KeyboardJog::jogKeyPressed(const QKeyEvent& event) {
                                   [](const HoldGuard* guard) { return guard->active(); });
     if (held) {
         tell(HoldEvent::Kind::OtherKey);  // rule: a jog key in addition to a hold key
+    } else if (makesSteps()) {
+        stepKeyPressed();
     } else if (jog_.isActive() && modifiers != modifiers_) {
         tell(HoldEvent::Kind::Modifier);  // rule: the modifiers differ from those at the start
     } else {
         modifiers_ = modifiers;
         follow();
+    }
+}
+
+void KeyboardJog::stepKeyPressed() {
+    jog_.requireNeutral(HoldSource::By::Keys);
+    const Deflection wish = deflection();
+    if (HoldGuard* button = steps_.button(wish)) {
+        step_ = button;
+        button->press({HoldSource::By::Keys, keys_.codes()});
+    } else if (!wish.isNeutral()) {
+        tell(HoldEvent::Kind::OtherKey);  // rule: a step has one direction
     }
 }
 
@@ -286,6 +306,9 @@ void KeyboardJog::keyReleased(int meaning) {
     if (HoldGuard* guard = holdKeys_.value(meaning)) {
         guard->release();
     }
+    if (step_) {
+        step_->release();
+    }
     follow();
 }
 
@@ -297,6 +320,12 @@ void KeyboardJog::modifierChanged() {
 
 /// Passes the input of the held keys to AxisJog.
 void KeyboardJog::follow() {
+    if (makesSteps()) {
+        if (keys_.isEmpty()) {
+            jog_.setInput({});
+        }
+        return;
+    }
     const auto both = [this](int one, int other) { return keys_.means(one) && keys_.means(other); };
     bool opposite = both(Qt::Key_Plus, Qt::Key_Minus);
     for (const auto& [one, other] : kOpposites) {

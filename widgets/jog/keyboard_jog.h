@@ -10,6 +10,8 @@
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
+#include <functional>
+#include <utility>
 
 #include "widgets/hold/hold_guard.h"
 #include "widgets/hold/physical_keys.h"
@@ -19,6 +21,13 @@ class QFrame;
 class QKeyEvent;
 
 namespace tiller {
+
+/// The buttons of the jog column that make one step for each press.
+struct KeySteps {
+    std::function<bool()> chosen;  ///< true if a press makes one step
+    /// The button for this direction, or nullptr unless exactly one axis or joint is deflected.
+    std::function<HoldGuard*(const Deflection&)> button;
+};
 
 class KeyboardJog : public QObject {
     Q_OBJECT
@@ -31,6 +40,8 @@ public:
     void setClock(const Clock& clock) { clock_ = &clock; }
     /// In armed mode, this key presses and releases this button of the jog column.
     void addHoldKey(Qt::Key key, HoldGuard& guard);
+    /// While steps are chosen, a motion key presses and releases a button of the jog column.
+    void setSteps(KeySteps steps) { steps_ = std::move(steps); }
     /// Has no effect while the keyboard is locked.
     void setArmed(bool armed);
     /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can be armed
@@ -51,6 +62,7 @@ protected:
 private:
     bool keyEvent(const QKeyEvent& event);
     void jogKeyPressed(const QKeyEvent& event);
+    void stepKeyPressed();
     void holdKeyPressed(HoldGuard& guard, KeyCode code);
     void keyReleased(int meaning);
     void follow();
@@ -59,6 +71,7 @@ private:
     void forget(control::StopCause cause);
     bool isJogKey(int meaning) const;
     bool isMoving() const;
+    bool makesSteps() const { return steps_.chosen && steps_.chosen(); }
     bool belongsElsewhere() const;
     Deflection deflection() const;
     void followWindow();
@@ -68,6 +81,8 @@ private:
     const Clock* clock_ = &SteadyClock::shared();
     QTimer idle_;
     QMap<int, HoldGuard*> holdKeys_;
+    KeySteps steps_;
+    QPointer<HoldGuard> step_;  ///< the button of the newest step
     PhysicalKeys keys_;  ///< motion and hold keys; the meaning is a Qt::Key, possibly with a rotation flag
     Qt::KeyboardModifiers modifiers_{};  ///< modifiers at the start of the motion
     std::int64_t lastKeyNs_ = 0;
