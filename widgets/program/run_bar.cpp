@@ -155,7 +155,7 @@ program::SpeedLimits RunBar::limits() const {
 program::RunPlan RunBar::plan(const program::SpeedLimits& limits) const {
     program::RunPlan plan =
         program::planRun(document_.project(), program_, session_.state(), limits, startStep_);
-    if (preview_ && preview_->completed && previewed_.text == script_.text) {
+    if (preview_ && preview_->completed && !preview_->isEndless && previewed_.text == script_.text) {
         plan.expected = program::slowedDuration(*preview_, limits, session_.state().speedFraction);
     }
     return plan;
@@ -309,6 +309,11 @@ void RunBar::updateAvailability() {
     updateGateKeys();
 }
 
+bool RunBar::focusNextPrevChild(bool next) {
+    const QWidget* focus = focusWidget();
+    return (focus == nullptr || focus->isEnabled()) && QWidget::focusNextPrevChild(next);
+}
+
 void RunBar::updateGateKeys() {
     using State = program::ProgramRunner::State;
     const bool runs = runner_.state() == State::Sending || runner_.state() == State::Running;
@@ -323,9 +328,9 @@ void RunBar::updateGateKeys() {
                                   : run_->toolTip(),
               tr("Runs one step and then pauses the program"));
     setReason(*finish_,
-              !runs                        ? idle
-              : !runner_.script().hasCycle ? tr("The program has no endless loop.")
-                                           : QString(),
+              !runs                             ? idle
+              : runner_.script().cycles.empty() ? tr("The program has no endless loop.")
+                                                : QString(),
               tr("Ends the program before the next cycle of its endless loop"));
     setReason(*from_,
               runner_.isActive()   ? cannotMoveReason(session_.state())

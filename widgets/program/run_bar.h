@@ -56,6 +56,10 @@ Q_SIGNALS:
     /// State or running step of the program have changed.
     void runChanged();
 
+protected:
+    /// The focus of a button that is disabled does not move to a field of the step.
+    bool focusNextPrevChild(bool next) override;
+
 private:
     program::SpeedLimits limits() const;
     program::RunPlan plan(const program::SpeedLimits& limits) const;

@@ -38,7 +38,7 @@ struct ProgramScript {
         QString text;
     };
     std::vector<GateLine> gateLines;
-    bool hasCycle = false;    ///< the program contains an endless loop
+    std::vector<int> cycles;  ///< step numbers of the endless loops that are not inside another one
     std::optional<Pose> tcp;  ///< TCP required by the waypoints if the script does not set one
     std::vector<ProgramProblem> problems;
 

@@ -566,7 +566,7 @@ void StepWriter::countCycle(const QString& counter) {
         return;
     }
     d_.add(count, QStringLiteral("%1 = tiller_turn(%1 + 1)").arg(counter));
-    d_.result.hasCycle = true;
+    d_.result.cycles.push_back(number());
 }
 void StepWriter::steps() {
     const bool wasTop = d_.scope.isTop;

@@ -120,10 +120,28 @@ private:
             step_ = known ? value : 0;
             stepBegan_ = now;
             if (known) {
+                followCycles();
+                if (cycles_ > kPreviewCycles) {
+                    step_ = 0;
+                    return;
+                }
                 result_.order.push_back(step_);
                 StepTiming& first = timing(step_);
                 first.first = first.count++ == 0 ? now : first.first;
             }
+        }
+    }
+
+    // The first step of a cycle starts once in each cycle. A section that starts with it can mark it twice; then fewer
+    // cycles are run, but at least one.
+    void followCycles() {
+        if (std::find(script_.cycles.begin(), script_.cycles.end(), step_) != script_.cycles.end()) {
+            cycle_ = step_;
+            firstOfCycle_ = 0;
+            cycles_ = 0;
+        } else if (cycle_ > 0) {
+            firstOfCycle_ = firstOfCycle_ == 0 ? step_ : firstOfCycle_;
+            cycles_ += step_ == firstOfCycle_ ? 1 : 0;
         }
     }
 
@@ -148,6 +166,10 @@ private:
     }
 
     bool isOver() {
+        if (cycles_ > kPreviewCycles) {
+            result_.isEndless = true;
+            return true;
+        }
         if (run_.time() > options_.timeLimit) {
             find(Finding::Kind::TimeLimit, step_,
                  ProgramText::tr("The program did not end within %1 s.").arg(options_.timeLimit));
@@ -214,6 +236,9 @@ private:
     std::set<std::array<int, 3>> contactSteps_;  ///< each contact is reported once per step
     int steps_ = 0;
     bool failed_ = false;
+    int cycle_ = 0;         ///< step number of the endless loop that runs; 0: none
+    int firstOfCycle_ = 0;  ///< step number; 0: not known yet
+    int cycles_ = 0;        ///< cycles that have begun
 };
 
 }  // namespace

@@ -16,6 +16,9 @@
 
 namespace tiller::program {
 
+/// The preview of an endless program ends after this number of cycles. The second one begins where the first ended.
+inline constexpr int kPreviewCycles = 2;
+
 /// A digital input that switches during the run.
 struct InputChange {
     double time = 0;  ///< since the start [s]
@@ -63,8 +66,9 @@ struct Finding {
 };
 
 struct Preview {
-    bool completed = false;  ///< the program ended normally
-    double duration = 0;     ///< [s]
+    bool completed = false;  ///< the program ended normally, or is endless
+    bool isEndless = false;  ///< the preview ended after kPreviewCycles cycles of an endless loop
+    double duration = 0;     ///< until the end of the preview [s]
     std::vector<PathSample> path;
     std::vector<int> order;           ///< step numbers in the order of their start
     std::vector<StepTiming> timings;  ///< one per step; step number 1 is at index 0

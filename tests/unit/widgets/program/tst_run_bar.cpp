@@ -9,6 +9,7 @@
 #include "program_samples.h"
 #include "tests/support/virtual_cell.h"
 #include "widgets/common/elided_label.h"
+#include "widgets/common/segmented_control.h"
 #include "widgets/hold/hold_to_run_button.h"
 #include "widgets/program/program_tab.h"
 #include "widgets/program/run_bar.h"
@@ -132,6 +133,24 @@ class TestRunBar : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    // Keys for the run must not change the selected step.
+    void theFocusOfADisabledButtonDoesNotMoveToAField() {
+        TabBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.find<StepTree>("program.tree")
+            .selectIds({bench.document.project().programs.at(0).steps.at(0).id});
+        bench.find<SegmentedControl>("program.side").setCurrentIndex(1);
+        QVERIFY(bench.find<QWidget>("program.field.waypoint").isVisible());
+        for (QPushButton* button :
+             {&bench.run(), &bench.pause(), &bench.step(), &bench.finish(), &bench.from()}) {
+            button->setEnabled(true);
+            button->setFocus();
+            QVERIFY(button->hasFocus());
+            button->setEnabled(false);
+            QVERIFY2(QApplication::focusWidget() == nullptr, qPrintable(button->objectName()));
+        }
+    }
+
     void buttonsGiveTheReason() {
         TabBench bench;
         QVERIFY(!bench.hold().isEnabled());

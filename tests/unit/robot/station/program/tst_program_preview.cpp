@@ -61,6 +61,26 @@ class TestProgramPreview : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void anEndlessProgramIsPreviewedForTwoCycles() {
+        const project::Project project = sampleProject();
+        const auto wait = [](double time) { return step("wait", {{"time", time}}); };
+        // Steps: 2 is the endless loop, 3 a counted loop at its beginning, 5 the last step of a cycle.
+        const Ran ran = run(
+            project, makeProgram("Endless",
+                                 {wait(0.1), step("loop", {{"times", 0}},
+                                                  {step("loop", {{"times", 3}}, {wait(0.2)}), wait(0.4)})}));
+        QVERIFY2(ran.preview.isGood(), describe(ran));
+        QVERIFY(ran.preview.isEndless);
+        QCOMPARE(ran.script.cycles, std::vector<int>{2});
+        QCOMPARE(ran.preview.timings[3].count, 6);
+        QCOMPARE(ran.preview.timings[4].count, 2);
+        QVERIFY2(std::abs(ran.preview.duration - 2.1) < 0.1, describe(ran));
+        // A fault in the loop is found.
+        const Ran bad =
+            run(project, makeProgram("Bad", {step("loop", {{"times", 0}}, {wait(0.1), step("fail")})}));
+        QVERIFY(!bad.preview.isGood() && !bad.preview.isEndless);
+    }
+
     void theTrayProgramFillsEveryCell() {
         const project::Project project = sampleProject();
         PreviewOptions options;
@@ -262,11 +282,12 @@ private Q_SLOTS:
         QCOMPARE(compile.preview.findings[0].step, 2);
     }
 
-    void anEndlessProgramIsLimited() {
+    void aProgramThatDoesNotEndIsLimited() {
         PreviewOptions options;
         options.timeLimit = 5;
         const Ran ran =
-            run(sampleProject(), makeProgram("p", {step("loop", {{"times", 0}}, {step("wait")})}), options);
+            run(sampleProject(), makeProgram("p", {step("while", {{"condition", "True"}}, {step("wait")})}),
+                options);
         QVERIFY(!ran.preview.completed);
         QVERIFY(ran.preview.findings[0].kind == Finding::Kind::TimeLimit);
         options.timeLimit = 3600;

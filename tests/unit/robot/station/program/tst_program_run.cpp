@@ -457,7 +457,7 @@ private Q_SLOTS:
                                 : std::vector{endless});
         const int pick = isNested ? 3 : 2;
         const int place = pick + 3;
-        QVERIFY(bench.plan().script.hasCycle);
+        QVERIFY(!bench.plan().script.cycles.empty());
         QVERIFY(bench.begin(Holding::Free));
         QVERIFY(bench.reachStep(pick + 2));
         if (change == "while paused") {
@@ -493,7 +493,7 @@ private Q_SLOTS:
     void countedLoopsAreNoCycle() {
         RunBench bench;
         bench.setSteps({step("loop", {{"times", 3}}, {bench.move("pick")})});
-        QVERIFY(!bench.plan().script.hasCycle);
+        QVERIFY(bench.plan().script.cycles.empty());
         QVERIFY(!bench.plan().script.gatedText().contains("tiller_turn"));
     }
 
