@@ -62,6 +62,8 @@ public:
     bool waitsForNeutral(HoldSource::By by) { return !neutralOf(by); }
     /// Forwards a keyboard event to the rules of a motion that is held by keys.
     void tell(HoldEvent::Kind kind);
+    /// Why the arm cannot move, as a sentence; empty if it can move.
+    QString obstacle() const { return obstacle_(); }
     /// Maximum time without input from a stick at the current speed [ns].
     std::int64_t holdTimeoutNs() const;
     /// Remaining time of the maximum hold duration [ns].

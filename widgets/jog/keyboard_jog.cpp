@@ -142,8 +142,8 @@ void KeyboardJog::setArmed(bool armed) {
     if (armed == armed_) {
         return;
     }
-    if (armed && !lock_.isEmpty()) {
-        Q_EMIT refused(lock_);
+    if (const QString why = armed && lock_.isEmpty() ? jog_.obstacle() : lock_; armed && !why.isEmpty()) {
+        Q_EMIT refused(why);
         return;
     }
     armed_ = armed;

@@ -42,7 +42,7 @@ public:
     void addHoldKey(Qt::Key key, HoldGuard& guard);
     /// While steps are chosen, a motion key presses and releases a button of the jog column.
     void setSteps(KeySteps steps) { steps_ = std::move(steps); }
-    /// Has no effect while the keyboard is locked.
+    /// The keyboard is not armed while it is locked or the arm cannot move; refused() then contains the reason.
     void setArmed(bool armed);
     /// why  the reason why the keyboard cannot be armed, as a sentence; empty if it can be armed
     void setLock(const QString& why);

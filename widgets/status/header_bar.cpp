@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -171,14 +172,25 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
 }
 
 HeaderBar::HeaderBar(RobotSession& session, QWidget* parent)
-    : HeaderBar(
-          HeaderPort{
-              .perform = [&session](RobotCommand command) { session.services().perform(command); },
-              .takeControl = [&session] { session.takeControl(); },
-              .setSpeedSlider = [&session](double fraction) { session.outputs().setSpeedSlider(fraction); },
-              .stop = [&session](control::StopCause cause) { session.stop(cause); },
-          },
-          parent) {
+    : HeaderBar(HeaderPort{
+                    .perform = [&session](RobotCommand command) { session.services().perform(command); },
+                    .takeControl = [&session] { session.takeControl(); },
+                    .setSpeedSlider =
+                        [&session](double fraction) {
+                            const auto set = [&session, fraction] {
+                                session.outputs().setSpeedSlider(fraction);
+                            };
+                            const QString what = QStringLiteral("%1: %2 %")
+                                                     .arg(SpeedChip::tr("Speed slider"))
+                                                     .arg(std::lround(100 * fraction));
+                            if (!session.asksBeforeChange(what, set)) {
+                                set();
+                            }
+                        },
+                    .asksBeforeSlider = [&session] { return session.mustAskBeforeChange(); },
+                    .stop = [&session](control::StopCause cause) { session.stop(cause); },
+                },
+                parent) {
     applyState(session.state());
     connect(&session, &RobotSession::stateChanged, this, &HeaderBar::applyState);
 }
@@ -216,6 +228,7 @@ void HeaderBar::applyState(const SessionState& state) {
     }
     showOn(*control_, controlLook(state));
     control_->setCaption(state.monitorOnly ? tr("MONITOR ONLY") : tr("CONTROL"));
+    speed_->setSendsOnRelease(port_.asksBeforeSlider && port_.asksBeforeSlider());
     speed_->setLocked(state.monitorOnly ? texts::monitorOnlyObstacle() : QString());
     speed_->setReported(state.speedFraction, hasData);
     for (StopButton* stop : {stop_, stopAbove_.data()}) {

@@ -31,6 +31,8 @@ struct HeaderPort {
     std::function<void(RobotCommand)> perform;
     std::function<void()> takeControl;
     std::function<void(double fraction)> setSpeedSlider;
+    std::function<bool()> asksBeforeSlider =
+        {};  ///< true if setSpeedSlider() asks the operator; may be empty
     std::function<void(control::StopCause)> stop;
 };
 

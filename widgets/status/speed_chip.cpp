@@ -33,7 +33,7 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     settle_.setInterval(kSettleMs);
     connect(this, &QAbstractSlider::valueChanged, this, [this](int percent) {
         update();
-        if (!showing_) {
+        if (!showing_ && !(sendsOnRelease_ && isSliderDown())) {
             settle_.start();
             Q_EMIT fractionChosen(percent / 100.0);
         }
@@ -123,6 +123,10 @@ void SpeedChip::mouseMoveEvent(QMouseEvent* event) {
 void SpeedChip::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == Qt::LeftButton) {
         setSliderDown(false);
+        if (sendsOnRelease_ && value() != pressedValue_) {
+            settle_.start();
+            Q_EMIT fractionChosen(value() / 100.0);
+        }
     }
 }
 

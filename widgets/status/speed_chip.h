@@ -21,6 +21,8 @@ public:
     void setReported(double fraction, bool valid);
     /// reason  why the speed cannot be changed, as a sentence; empty if it can be changed
     void setLocked(const QString& reason);
+    /// While the slider is dragged, send only the value at the release, because the operator must confirm it.
+    void setSendsOnRelease(bool onRelease) { sendsOnRelease_ = onRelease; }
 
     QSize sizeHint() const override { return {230, 47}; }
     QSize minimumSizeHint() const override { return {118, 47}; }
@@ -43,6 +45,7 @@ private:
     QTimer settle_;  // active while the reported value may lag behind the user input
     bool showing_ = false;
     bool valid_ = false;
+    bool sendsOnRelease_ = false;
     QString lock_;
     int pressedAt_ = 0;  ///< position of the press [px]
     int pressedValue_ = 0;

@@ -771,9 +771,13 @@ void RobotSession::reportExternalProgram() {
     }
 }
 
+bool RobotSession::mustAskBeforeChange() const {
+    return d_->state.foreignProgramRuns() && !d_->state.programAbandoned && !d_->changesConfirmed &&
+           isSignalConnected(QMetaMethod::fromSignal(&RobotSession::changeQuestion));
+}
+
 bool RobotSession::asksBeforeChange(const QString& what, const std::function<void()>& change) {
-    if (!d_->state.foreignProgramRuns() || d_->state.programAbandoned || d_->changesConfirmed ||
-        !isSignalConnected(QMetaMethod::fromSignal(&RobotSession::changeQuestion))) {
+    if (!mustAskBeforeChange()) {
         return false;
     }
     Q_EMIT changeQuestion(what, change);

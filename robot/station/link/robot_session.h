@@ -115,12 +115,14 @@ public:
     /// monitor-only mode, reports that `command` is rejected and returns true.
     bool refusesCommand(const QString& command);
 
-    /// For a change of outputs or the gripper by the operator. If a program of another client runs, emits
+    /// For a change of outputs, gripper or speed slider by the operator. If a program of another client runs, emits
     /// changeQuestion() and returns true, and the caller must not make the change. Without a receiver of the question,
     /// returns false.
     /// what    name of the change, e.g. "DO 3"
     /// change  makes the change after the operator has agreed
     bool asksBeforeChange(const QString& what, const std::function<void()>& change);
+    /// True if asksBeforeChange() would ask now.
+    bool mustAskBeforeChange() const;
     /// The operator agreed: asksBeforeChange() returns false until this program ends.
     void confirmChanges();
 

@@ -32,11 +32,13 @@ struct FakeSession {
     QStringList asked;
     QList<StopCause> stops;
     QList<double> speeds;
+    bool asks = false;
 
     HeaderPort port() {
         return {.perform = [this](RobotCommand command) { asked << commandText(command).toLower(); },
                 .takeControl = [this] { asked << QStringLiteral("take control"); },
                 .setSpeedSlider = [this](double fraction) { speeds << fraction; },
+                .asksBeforeSlider = [this] { return asks; },
                 .stop = [this](StopCause cause) { stops << cause; }};
     }
 };
@@ -380,6 +382,23 @@ private Q_SLOTS:
                           Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(slider, &wheel);
         QCOMPARE(session.speeds.size(), 2);
+    }
+
+    // The operator confirms one value, not each position of the slider.
+    void theSliderIsSentOnceWhenTheOperatorMustConfirm() {
+        FakeSession session;
+        session.asks = true;
+        HeaderBar header(session.port());
+        header.resize(1920, HeaderBar::kHeight);
+        header.show();
+        header.applyState(movingState());
+        auto* slider = header.findChild<SpeedChip*>();
+        QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(60, 30));
+        QTest::mouseMove(slider, QPoint(70, 30));
+        QTest::mouseMove(slider, QPoint(60 + slider->width(), 30));
+        QVERIFY(session.speeds.isEmpty());
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(60 + slider->width(), 30));
+        QCOMPARE(session.speeds, QList<double>{1.0});
     }
 
     // A misplaced click must not change the speed of the robot.
