@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -82,11 +84,26 @@ std::optional<JointPositions> RetracePath::nextPlace() const {
     return place == trail_.rend() ? trail_.front() : *place;
 }
 
-/// The cell may have changed since the arm moved along the trail. A jog would then end in front of an
-/// obstacle.
-Result<void> RetracePath::permits() const {
-    return port_.permitsPath ? port_.permitsPath(std::vector<JointPositions>(trail_.rbegin(), trail_.rend()))
-                             : Result<void>();
+/// The cell may have changed since the arm moved along the trail, or a jog went as far as a limit, closer than a
+/// move may come. Returns the refusal if not even the newest part is permitted.
+Result<void> RetracePath::keepPermitted() {
+    const std::vector<JointPositions> way(trail_.rbegin(), trail_.rend());
+    const auto permitted = [&](std::size_t count) { return port_.permitsPath(std::span(way).first(count)); };
+    Result<void> whole = port_.permitsPath ? permitted(way.size()) : Result<void>();
+    if (whole) {
+        return whole;
+    }
+    std::size_t kept = 0;
+    for (std::size_t end = way.size(); end - kept > 1;) {
+        const std::size_t middle = kept + (end - kept) / 2;
+        (permitted(middle) ? kept : end) = middle;
+    }
+    if (kept < 2) {  // the newest place may be where the arm is
+        return whole;
+    }
+    trail_.erase(trail_.begin(), trail_.end() - static_cast<std::ptrdiff_t>(kept));
+    ++revision_;
+    return {};
 }
 
 double RetracePath::speed() const {
@@ -122,7 +139,7 @@ HoldMotion RetracePath::motion() {
             if (!target) {
                 return target.error();
             }
-            if (const Result<void> permitted = permits(); !permitted) {
+            if (const Result<void> permitted = keepPermitted(); !permitted) {
                 return permitted.error();
             }
             const Result<HoldMotion::Id> jog = port_.beginJog(*target);

@@ -40,7 +40,8 @@ public:
     std::uint64_t revision() const { return revision_; }
 
     /// The motion for the button: a joint jog between the positions of the trail, with the heartbeat timeout,
-    /// limits and stops of a jog. It ends at the start of the trail. A stop ends it earlier, and the
+    /// limits and stops of a jog. It ends at the start of the trail, or before a part where the arm would come too
+    /// close to an obstacle; that part and the older trail are discarded. A stop ends the motion earlier, and the
     /// remaining trail is kept.
     HoldMotion motion();
 
@@ -52,7 +53,7 @@ public:
 
 private:
     Result<control::JogTarget> next();
-    Result<void> permits() const;
+    Result<void> keepPermitted();
     HoldBounds bounds() const;
 
     const MotionPort& port_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The recorded path and the motion back along it, with interfaces that only record their calls.
 #include <QTest>
+#include <algorithm>
 
 #include "robot/station/jog/retrace_path.h"
 
@@ -62,6 +63,29 @@ class TestRetracePath : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void theMotionBackEndsBeforeAnObstacle() {
+        Arm arm;
+        // A jog went up to a limit at 0.8 rad, closer to an obstacle than a move may come.
+        arm.port.permitsPath = [](std::span<const JointPositions> way) -> Result<void> {
+            const bool isFree =
+                std::all_of(way.begin(), way.end(), [](const JointPositions& q) { return q[0] < 0.6; });
+            return isFree ? Result<void>() : Error{ErrorCode::Rejected, QStringLiteral("too close"), {}};
+        };
+        arm.comeTo(0.8, 0);
+        arm.comeTo(0, 0);
+        arm.comeTo(0, 0.5);
+        const auto id = arm.motion.begin();
+        QVERIFY2(id.ok(), "the newest part is free");
+        while (arm.go(*id)) {
+            QVERIFY(arm.q[0] < 0.6);
+        }
+        QVERIFY2(arm.q[0] > 0.58, qPrintable(QString::number(arm.q[0])));
+        // Nothing is left that could be retraced.
+        QVERIFY(!arm.motion.begin().ok());
+        arm.comeTo(0.8, 0);
+        QCOMPARE(arm.motion.begin().error().context, QStringLiteral("too close"));
+    }
+
     void retracingFollowsTheSamePath_data() {
         QTest::addColumn<double>("speed");
         QTest::newRow("slow") << 0.02;
