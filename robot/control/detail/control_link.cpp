@@ -41,8 +41,9 @@ Error explainInUse(const Error& error, RegisterRange range) {
             ? QStringLiteral("switch the fieldbus (EtherNet/IP, PROFINET) off on the robot, ")
             : QString();
     return {ErrorCode::RegisterInUse, QStringLiteral("take the %1 registers").arg(rangeText(range)),
-            QStringLiteral("%1. End the program that owns it (it may be another window of Tiller), %2or use "
-                           "the %3 registers.")
+            // The list of registers is long, so it comes last.
+            QStringLiteral("Another client controls this robot or uses its registers, for example another "
+                           "window of Tiller. Close it, %2or use the %3 registers. (%1)")
                 .arg(error.context, fieldbus, rangeText(other(range)))};
 }
 
