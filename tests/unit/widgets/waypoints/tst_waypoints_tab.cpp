@@ -525,6 +525,14 @@ private Q_SLOTS:
                                   60'000);
         QVERIFY(details->headline().startsWith("waypoint 1"));
         QVERIFY(details->poseLine().contains("RX"));
+        // Another TCP on the robot does not change the distance: the move uses the TCP of the waypoint.
+        const Pose tool(0, 0, 0.15, 0, 0, 0);
+        state.tcpPose = state.tcpPose * state.tcpOffset.inverse() * tool;
+        state.tcpOffset = tool;
+        state.tcpPose.position.z() += 0.01;
+        feed(state);
+        QTRY_VERIFY2_WITH_TIMEOUT(details->headline().contains("71.2 mm"), qPrintable(details->headline()),
+                                  60'000);
     }
 
     void aPoseAloneCanBePasted() {
