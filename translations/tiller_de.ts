@@ -12,11 +12,11 @@
         <translation>Route</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
@@ -24,8 +24,8 @@
         <translation>%1 wurde nicht ausgeführt. %2</translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
-        <translation>Der Greifer kam nicht innerhalb von %1 s zum Stillstand.</translation>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
+        <translation>Der Greifer kam nicht innerhalb von %1 s zum Stillstand. Prüfen Sie den Greifer und versuchen Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -444,19 +444,19 @@
         <translation>Zu viele Schutzstopps</translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
-        <translation>Ein Gelenk hatte in acht Stunden mehr als fünfzig Schutzstopps.</translation>
+        <source>One joint had fifty protective stops within eight hours.</source>
+        <translation>Ein Gelenk hatte innerhalb von acht Stunden fünfzig Schutzstopps.</translation>
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>Klären Sie die Ursache der Stopps, bevor Sie fortfahren; starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation>Plötzlicher Sprung der Sollposition</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation>Ein Programm hat einen Positionssprung befohlen.</translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation>Starten Sie das Programm an der aktuellen Position des Arms und halten Sie die Servo-Schritte klein.</translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation>Plötzlicher Sprung der Sollgeschwindigkeit</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation>Ein Programm hat einen Geschwindigkeitssprung befohlen.</translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation>%1 in %2</translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation>Achsen des Geräts</translation>
     </message>
 </context>
@@ -729,8 +729,8 @@
         <translation>Port %1 antwortet nicht</translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>Aktivieren Sie diese Schnittstelle am Roboter: Einstellungen, Sicherheit, Dienste.</translation>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
+        <translation>Aktivieren Sie diese Schnittstelle am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste.</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
@@ -773,8 +773,8 @@
         <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist verfügbar</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>Aktivieren Sie den Dashboard-Server am Roboter: Einstellungen, Sicherheit, Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <translation>Aktivieren Sie den Dashboard-Server am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
@@ -1093,12 +1093,12 @@
         <translation>%1 fahren oder den Ellbogen beugen</translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
-        <translation>Handgelenk über der Basisachse</translation>
+        <source>Wrist near the base axis</source>
+        <translation>Handgelenk nahe der Basisachse</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
-        <translation>Handgelenk über der Basisachse: %1 der Geschwindigkeit</translation>
+        <source>Wrist near the base axis: %1 speed</source>
+        <translation>Handgelenk nahe der Basisachse: %1 der Geschwindigkeit</translation>
     </message>
     <message>
         <source>move outwards</source>
@@ -1137,24 +1137,24 @@
         <translation>%1 fahren oder %2 %3 drehen</translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
-        <translation>TCP an der Geschwindigkeitsgrenze von %1</translation>
+        <source>TCP at the speed cap: %1 speed</source>
+        <translation>TCP an der Geschwindigkeitsgrenze: %1 der Geschwindigkeit</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
         <translation>Grenze in den Einstellungen ändern</translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
-        <translation>Ellbogen an der Geschwindigkeitsgrenze von %1</translation>
+        <source>Elbow at the speed cap: %1 speed</source>
+        <translation>Ellbogen an der Geschwindigkeitsgrenze: %1 der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
-        <translation>Drehung an der Grenze von %1</translation>
+        <source>Rotation at the speed cap: %1 speed</source>
+        <translation>Drehung an der Geschwindigkeitsgrenze: %1 der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
-        <translation>%1 an der Höchstgeschwindigkeit von %2</translation>
+        <source>%1 at its maximum speed: %2 speed</source>
+        <translation>%1 an der Höchstgeschwindigkeit: %2 der Geschwindigkeit</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
@@ -1506,8 +1506,8 @@
         <translation>Not-Halt</translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
-        <translation>Der Not-Halt des Roboters ist gedrückt. Ziehen Sie den Knopf heraus, dann schalten Sie ein und lösen die Bremsen.</translation>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
+        <translation>Der Not-Halt-Taster des Roboters ist gedrückt. Drehen Sie ihn im Uhrzeigersinn, um ihn zu entriegeln, dann schalten Sie ein und lösen die Bremsen.</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1546,7 +1546,7 @@
         <translation>Safeguard-Stopp Automatik</translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation>Die Schutzeinrichtung des Automatikbetriebs ist offen. Schließen Sie sie oder wechseln Sie in den manuellen Modus.</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>PROFIsafe-Automatik-Stopp</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation>Die PROFIsafe-Steuerung fordert den Safeguard-Stopp des Automatikbetriebs an. Heben Sie die Anforderung dort auf.</translation>
     </message>
     <message>
@@ -1740,8 +1740,8 @@
         <translation>Aufzeichnen</translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>Schreibt jedes Paket des Roboters in eine CSV-Datei, bis Sie die Aufzeichnung beenden.</translation>
+        <source>Records the robot data to a file until you stop the recording.</source>
+        <translation>Zeichnet die Roboterdaten in eine Datei auf, bis Sie die Aufzeichnung beenden.</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -3020,8 +3020,8 @@
         <translation>Die Ursache ist beseitigt, und niemand befindet sich im Arbeitsbereich des Arms.</translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>Hier ist keine Aktion nötig: Der Zustand endet, wenn die Ursache beseitigt ist.</translation>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <translation>In Tiller ist keine Aktion nötig. Der Zustand endet, wenn die Ursache beseitigt ist.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -3063,8 +3063,8 @@
         <translation>Verlauf bei %1 s</translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
-        <translation>bei %1 s von %2</translation>
+        <source>at %1 s in %2</source>
+        <translation>bei %1 s in %2</translation>
     </message>
 </context>
 <context>
@@ -3868,12 +3868,12 @@
         <translation>Bit %1</translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
-        <translation>Ausgangsregister, Zahlen</translation>
+        <source>Output registers, floats</source>
+        <translation>Ausgangsregister, Float</translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
-        <translation>Eingangsregister, Zahlen</translation>
+        <source>Input registers, floats</source>
+        <translation>Eingangsregister, Float</translation>
     </message>
     <message>
         <source>Output registers, integers</source>
@@ -4031,12 +4031,12 @@
         <translation>Prüfen Sie, ob der Roboter eingeschaltet, das Kabel eingesteckt und dieser PC im selben Netzwerk ist.</translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>Aktivieren Sie die Schnittstelle am Roboter: Einstellungen, Sicherheit, Dienste. Ein gerade gestarteter Roboter benötigt eventuell noch eine Minute.</translation>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
+        <translation>Aktivieren Sie die Schnittstelle am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste. Ein gerade gestarteter Roboter benötigt eventuell noch eine Minute.</translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
-        <translation>Der Roboter hat die Verbindung geschlossen: Er startet eventuell neu oder wurde zwischen Lokal und Fernsteuerung umgeschaltet.</translation>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <translation>Er startet eventuell neu oder wird zwischen Lokal und Fernsteuerung umgeschaltet. Warten Sie eine Minute und verbinden Sie dann erneut.</translation>
     </message>
     <message>
         <source>The robot does not respond. Check the cable and the address.</source>
@@ -4215,8 +4215,8 @@
         <translation>beendet</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>losgelassen</translation>
+        <source>button released</source>
+        <translation>Taste losgelassen</translation>
     </message>
     <message>
         <source>pointer left the button</source>
@@ -4227,8 +4227,8 @@
         <translation>Fokus verloren</translation>
     </message>
     <message>
-        <source>window lost activation</source>
-        <translation>Fenster nicht mehr aktiv</translation>
+        <source>another window became active</source>
+        <translation>anderes Fenster wurde aktiv</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -4239,8 +4239,8 @@
         <translation>Dialog oder Menü geöffnet</translation>
     </message>
     <message>
-        <source>second button</source>
-        <translation>zweite Maustaste</translation>
+        <source>another button or key pressed</source>
+        <translation>andere Taste gedrückt</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -4303,8 +4303,8 @@
         <translation>Ziel zu weit für einen Schritt</translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
-        <translation>keine Bestätigung, dass die Taste noch gehalten wird</translation>
+        <source>could not verify that the button or key is still pressed</source>
+        <translation>nicht prüfbar, ob die Taste noch gedrückt ist</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4503,8 +4503,8 @@
         <translation>Zeitlimit in Sekunden</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
-        <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde</translation>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde.</translation>
     </message>
 </context>
 <context>
@@ -4535,9 +4535,9 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1: %2
-Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
+F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4623,13 +4623,13 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>Noch keine Quader oder Ebenen.
-Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.</translation>
+Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke teachen“.</translation>
     </message>
     <message>
-        <source>Checked</source>
-        <translation>Geprüft</translation>
+        <source>Check for collisions</source>
+        <translation>Auf Kollisionen prüfen</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -4676,8 +4676,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Erste Ecke übernommen.</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
-        <translation>Bewegen Sie den TCP zur gegenüberliegenden Ecke und drücken Sie Andere Ecke.</translation>
+        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
+        <translation>Bewegen Sie den TCP zur gegenüberliegenden Ecke und drücken Sie „Gegenecke teachen“.</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4720,12 +4720,12 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Sicherheitsabstand ändern</translation>
     </message>
     <message>
-        <source>Other corner</source>
-        <translation>Andere Ecke</translation>
+        <source>Teach opposite corner</source>
+        <translation>Gegenecke teachen</translation>
     </message>
     <message>
-        <source>Corner here</source>
-        <translation>Ecke hier</translation>
+        <source>Teach corner</source>
+        <translation>Ecke teachen</translation>
     </message>
     <message>
         <source>%1 · %2 in %3</source>
@@ -4776,15 +4776,15 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Boden</translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
-        <translation>Ausgeschaltet wird der Boden weder angezeigt noch auf Kollisionen geprüft.</translation>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
+        <translation>Ausgeschaltet wird der Quader oder die Ebene weder angezeigt noch auf Kollisionen geprüft.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
         <translation>Waagerechte Ebene im Basissystem, über der der Arm bleiben muss.</translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation>Höhe des Bodens</translation>
     </message>
     <message>
@@ -4812,8 +4812,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Ecke eines Quaders auf den TCP setzen</translation>
     </message>
     <message>
-        <source>Plane here</source>
-        <translation>Ebene hier</translation>
+        <source>Teach plane</source>
+        <translation>Ebene teachen</translation>
     </message>
     <message>
         <source>Add a plane through the TCP, perpendicular to the tool</source>
@@ -5055,7 +5055,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Bremsen lösen (Kopfzeile)</translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation>Steuerung übernehmen, Verfahrtaste halten</translation>
     </message>
     <message>
@@ -5063,7 +5063,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Hier teachen (T)</translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation>Wegfahren, Anfahren halten (G)</translation>
     </message>
     <message>
@@ -5416,7 +5416,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation>Noch keine Koordinatensysteme.
 Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP“ oder „3 Punkte“, um Ursprung, +X und +Y zu nehmen.</translation>
     </message>
@@ -5548,7 +5548,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Fährt zum nächsten Wegpunkt, solange die Taste gehalten wird, und stoppt dort</translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation>Wegpunkte der Route</translation>
     </message>
     <message>
@@ -5893,8 +5893,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Geschwindigkeit oder Kraft liegt außerhalb des Bereichs.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
-        <translation>Der Greifer hat den Befehl nicht angenommen.</translation>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
+        <translation>Der Greifer hat den Befehl nicht ausgeführt. Prüfen Sie, dass kein anderes Programm den Greifer steuert, und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5928,7 +5928,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>LETZTER STOPP</translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation>Zustand des Roboters</translation>
     </message>
     <message>
@@ -5999,8 +5999,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
-        <translation>Der Display-Server antwortet nicht: Das Loslassen einer Taste kann nicht erkannt werden.</translation>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <translation>Der Display-Server antwortet nicht: Das Loslassen einer Taste kann nicht erkannt werden. Lassen Sie sie los und versuchen Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -6283,8 +6283,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Letzter Stopp: %1, Stillstand nach %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
-        <translation>Bewegen Sie den Arm von Hand, solange diese Taste gehalten wird: %1. Rechtsklick wählt Achsen</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
+        <translation>Bewegen Sie den Arm von Hand, solange diese Taste gehalten wird: %1. Rechtsklick wählt Achsen.</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6295,8 +6295,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Freedrive…</translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
-        <translation>Nutzlast vor Freedrive prüfen (bis zur nächsten Verbindung)</translation>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
+        <translation>Nutzlast vor Freedrive prüfen (wird bei neuer Verbindung zurückgesetzt)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6380,28 +6380,28 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Noch kein Koordinatensystem geteacht. Teachen Sie eines im Register Koordinatensysteme.</translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
-        <translation>Ein Schritt je Tastendruck: %1</translation>
+        <source>Moves by %1 per press.</source>
+        <translation>Bewegt je Tastendruck um %1.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
-        <translation>Ein Drehschritt je Tastendruck, Werkzeug oder Gelenk: %1</translation>
+        <source>Rotates the tool or joint by %1 per press.</source>
+        <translation>Dreht Werkzeug oder Gelenk je Tastendruck um %1.</translation>
     </message>
     <message>
         <source>≤ %1</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>Fährt langsam, solange gehalten, bis die Kontaktkraft %1 N erreicht. Erneut klicken für andere Schritte</translation>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <translation>Bewegt langsam, solange gehalten, bis die Kontaktkraft %1 N erreicht. Erneut klicken, um einen anderen Schritt zu wählen.</translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
-        <translation>Ein Schritt je Tastendruck: %1. Erneut klicken für andere Schritte</translation>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
+        <translation>Bewegt je Tastendruck um %1. Erneut klicken, um einen anderen Schritt zu wählen.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>Ein Drehschritt je Tastendruck, Werkzeug oder Gelenk: %1. Erneut klicken für andere Winkel</translation>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
+        <translation>Dreht Werkzeug oder Gelenk je Tastendruck um %1. Erneut klicken, um einen anderen Winkel zu wählen.</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -6725,8 +6725,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>„%1“</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem %2 nicht im Projekt ist. Geben Sie die Position auf der Seite „Zelle“ ein, schließen Sie das Objekt aus oder löschen Sie es dort</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem nicht im Projekt ist. Geben Sie die Position auf der Seite „Zelle“ ein, schließen Sie das Objekt aus oder löschen Sie es dort</translation>
     </message>
 </context>
 <context>
@@ -6748,11 +6748,11 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation>Aktion des Hinweises</translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation>Zweite Aktion des Hinweises</translation>
     </message>
 </context>
@@ -6773,8 +6773,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
 <context>
     <name>tiller::PathControls</name>
     <message>
-        <source>Tolerance of recorded paths</source>
-        <translation>Toleranz aufgezeichneter Bahnen</translation>
+        <source>Path tolerance</source>
+        <translation>Bahntoleranz</translation>
     </message>
     <message>
         <source>Record path</source>
@@ -6785,8 +6785,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Bahn als CSV exportieren…</translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
-        <translation>Vorführung importieren (CSV)…</translation>
+        <source>Import path from CSV…</source>
+        <translation>Bahn aus CSV importieren…</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
@@ -6825,8 +6825,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Bahn exportieren</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV-Datei (*.csv)</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
@@ -6840,8 +6840,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         </translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
-        <translation>Eine Vorführung importieren</translation>
+        <source>Import path</source>
+        <translation>Bahn importieren</translation>
     </message>
     <message>
         <source>○ Path</source>
@@ -7035,14 +7035,14 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>Die drei Ecken liegen auf einer Geraden. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation>Plätze des Musters</translation>
     </message>
     <message>
@@ -7219,7 +7219,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>CZ</translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation>Masse der Nutzlast</translation>
     </message>
     <message>
@@ -7235,7 +7235,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Schwerpunkt Z</translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation>Mit Enter in das Projekt übernehmen. Die Nutzlast des Roboters ändert sich nicht.</translation>
     </message>
     <message>
@@ -7564,8 +7564,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>In eine CSV-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
-        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner.</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7644,16 +7644,16 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Bild (*.png)</translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
-        <translation>Zeichnung (*.svg)</translation>
+        <source>SVG image (*.svg)</source>
+        <translation>SVG-Bild (*.svg)</translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
-        <translation>Seite (*.pdf)</translation>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
-        <translation>Werte (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV-Datei (*.csv)</translation>
     </message>
     <message>
         <source>Recording options</source>
@@ -7806,7 +7806,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>%1 und weitere</translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation>Liste der Signale</translation>
     </message>
     <message>
@@ -7866,7 +7866,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Uhrzeit</translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Die maximale Zahl an Diagrammseiten ist erreicht: Entfernen Sie zuerst eine Seite.</translation>
     </message>
     <message>
@@ -7874,8 +7874,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>In eine MCAP-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
-        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner.</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7901,8 +7901,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Bereich zwischen den Cursorn A und B nach %1 exportiert</translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
-        <translation>Werte zwischen den Cursorn A und B (*%1)</translation>
+        <source>Cursor A to cursor B (*%1)</source>
+        <translation>Cursor A bis Cursor B (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -7913,8 +7913,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Live-Signale können nur als .csv exportiert werden. Zeichnen Sie sie für andere Formate zuerst auf.</translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
-        <translation>Der Bereich enthält zu viele Werte für einen Export aus dem Fenster. Exportieren Sie einen kürzeren Bereich, oder verwenden Sie tiller-cli export.</translation>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation>Der Bereich enthält zu viele Werte, um ihn aus diesem Fenster zu exportieren. Exportieren Sie einen kürzeren Bereich, oder führen Sie „tiller-cli export“ aus.</translation>
     </message>
 </context>
 <context>
@@ -7935,7 +7935,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Diagrammseiten</translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation>Name der Seite</translation>
     </message>
     <message>
@@ -8061,8 +8061,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Diagramme über der Zeit</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A und B setzen die Cursor, links und rechts bewegen sie, auf und ab wählen das abgelesene Signal. H blendet dessen Kurve aus, Strg+Entf entfernt sie. Plus und Minus ändern den Zeitbereich, mit Strg die Werteskala; Strg+0 skaliert automatisch. N fügt eine Notiz hinzu, F zeigt alle Daten, Ende kehrt zu den neuesten Messwerten zurück</translation>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
+        <translation>A und B setzen die Cursor. Links und Rechts bewegen den aktiven Cursor. Auf und Ab wählen das abgelesene Signal. H blendet dessen Kurve aus; Strg+Entf entfernt sie. Plus und Minus ändern den Zeitbereich, mit Strg die Werteskala; Strg+0 skaliert automatisch. N fügt eine Notiz hinzu, F zeigt alle Daten, und Ende kehrt zu den neuesten Messwerten zurück.</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -8123,15 +8123,15 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>TCP-Pose in %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
-        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick zeigt die Verschiebung seit Beginn der letzten Bewegung</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick zeigt die Verschiebung seit Beginn der letzten Bewegung.</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
-        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit Beginn der letzten Bewegung. Klick setzt hier null</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit Beginn der letzten Bewegung. Klick setzt hier null.</translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation>TCP im System des Flansches: %1</translation>
     </message>
 </context>
@@ -8163,9 +8163,9 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation>Noch keine Positionen.
-Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hier hinzufügen“.</translation>
+Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Position hinzufügen“.</translation>
     </message>
     <message>
         <source>Safe height</source>
@@ -8192,8 +8192,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Home hier</translation>
     </message>
     <message>
-        <source>Add here</source>
-        <translation>Hier hinzufügen</translation>
+        <source>Add position</source>
+        <translation>Position hinzufügen</translation>
     </message>
     <message>
         <source>Store the current position of the arm</source>
@@ -8350,7 +8350,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Kraft Fz in Newton</translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation>Wert eingeben, Enter drücken</translation>
     </message>
     <message>
@@ -8892,7 +8892,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Projekt verwendet den TCP „%1“. Der aktive TCP des Roboters weicht um %2 ab.</translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation>Das Projekt passt zum verbundenen Roboter.</translation>
     </message>
     <message>
@@ -8995,11 +8995,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>keine Datei gewählt</translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation>%1 — in einem anderen Fenster geöffnet, Änderungen hier werden nicht gespeichert</translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation>%1 — von einem anderen Programm geändert, Änderungen hier werden nicht gespeichert</translation>
     </message>
     <message>
@@ -9081,16 +9081,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ganzzahl %1</translation>
     </message>
     <message>
-        <source>Number %1</source>
-        <translation>Zahl %1</translation>
+        <source>Float %1</source>
+        <translation>Float %1</translation>
     </message>
     <message>
         <source>Int</source>
         <translation>Ganzzahl</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>Zahl</translation>
+        <source>Float</source>
+        <translation>Float</translation>
     </message>
     <message>
         <source>Bit</source>
@@ -9124,8 +9124,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Zurück zu Live</translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>Aktuellen Zustand des Roboters zeigen. Die Aufzeichnung bleibt in den Diagrammen offen</translation>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
+        <translation>Aktuellen Zustand des Roboters zeigen. Die Aufzeichnung bleibt in den Diagrammen offen.</translation>
     </message>
 </context>
 <context>
@@ -9225,7 +9225,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Programm: %1</translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation>Programmfehler in Zeile %1, Spalte %2: %3</translation>
     </message>
     <message>
@@ -9265,8 +9265,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. STOP funktioniert weiterhin.</translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
-        <translation>Nur beobachten ist aus</translation>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
+        <translation>„Nur beobachten“ ist aus. Befehle an den Roboter sind möglich.</translation>
     </message>
     <message>
         <source>%1: refused. %2</source>
@@ -9308,7 +9308,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ein Programm eines anderen Clients hat den Roboter übernommen. Übernehmen der Steuerung beendet es.</translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation>Das Programm des anderen Clients wird beendet, um die Steuerung zu übernehmen.</translation>
     </message>
     <message>
@@ -9367,19 +9367,19 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 ist fehlgeschlagen. %2</translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation>Unter %1:%2 antwortet kein Greiferdienst. Installieren Sie die URCap von Robotiq auf dem Roboter und wählen Sie den Greifer in der Installation.</translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>Der Greifer antwortet nicht. Prüfen Sie sein Kabel am Handgelenk und seine Seite in der Installation des Roboters; wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
+        <translation>Der Greifer antwortet nicht. Prüfen Sie das Kabel am Handgelenk und die Seite des Greifers in der Installation des Roboters. Wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>Der Roboter hat die Verbindung zum Greifer geschlossen und startet eventuell neu. Tiller verbindet sich automatisch neu; der Greifer hält weiter.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>Der Greifer hat den Befehl nicht angenommen. Aktivieren Sie ihn; wenn er aktiv ist, prüfen Sie seine Seite in der Installation des Roboters.</translation>
     </message>
     <message>
@@ -9610,7 +9610,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation>Ansicht des Arms</translation>
     </message>
     <message>
@@ -9715,7 +9715,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Signale suchen</translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation>Signale des Roboters</translation>
     </message>
     <message>
@@ -9723,8 +9723,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Neu: |F| [N] = norm(…)</translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
-        <translation>Aus anderen berechnetes Signal</translation>
+        <source>Derived signal</source>
+        <translation>Abgeleitetes Signal</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
@@ -9892,7 +9892,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>TCP</translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation>Relativ zum Flansch. Mit Enter in das Projekt übernehmen. Der TCP des Roboters ändert sich nicht.</translation>
     </message>
     <message>
@@ -10039,24 +10039,24 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Den TCP teachen</translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
-        <translation>Pose für die Drehung nehmen</translation>
+        <source>Record pose for the tool orientation</source>
+        <translation>Pose für die Orientierung nehmen</translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
-        <translation>Drehung des Werkzeugs</translation>
+        <source>Tool orientation</source>
+        <translation>Werkzeugorientierung</translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
-        <translation>Aktuelle Drehung behalten</translation>
+        <source>Keep current orientation</source>
+        <translation>Aktuelle Orientierung behalten</translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
-        <translation>Drehung aus einer Pose: Werkzeug senkrecht nach unten</translation>
+        <source>Orientation from one pose: tool straight down</source>
+        <translation>Orientierung aus einer Pose: Werkzeug senkrecht nach unten</translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
-        <translation>Drehung aus drei Posen: entlang +Z, Richtung +X</translation>
+        <source>Orientation from three poses: along +Z, towards +X</source>
+        <translation>Orientierung aus drei Posen: entlang +Z, Richtung +X</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10086,16 +10086,16 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
-        <translation>Das Werkzeug behält seine aktuelle Drehung.</translation>
+        <source>The tool keeps the current orientation.</source>
+        <translation>Das Werkzeug behält die aktuelle Orientierung.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und seine X-Achse parallel zur X-Achse der Basis ist, und nehmen Sie dann die Pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>Drehung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
+        <source>Orientation recorded. Record it again to replace it.</source>
+        <translation>Orientierung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
@@ -10110,8 +10110,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Bewegen Sie das Werkzeug nun um mindestens %1 entlang seiner +X-Richtung und nehmen Sie die Pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Drehung genommen: %1 entlang +Z, %2 entlang +X; größte Flanschdrehung %3 bei Pose %4.</translation>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>Orientierung genommen: %1 entlang +Z, %2 entlang +X; größte Flanschdrehung %3 bei Pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
@@ -10237,7 +10237,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Gewählter Wegpunkt</translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation>System des Wegpunkts</translation>
     </message>
     <message>
@@ -10373,8 +10373,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Wegpunkte exportieren</translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
-        <translation>Kommagetrennt (*.csv);;JSON (*.json)</translation>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
+        <translation>CSV-Datei (*.csv);;JSON-Datei (*.json)</translation>
     </message>
     <message>
         <source>Import failed</source>
@@ -10522,11 +10522,11 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Art: MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation>Geschwindigkeit von MoveJ: %1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation>Geschwindigkeit von MoveL: %1 → %2</translation>
     </message>
     <message>
@@ -10562,8 +10562,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Die Version vor dieser Änderung ist mit der aktuellen identisch.</translation>
     </message>
     <message>
-        <source>Before this change:</source>
-        <translation>Vor dieser Änderung:</translation>
+        <source>Changes from the version before this change to the current version:</source>
+        <translation>Änderungen von der Version vor dieser Änderung zur aktuellen Version:</translation>
     </message>
 </context>
 <context>
@@ -10736,8 +10736,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
-        <translation>✕ Arm</translation>
+        <source>✕ model</source>
+        <translation>✕ Modell</translation>
     </message>
     <message>
         <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
@@ -10810,11 +10810,11 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation>Geschwindigkeit von MoveJ</translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation>Geschwindigkeit von MoveL</translation>
     </message>
     <message>
@@ -10910,16 +10910,16 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Versatz %1</translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
-        <translation>Dreh- oder Spiegelachse</translation>
+        <source>Rotation axis or mirror normal</source>
+        <translation>Drehachse oder Spiegelnormale</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
-        <translation>Der Arm kann diese Posen nicht erreichen: %1. Es wird kein Wegpunkt verschoben.</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <translation>Der Arm kann diese Wegpunkte nach dem Verschieben nicht erreichen: %1. Wählen Sie eine kleinere Verschiebung oder Drehung. Es wird kein Wegpunkt verschoben.</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another frame.</source>
@@ -10976,7 +10976,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Noch keine Wegpunkte.
 Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</translation>
     </message>
@@ -11183,7 +11183,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Bevor Sie einen echten Arm bewegen: Halten Sie alle Personen aus seinem Arbeitsbereich fern, halten Sie den Not-Halt griffbereit, prüfen Sie Nutzlast und TCP und beginnen Sie langsam. STOP in diesem Fenster ist kein Not-Halt.</translation>
     </message>
     <message>
@@ -11771,19 +11771,19 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>%1 nach links</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>%1 nach rechts</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>%1 nach oben</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>%1 nach unten</translation>
     </message>
     <message>
@@ -11799,8 +11799,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Name des Programms auf dem Roboter, z. B. pick.urp</translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
-        <translation>Geschwindigkeitsgrenze %1</translation>
+        <source>Speed cap set to %1</source>
+        <translation>Geschwindigkeitsgrenze auf %1 gesetzt</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
@@ -11954,8 +11954,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Change during a program</source>
-        <translation>Änderung während eines Programms</translation>
+        <source>Change while a program is active</source>
+        <translation>Änderung bei aktivem Programm</translation>
     </message>
 </context>
 <context>
@@ -12048,7 +12048,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Arbeitsansicht %1. Wählen Sie eine Anordnung der Bereiche oder speichern Sie die aktuelle.</translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation>Name der Arbeitsansicht</translation>
     </message>
     <message>
@@ -12123,7 +12123,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Der Name ist zu lang.</translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>Die maximale Zahl an Arbeitsansichten ist erreicht. Löschen Sie zuerst eine.</translation>
     </message>
     <message>
@@ -12256,7 +12256,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Was haben Sie getan? Was haben Sie erwartet? Was ist geschehen?</translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation>Dateien des Berichts</translation>
     </message>
     <message>

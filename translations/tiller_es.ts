@@ -12,11 +12,11 @@
         <translation>Ruta</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation>%1 no se activó en %2 s. Compruebe el dispositivo conectado e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation>%1 no se desactivó en %2 s. Compruebe el dispositivo conectado e inténtelo de nuevo.</translation>
     </message>
     <message>
@@ -24,8 +24,8 @@
         <translation>%1 no se completó. %2</translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
-        <translation>La pinza no se detuvo en %1 s.</translation>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
+        <translation>La pinza no se detuvo en %1 s. Compruebe la pinza e inténtelo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -444,19 +444,19 @@
         <translation>Demasiadas paradas de protección</translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
-        <translation>Una articulación tuvo más de cincuenta paradas de protección en ocho horas.</translation>
+        <source>One joint had fifty protective stops within eight hours.</source>
+        <translation>Una articulación tuvo cincuenta paradas de protección en ocho horas.</translation>
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>Averigüe la causa de las paradas antes de continuar; después reinicie el controlador.</translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation>Cambio brusco de la posición objetivo</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation>Un programa ordenó un salto de posición.</translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation>Inicie el programa en la posición actual del brazo y use pasos de servo pequeños.</translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation>Cambio brusco de la velocidad objetivo</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation>Un programa ordenó un salto de velocidad.</translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation>%1 en %2</translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation>Ejes del dispositivo</translation>
     </message>
 </context>
@@ -729,8 +729,8 @@
         <translation>el puerto %1 no responde</translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>Active esta interfaz en el robot: Ajustes, Seguridad, Servicios.</translation>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
+        <translation>Active esta interfaz en el robot en Ajustes &gt; Seguridad &gt; Servicios.</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
@@ -773,8 +773,8 @@
         <translation>ni el Dashboard (puerto %1) ni la Robot API (puerto %2) están disponibles</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>Active el servidor Dashboard en el robot: Ajustes, Seguridad, Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <translation>Active el servidor Dashboard en el robot en Ajustes &gt; Seguridad &gt; Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
@@ -1093,12 +1093,12 @@
         <translation>mueva %1 o doble el codo</translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
-        <translation>Muñeca sobre el eje de la base</translation>
+        <source>Wrist near the base axis</source>
+        <translation>Muñeca cerca del eje de la base</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
-        <translation>Muñeca sobre el eje de la base: %1 de la velocidad</translation>
+        <source>Wrist near the base axis: %1 speed</source>
+        <translation>Muñeca cerca del eje de la base: %1 de la velocidad</translation>
     </message>
     <message>
         <source>move outwards</source>
@@ -1137,24 +1137,24 @@
         <translation>mueva %1 o gire %2 %3</translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
-        <translation>TCP en el límite de velocidad de %1</translation>
+        <source>TCP at the speed cap: %1 speed</source>
+        <translation>TCP en el límite de velocidad: %1 de la velocidad</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
         <translation>cambie el límite en Ajustes</translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
-        <translation>Codo en el límite de velocidad de %1</translation>
+        <source>Elbow at the speed cap: %1 speed</source>
+        <translation>Codo en el límite de velocidad: %1 de la velocidad</translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
-        <translation>Giro en el límite de %1</translation>
+        <source>Rotation at the speed cap: %1 speed</source>
+        <translation>Giro en el límite de velocidad: %1 de la velocidad</translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
-        <translation>%1 a su velocidad máxima de %2</translation>
+        <source>%1 at its maximum speed: %2 speed</source>
+        <translation>%1 a su velocidad máxima: %2 de la velocidad</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
@@ -1506,8 +1506,8 @@
         <translation>Parada de emergencia</translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
-        <translation>La parada de emergencia del robot está pulsada. Tire del botón, después encienda y libere los frenos.</translation>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
+        <translation>El botón de parada de emergencia del robot está pulsado. Gírelo en sentido horario para soltarlo, después encienda y libere los frenos.</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1546,7 +1546,7 @@
         <translation>Parada de salvaguarda automática</translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation>La salvaguarda del modo automático está abierta. Ciérrela o cambie al modo manual.</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>Parada automática PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation>El controlador PROFIsafe solicita la parada de salvaguarda del modo automático. Anule la solicitud allí.</translation>
     </message>
     <message>
@@ -1740,8 +1740,8 @@
         <translation>Grabar</translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>Escribe cada paquete del robot en un archivo CSV hasta que detenga la grabación.</translation>
+        <source>Records the robot data to a file until you stop the recording.</source>
+        <translation>Graba los datos del robot en un archivo hasta que detenga la grabación.</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -3020,8 +3020,8 @@
         <translation>La causa se ha eliminado y no hay nadie al alcance del brazo.</translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>Aquí no hay que hacer nada: este estado termina cuando se elimina su causa.</translation>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <translation>No hay que hacer nada en Tiller. El estado termina cuando se elimina la causa.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -3063,8 +3063,8 @@
         <translation>historial en %1 s</translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
-        <translation>en %1 s de %2</translation>
+        <source>at %1 s in %2</source>
+        <translation>en %1 s en %2</translation>
     </message>
 </context>
 <context>
@@ -3868,12 +3868,12 @@
         <translation>Bit %1</translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
-        <translation>Registros de salida, números</translation>
+        <source>Output registers, floats</source>
+        <translation>Registros de salida, reales</translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
-        <translation>Registros de entrada, números</translation>
+        <source>Input registers, floats</source>
+        <translation>Registros de entrada, reales</translation>
     </message>
     <message>
         <source>Output registers, integers</source>
@@ -4031,12 +4031,12 @@
         <translation>Compruebe que el robot está encendido, que el cable está conectado y que este PC está en la misma red.</translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>Active la interfaz en el robot: Ajustes, Seguridad, Servicios. Un robot recién arrancado puede necesitar un minuto más.</translation>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
+        <translation>Active la interfaz en el robot en Ajustes &gt; Seguridad &gt; Servicios. Un robot recién arrancado puede necesitar un minuto más.</translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
-        <translation>El robot cerró la conexión: puede estar reiniciándose, o se cambió entre Local y Remoto.</translation>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <translation>Puede estar reiniciándose o cambiando entre Local y Remoto. Espere un minuto y conecte de nuevo.</translation>
     </message>
     <message>
         <source>The robot does not respond. Check the cable and the address.</source>
@@ -4215,8 +4215,8 @@
         <translation>terminado</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>tecla soltada</translation>
+        <source>button released</source>
+        <translation>botón soltado</translation>
     </message>
     <message>
         <source>pointer left the button</source>
@@ -4227,8 +4227,8 @@
         <translation>foco perdido</translation>
     </message>
     <message>
-        <source>window lost activation</source>
-        <translation>la ventana dejó de estar activa</translation>
+        <source>another window became active</source>
+        <translation>otra ventana se activó</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -4239,8 +4239,8 @@
         <translation>se abrió un diálogo o menú</translation>
     </message>
     <message>
-        <source>second button</source>
-        <translation>segundo botón</translation>
+        <source>another button or key pressed</source>
+        <translation>otro botón o tecla pulsado</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -4303,8 +4303,8 @@
         <translation>objetivo demasiado lejos para un paso</translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
-        <translation>sin confirmación de que la tecla sigue pulsada</translation>
+        <source>could not verify that the button or key is still pressed</source>
+        <translation>no se pudo comprobar que el botón o la tecla sigue pulsado</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4503,8 +4503,8 @@
         <translation>Tiempo límite en segundos</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
-        <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene el botón, una hora como máximo</translation>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene el botón, una hora como máximo.</translation>
     </message>
 </context>
 <context>
@@ -4535,9 +4535,9 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1: %2
-Clic derecho o F2 para renombrar y escalar.</translation>
+F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4623,13 +4623,13 @@ Clic derecho o F2 para renombrar y escalar.</translation>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>Aún no hay cajas ni planos.
-Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
+Mueva el TCP a una esquina de un obstáculo y pulse «Enseñar esquina».</translation>
     </message>
     <message>
-        <source>Checked</source>
-        <translation>Comprobado</translation>
+        <source>Check for collisions</source>
+        <translation>Comprobar colisiones</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -4676,8 +4676,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Primera esquina tomada.</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
-        <translation>Mueva el TCP a la esquina opuesta y pulse Otra esquina.</translation>
+        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
+        <translation>Mueva el TCP a la esquina opuesta y pulse «Enseñar esquina opuesta».</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4720,12 +4720,12 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Cambiar la distancia de seguridad</translation>
     </message>
     <message>
-        <source>Other corner</source>
-        <translation>Otra esquina</translation>
+        <source>Teach opposite corner</source>
+        <translation>Enseñar esquina opuesta</translation>
     </message>
     <message>
-        <source>Corner here</source>
-        <translation>Esquina aquí</translation>
+        <source>Teach corner</source>
+        <translation>Enseñar esquina</translation>
     </message>
     <message>
         <source>%1 · %2 in %3</source>
@@ -4776,15 +4776,15 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Suelo</translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
-        <translation>Desactivado, el suelo no se muestra ni se comprueba si hay colisiones.</translation>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
+        <translation>Desactivado, la caja o el plano no se muestra ni se comprueba si hay colisiones.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
         <translation>Plano horizontal en el sistema de la base, por encima del cual debe quedar el brazo.</translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation>Altura del suelo</translation>
     </message>
     <message>
@@ -4812,8 +4812,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Poner una esquina de una caja en el TCP</translation>
     </message>
     <message>
-        <source>Plane here</source>
-        <translation>Plano aquí</translation>
+        <source>Teach plane</source>
+        <translation>Enseñar plano</translation>
     </message>
     <message>
         <source>Add a plane through the TCP, perpendicular to the tool</source>
@@ -5055,7 +5055,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Liberar frenos (cabecera)</translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation>Tomar el control, mantener un botón</translation>
     </message>
     <message>
@@ -5063,7 +5063,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Enseñar aquí (T)</translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation>Alejarse, mantener Ir a (G)</translation>
     </message>
     <message>
@@ -5416,7 +5416,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation>Aún no hay sistemas de coordenadas.
 Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 puntos» para tomar el origen, +X y +Y.</translation>
     </message>
@@ -5548,7 +5548,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Va al punto de paso siguiente mientras se mantiene el botón y se detiene allí</translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation>Puntos de paso de la ruta</translation>
     </message>
     <message>
@@ -5893,8 +5893,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>La velocidad o la fuerza está fuera del intervalo.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
-        <translation>La pinza no aceptó la orden.</translation>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
+        <translation>La pinza no ejecutó la orden. Compruebe que ningún otro programa controla la pinza e inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5928,7 +5928,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>ÚLTIMA PARADA</translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation>Estado del robot</translation>
     </message>
     <message>
@@ -5999,8 +5999,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Ya se mantiene otro botón o tecla.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
-        <translation>El servidor gráfico no responde: no se puede detectar cuándo se suelta una tecla.</translation>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <translation>El servidor gráfico no responde: no se puede detectar cuándo se suelta un botón o una tecla. Suéltelo e inténtelo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -6283,8 +6283,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Última parada: %1, reposo tras %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
-        <translation>Mueva el brazo a mano mientras mantiene este botón: %1. Clic derecho para elegir ejes</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
+        <translation>Mueva el brazo a mano mientras mantiene este botón: %1. Clic derecho para elegir ejes.</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6295,8 +6295,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Mov. libre…</translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
-        <translation>Comprobar la carga útil antes de mover a mano (hasta la próxima conexión)</translation>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
+        <translation>Comprobar la carga útil antes de mover a mano (se restablece al reconectar)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6380,28 +6380,28 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Aún no hay ningún sistema enseñado. Enseñe uno en la pestaña Sistemas de coordenadas.</translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
-        <translation>Un paso por pulsación: %1</translation>
+        <source>Moves by %1 per press.</source>
+        <translation>Mueve %1 por pulsación.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
-        <translation>Un paso de giro por pulsación, herramienta o articulación: %1</translation>
+        <source>Rotates the tool or joint by %1 per press.</source>
+        <translation>Gira la herramienta o la articulación %1 por pulsación.</translation>
     </message>
     <message>
         <source>≤ %1</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>Mueve despacio mientras se mantiene hasta que la fuerza de contacto llega a %1 N. Haga clic de nuevo para otros pasos</translation>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <translation>Mueve despacio mientras se mantiene, hasta que la fuerza de contacto llega a %1 N. Haga clic de nuevo para elegir otro paso.</translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
-        <translation>Un paso por pulsación: %1. Haga clic de nuevo para otros pasos</translation>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
+        <translation>Mueve %1 por pulsación. Haga clic de nuevo para elegir otro paso.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>Un paso de giro por pulsación, herramienta o articulación: %1. Haga clic de nuevo para otros ángulos</translation>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
+        <translation>Gira la herramienta o la articulación %1 por pulsación. Haga clic de nuevo para elegir otro ángulo.</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -6725,8 +6725,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>«%1»</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas %2 no está en el proyecto. Introduzca la posición, excluya el objeto o elimínelo en la página Celda</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas no está en el proyecto. Introduzca la posición, excluya el objeto o elimínelo en la página Celda</translation>
     </message>
 </context>
 <context>
@@ -6748,11 +6748,11 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation>Acción del aviso</translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation>Segunda acción del aviso</translation>
     </message>
 </context>
@@ -6773,8 +6773,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
 <context>
     <name>tiller::PathControls</name>
     <message>
-        <source>Tolerance of recorded paths</source>
-        <translation>Tolerancia de las trayectorias grabadas</translation>
+        <source>Path tolerance</source>
+        <translation>Tolerancia de trayectoria</translation>
     </message>
     <message>
         <source>Record path</source>
@@ -6785,8 +6785,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Exportar trayectoria como CSV…</translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
-        <translation>Importar demostración (CSV)…</translation>
+        <source>Import path from CSV…</source>
+        <translation>Importar trayectoria desde CSV…</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
@@ -6825,8 +6825,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Exportar trayectoria</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>Archivo CSV (*.csv)</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
@@ -6840,8 +6840,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         </translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
-        <translation>Importar una demostración</translation>
+        <source>Import path</source>
+        <translation>Importar trayectoria</translation>
     </message>
     <message>
         <source>○ Path</source>
@@ -7035,14 +7035,14 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>Las tres esquinas están en una recta. Seleccione otro punto de paso para una de ellas.</translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation>Celdas del patrón</translation>
     </message>
     <message>
@@ -7219,7 +7219,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>CZ</translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation>Masa de la carga útil</translation>
     </message>
     <message>
@@ -7235,7 +7235,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Centro de gravedad Z</translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation>Pulse Intro para aplicar al proyecto. La carga útil del robot no cambia.</translation>
     </message>
     <message>
@@ -7564,8 +7564,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Grabar en un archivo CSV</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
-        <translation>Grabar los datos del robot en un archivo CSV. Use la flecha para elegir señales y carpeta</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Grabar los datos del robot en un archivo CSV. Use la flecha para elegir señales y carpeta.</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7644,16 +7644,16 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Imagen (*.png)</translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
-        <translation>Dibujo (*.svg)</translation>
+        <source>SVG image (*.svg)</source>
+        <translation>Imagen SVG (*.svg)</translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
-        <translation>Página (*.pdf)</translation>
+        <source>PDF document (*.pdf)</source>
+        <translation>Documento PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
-        <translation>Valores (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>Archivo CSV (*.csv)</translation>
     </message>
     <message>
         <source>Recording options</source>
@@ -7806,7 +7806,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>%1 y más</translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation>Lista de señales</translation>
     </message>
     <message>
@@ -7866,7 +7866,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Hora del día</translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Se alcanzó el número máximo de páginas de gráficos: quite primero una.</translation>
     </message>
     <message>
@@ -7874,8 +7874,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Grabar en un archivo MCAP</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
-        <translation>Grabar los datos del robot en un archivo MCAP. Use la flecha para elegir señales y carpeta</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Grabar los datos del robot en un archivo MCAP. Use la flecha para elegir señales y carpeta.</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7901,8 +7901,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>El intervalo entre los cursores A y B se exportó a %1</translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
-        <translation>Valores entre los cursores A y B (*%1)</translation>
+        <source>Cursor A to cursor B (*%1)</source>
+        <translation>Del cursor A al cursor B (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -7913,8 +7913,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Las señales en vivo solo se pueden exportar como .csv. Para otros formatos, grábelas primero.</translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
-        <translation>El intervalo tiene demasiados valores para exportarlo desde la ventana. Exporte un intervalo más corto o use tiller-cli export.</translation>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation>El intervalo tiene demasiados valores para exportarlo desde esta ventana. Exporte un intervalo más corto o ejecute «tiller-cli export».</translation>
     </message>
 </context>
 <context>
@@ -7935,7 +7935,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Páginas de gráficos</translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation>Nombre de la página</translation>
     </message>
     <message>
@@ -8061,8 +8061,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Gráficos en el tiempo</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A y B colocan los cursores, izquierda y derecha los mueven, arriba y abajo eligen la señal que leen. H oculta su curva, Ctrl+Supr la quita. Más y menos cambian el intervalo de tiempo, con Ctrl la escala de valores; Ctrl+0 la ajusta automáticamente. N añade una nota, F muestra todos los datos, Fin vuelve a las muestras más recientes</translation>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
+        <translation>A y B colocan los cursores. Izquierda y Derecha mueven el cursor activo. Arriba y Abajo eligen la señal que leen. H oculta la curva de esta señal; Ctrl+Supr la quita. Más y Menos cambian el intervalo de tiempo, con Ctrl la escala de valores; Ctrl+0 la ajusta automáticamente. N añade una nota, F muestra todos los datos y Fin vuelve a las muestras más recientes.</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -8123,15 +8123,15 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Pose del TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
-        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic para mostrar el desplazamiento desde el inicio del último movimiento</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic para mostrar el desplazamiento desde el inicio del último movimiento.</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
-        <translation>orientación como en Ajustes. Δ: desplazamiento desde el inicio del último movimiento. Clic para poner aquí el cero</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <translation>orientación como en Ajustes. Δ: desplazamiento desde el inicio del último movimiento. Clic para poner aquí el cero.</translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation>TCP en el sistema de la brida: %1</translation>
     </message>
 </context>
@@ -8163,9 +8163,9 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation>Aún no hay posiciones.
-Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí».</translation>
+Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posición».</translation>
     </message>
     <message>
         <source>Safe height</source>
@@ -8192,8 +8192,8 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>Fijar inicio aquí</translation>
     </message>
     <message>
-        <source>Add here</source>
-        <translation>Añadir aquí</translation>
+        <source>Add position</source>
+        <translation>Añadir posición</translation>
     </message>
     <message>
         <source>Store the current position of the arm</source>
@@ -8350,7 +8350,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>Fuerza Fz en newtons</translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation>Introduzca el valor, pulse Intro</translation>
     </message>
     <message>
@@ -8892,7 +8892,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El proyecto usa el TCP «%1». El TCP activo del robot difiere en %2.</translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation>El proyecto es compatible con el robot conectado.</translation>
     </message>
     <message>
@@ -8995,11 +8995,11 @@ Suelte el botón para detener el brazo.</translation>
         <translation>ningún archivo elegido</translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation>%1 — abierto en otra ventana, los cambios de aquí no se guardan</translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation>%1 — cambiado por otro programa, los cambios de aquí no se guardan</translation>
     </message>
     <message>
@@ -9081,16 +9081,16 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Entero %1</translation>
     </message>
     <message>
-        <source>Number %1</source>
-        <translation>Número %1</translation>
+        <source>Float %1</source>
+        <translation>Real %1</translation>
     </message>
     <message>
         <source>Int</source>
         <translation>Entero</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>Número</translation>
+        <source>Float</source>
+        <translation>Real</translation>
     </message>
     <message>
         <source>Bit</source>
@@ -9124,8 +9124,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Volver a lo actual</translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>Mostrar el estado actual del robot. La grabación sigue abierta en los gráficos</translation>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
+        <translation>Mostrar el estado actual del robot. La grabación sigue abierta en los gráficos.</translation>
     </message>
 </context>
 <context>
@@ -9225,7 +9225,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Programa: %1</translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation>Error de programa en línea %1, columna %2: %3</translation>
     </message>
     <message>
@@ -9265,8 +9265,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Solo supervisión: esta ventana no cambia nada en el robot. STOP sigue funcionando.</translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
-        <translation>Solo supervisión está desactivado</translation>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
+        <translation>«Solo supervisión» está desactivado. Se permiten órdenes al robot.</translation>
     </message>
     <message>
         <source>%1: refused. %2</source>
@@ -9308,7 +9308,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Un programa de otro cliente se ha hecho con el robot. Tomar el control lo termina.</translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation>Se detiene el programa del otro cliente para tomar el control.</translation>
     </message>
     <message>
@@ -9367,19 +9367,19 @@ Suelte el botón para detener el brazo.</translation>
         <translation>%1 falló. %2</translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation>Ningún servicio de pinza responde en %1:%2. Instale el URCap de Robotiq en el robot y seleccione la pinza en su Instalación.</translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>La pinza no responde. Compruebe su cable en la muñeca y su página en la Instalación del robot; si el problema continúa, reinicie el robot.</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
+        <translation>La pinza no responde. Compruebe el cable en la muñeca y la página de la pinza en la instalación del robot. Si el problema continúa, reinicie el robot.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>El robot cerró la conexión con la pinza y puede estar reiniciándose. Tiller se reconecta automáticamente; la pinza mantiene el agarre.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>La pinza no aceptó la orden. Actívela; si está activa, compruebe su página en la Instalación del robot.</translation>
     </message>
     <message>
@@ -9610,7 +9610,7 @@ Suelte el botón para detener el brazo.</translation>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation>Vista del brazo</translation>
     </message>
     <message>
@@ -9715,7 +9715,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Buscar señales</translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation>Señales del robot</translation>
     </message>
     <message>
@@ -9723,8 +9723,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Nueva: |F| [N] = norm(…)</translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
-        <translation>Señal calculada a partir de otras</translation>
+        <source>Derived signal</source>
+        <translation>Señal derivada</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
@@ -9892,7 +9892,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>TCP</translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation>Relativo a la brida. Intro lo aplica al proyecto. El TCP del robot no cambia.</translation>
     </message>
     <message>
@@ -10039,24 +10039,24 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Enseñar el TCP</translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
-        <translation>Tomar pose para el giro</translation>
+        <source>Record pose for the tool orientation</source>
+        <translation>Tomar pose para la orientación</translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
-        <translation>Rotación de la herramienta</translation>
+        <source>Tool orientation</source>
+        <translation>Orientación de la herramienta</translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
-        <translation>Conservar la rotación</translation>
+        <source>Keep current orientation</source>
+        <translation>Conservar la orientación</translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
-        <translation>Rotación con una pose: herramienta recta hacia abajo</translation>
+        <source>Orientation from one pose: tool straight down</source>
+        <translation>Orientación con una pose: herramienta recta hacia abajo</translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
-        <translation>Rotación con tres poses: por +Z, hacia +X</translation>
+        <source>Orientation from three poses: along +Z, towards +X</source>
+        <translation>Orientación con tres poses: por +Z, hacia +X</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10086,16 +10086,16 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
-        <translation>La herramienta conserva su rotación actual.</translation>
+        <source>The tool keeps the current orientation.</source>
+        <translation>La herramienta conserva la orientación actual.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Gire la herramienta hasta que apunte recta hacia abajo y su eje X sea paralelo al eje X de la base; después tome la pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>Rotación tomada. Tómela de nuevo para sustituirla.</translation>
+        <source>Orientation recorded. Record it again to replace it.</source>
+        <translation>Orientación tomada. Tómela de nuevo para sustituirla.</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
@@ -10110,8 +10110,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Ahora mueva la herramienta en su dirección +X al menos %1 y tome la pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Rotación tomada: %1 en +Z, %2 en +X; giro máximo de la brida %3 en la pose %4.</translation>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>Orientación tomada: %1 en +Z, %2 en +X; giro máximo de la brida %3 en la pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
@@ -10237,7 +10237,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Punto de paso seleccionado</translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation>Sistema del punto de paso</translation>
     </message>
     <message>
@@ -10373,8 +10373,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Exportar puntos de paso</translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
-        <translation>Separado por comas (*.csv);;JSON (*.json)</translation>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
+        <translation>Archivo CSV (*.csv);;Archivo JSON (*.json)</translation>
     </message>
     <message>
         <source>Import failed</source>
@@ -10522,11 +10522,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Tipo: MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation>Velocidad de MoveJ: %1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation>Velocidad de MoveL: %1 → %2</translation>
     </message>
     <message>
@@ -10562,8 +10562,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>La versión anterior a este cambio es idéntica a la actual.</translation>
     </message>
     <message>
-        <source>Before this change:</source>
-        <translation>Antes de este cambio:</translation>
+        <source>Changes from the version before this change to the current version:</source>
+        <translation>Cambios de la versión anterior a este cambio a la versión actual:</translation>
     </message>
 </context>
 <context>
@@ -10736,8 +10736,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
-        <translation>✕ brazo</translation>
+        <source>✕ model</source>
+        <translation>✕ modelo</translation>
     </message>
     <message>
         <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
@@ -10810,11 +10810,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Movimiento</translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation>Velocidad de MoveJ</translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation>Velocidad de MoveL</translation>
     </message>
     <message>
@@ -10910,16 +10910,16 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Desplazamiento %1</translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
-        <translation>Eje de giro o de reflexión</translation>
+        <source>Rotation axis or mirror normal</source>
+        <translation>Eje de giro o normal del plano de reflexión</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Ángulo</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
-        <translation>El brazo no puede alcanzar estas poses: %1. No se moverá ningún punto de paso.</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <translation>El brazo no puede alcanzar estos puntos de paso después del desplazamiento: %1. Elija un desplazamiento o giro menor. No se moverá ningún punto de paso.</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another frame.</source>
@@ -10976,7 +10976,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Aún no hay puntos de paso.
 Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
@@ -11183,7 +11183,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Conectar</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Antes de mover un brazo real: mantenga a todos fuera de su alcance, tenga a mano la parada de emergencia, compruebe la carga útil y el TCP, y empiece despacio. STOP en esta ventana no es una parada de emergencia.</translation>
     </message>
     <message>
@@ -11771,19 +11771,19 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Mueve este panel a este lado de la ventana principal.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>Mover %1 a la izquierda</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>Mover %1 a la derecha</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>Mover %1 arriba</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>Mover %1 abajo</translation>
     </message>
     <message>
@@ -11799,8 +11799,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Nombre del programa en el robot, p. ej. pick.urp</translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
-        <translation>Límite de velocidad %1</translation>
+        <source>Speed cap set to %1</source>
+        <translation>Límite de velocidad ajustado a %1</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
@@ -11954,8 +11954,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Change during a program</source>
-        <translation>Cambio durante un programa</translation>
+        <source>Change while a program is active</source>
+        <translation>Cambio con un programa activo</translation>
     </message>
 </context>
 <context>
@@ -12048,7 +12048,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Perspectiva %1. Seleccione una disposición de paneles o guarde la actual.</translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation>Nombre de la perspectiva</translation>
     </message>
     <message>
@@ -12123,7 +12123,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>El nombre es demasiado largo.</translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>Se alcanzó el número máximo de perspectivas. Elimine primero una.</translation>
     </message>
     <message>
@@ -12256,7 +12256,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>¿Qué hizo? ¿Qué esperaba? ¿Qué ocurrió?</translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation>Archivos del informe</translation>
     </message>
     <message>

@@ -12,11 +12,11 @@
         <translation>运行路线</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation>%1 未在 %2 s 内接通。请检查所连接的设备，然后重试。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation>%1 未在 %2 s 内断开。请检查所连接的设备，然后重试。</translation>
     </message>
     <message>
@@ -24,8 +24,8 @@
         <translation>未执行 %1。%2</translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
-        <translation>夹爪未在 %1 s 内停下。</translation>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
+        <translation>夹爪未在 %1 s 内停下。请检查夹爪，然后重试。</translation>
     </message>
 </context>
 <context>
@@ -444,19 +444,19 @@
         <translation>保护性停止过多</translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
-        <translation>一个关节在八小时内发生了五十次以上的保护性停止。</translation>
+        <source>One joint had fifty protective stops within eight hours.</source>
+        <translation>一个关节在八小时内发生了五十次保护性停止。</translation>
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>继续之前先找出停止的原因，然后重启控制器。</translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation>目标位置突变</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation>程序指令了位置跳变。</translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation>请从机械臂的当前位置启动程序，并保持较小的伺服步长。</translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation>目标速度突变</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation>程序指令了速度跳变。</translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation>%2 中的 %1</translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation>设备的轴</translation>
     </message>
 </context>
@@ -729,8 +729,8 @@
         <translation>端口 %1 不应答</translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>在机器人上打开此接口：设置、安全、服务。</translation>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
+        <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开此接口。</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
@@ -773,8 +773,8 @@
         <translation>仪表板（端口 %1）和 Robot API（端口 %2）均不可用</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>在机器人上打开 Dashboard Server：设置、安全、服务。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开 Dashboard Server。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
@@ -1093,12 +1093,12 @@
         <translation>点动 %1 或弯曲肘部</translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
-        <translation>手腕位于基座轴上方</translation>
+        <source>Wrist near the base axis</source>
+        <translation>手腕靠近基座轴</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
-        <translation>手腕位于基座轴上方：速度的 %1</translation>
+        <source>Wrist near the base axis: %1 speed</source>
+        <translation>手腕靠近基座轴：速度的 %1</translation>
     </message>
     <message>
         <source>move outwards</source>
@@ -1137,24 +1137,24 @@
         <translation>点动 %1 或转动 %2 %3</translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
-        <translation>TCP 达到速度上限：%1</translation>
+        <source>TCP at the speed cap: %1 speed</source>
+        <translation>TCP 达到速度上限：速度的 %1</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
         <translation>请在设置中更改上限</translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
-        <translation>肘部达到速度上限：%1</translation>
+        <source>Elbow at the speed cap: %1 speed</source>
+        <translation>肘部达到速度上限：速度的 %1</translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
-        <translation>旋转达到上限：%1</translation>
+        <source>Rotation at the speed cap: %1 speed</source>
+        <translation>旋转达到速度上限：速度的 %1</translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
-        <translation>%1 达到最高速度：%2</translation>
+        <source>%1 at its maximum speed: %2 speed</source>
+        <translation>%1 达到最高速度：速度的 %2</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
@@ -1506,8 +1506,8 @@
         <translation>紧急停止</translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
-        <translation>机器人的紧急停止被按下。拔出按钮，然后上电并松开制动器。</translation>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
+        <translation>机器人的紧急停止按钮被按下。顺时针旋转以松开，然后上电并松开制动器。</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1546,7 +1546,7 @@
         <translation>自动防护停止</translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation>自动模式的防护装置打开。请关闭，或切换到手动模式。</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>PROFIsafe 自动停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation>PROFIsafe 控制器请求自动模式的防护停止。请在该控制器上解除请求。</translation>
     </message>
     <message>
@@ -1740,8 +1740,8 @@
         <translation>录制</translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>将机器人的每个数据包写入 CSV 文件，直到停止录制。</translation>
+        <source>Records the robot data to a file until you stop the recording.</source>
+        <translation>将机器人数据录制到文件，直到停止录制。</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -3020,8 +3020,8 @@
         <translation>原因已消除，机械臂可达范围内没有人。</translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>此处无需操作：原因消除后此状态即结束。</translation>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <translation>无需在 Tiller 中操作。原因消除后此状态即结束。</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -3063,7 +3063,7 @@
         <translation>历史记录 %1 s 处</translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
+        <source>at %1 s in %2</source>
         <translation>%2 的 %1 s 处</translation>
     </message>
 </context>
@@ -3867,12 +3867,12 @@
         <translation>位 %1</translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
-        <translation>输出寄存器，数值</translation>
+        <source>Output registers, floats</source>
+        <translation>输出寄存器，浮点</translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
-        <translation>输入寄存器，数值</translation>
+        <source>Input registers, floats</source>
+        <translation>输入寄存器，浮点</translation>
     </message>
     <message>
         <source>Output registers, integers</source>
@@ -4030,12 +4030,12 @@
         <translation>检查机器人已开机、网线已插好、本 PC 在同一网络中。</translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>在机器人上打开接口：设置、安全、服务。刚启动的机器人可能还需要一分钟。</translation>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
+        <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开接口。刚启动的机器人可能还需要一分钟。</translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
-        <translation>机器人结束了连接：可能正在重启，或在本地与远程之间切换。</translation>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <translation>机器人可能正在重启，或在本地与远程之间切换。请等待一分钟后重新连接。</translation>
     </message>
     <message>
         <source>The robot does not respond. Check the cable and the address.</source>
@@ -4214,8 +4214,8 @@
         <translation>已结束</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>已松开</translation>
+        <source>button released</source>
+        <translation>已松开按钮</translation>
     </message>
     <message>
         <source>pointer left the button</source>
@@ -4226,8 +4226,8 @@
         <translation>失去焦点</translation>
     </message>
     <message>
-        <source>window lost activation</source>
-        <translation>窗口不再活动</translation>
+        <source>another window became active</source>
+        <translation>另一个窗口变为活动窗口</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -4238,8 +4238,8 @@
         <translation>打开了对话框或菜单</translation>
     </message>
     <message>
-        <source>second button</source>
-        <translation>第二个按钮</translation>
+        <source>another button or key pressed</source>
+        <translation>按下了另一个按钮或按键</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -4302,8 +4302,8 @@
         <translation>目标对一步来说太远</translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
-        <translation>无法确认按键仍被按住</translation>
+        <source>could not verify that the button or key is still pressed</source>
+        <translation>无法确认按钮或按键仍被按下</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4501,8 +4501,8 @@
         <translation>超时（秒）</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
-        <translation>超过此时间则等待失败并显示消息。0：按住按钮期间等待，最长一小时</translation>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <translation>超过此时间则等待失败并显示消息。0：按住按钮期间等待，最长一小时。</translation>
     </message>
 </context>
 <context>
@@ -4533,9 +4533,9 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1：%2
-右键或 F2 可重命名和缩放。</translation>
+按 F2 重命名，Shift+F2 缩放，或右键单击。</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4621,13 +4621,13 @@ Right-click or press F2 to rename or scale.</source>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>还没有长方体或平面。
-将 TCP 移到障碍物的一个角，然后按“此处为角”。</translation>
+将 TCP 移到障碍物的一个角，然后按“示教角”。</translation>
     </message>
     <message>
-        <source>Checked</source>
-        <translation>检查</translation>
+        <source>Check for collisions</source>
+        <translation>检查碰撞</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -4674,8 +4674,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>已记录第一个角。</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
-        <translation>将 TCP 移到对角，然后按“另一个角”。</translation>
+        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
+        <translation>将 TCP 移到对角，然后按“示教对角”。</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4718,12 +4718,12 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>更改安全距离</translation>
     </message>
     <message>
-        <source>Other corner</source>
-        <translation>另一个角</translation>
+        <source>Teach opposite corner</source>
+        <translation>示教对角</translation>
     </message>
     <message>
-        <source>Corner here</source>
-        <translation>此处为角</translation>
+        <source>Teach corner</source>
+        <translation>示教角</translation>
     </message>
     <message>
         <source>%1 · %2 in %3</source>
@@ -4774,15 +4774,15 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>地面</translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
-        <translation>关闭时不显示地面，也不进行碰撞检查。</translation>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
+        <translation>关闭时不显示该长方体或平面，也不进行碰撞检查。</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
         <translation>基座坐标系中机械臂必须保持在其上方的水平面。</translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation>地面高度</translation>
     </message>
     <message>
@@ -4810,8 +4810,8 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>将长方体的角设在 TCP</translation>
     </message>
     <message>
-        <source>Plane here</source>
-        <translation>此处为平面</translation>
+        <source>Teach plane</source>
+        <translation>示教平面</translation>
     </message>
     <message>
         <source>Add a plane through the TCP, perpendicular to the tool</source>
@@ -5053,7 +5053,7 @@ Clear the search to see everything.</source>
         <translation>松开制动器（页眉）</translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation>获取控制，按住点动按钮</translation>
     </message>
     <message>
@@ -5061,7 +5061,7 @@ Clear the search to see everything.</source>
         <translation>在此示教 (T)</translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation>点动离开，按住“前往” (G)</translation>
     </message>
     <message>
@@ -5409,7 +5409,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation>还没有坐标系。
 把尖端点动到托盘或桌子的一角。按“从 TCP”，或按“三点”取原点、+X 和 +Y。</translation>
     </message>
@@ -5541,7 +5541,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>按住时前往下一个路点，并停在那里</translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation>路线的路点</translation>
     </message>
     <message>
@@ -5885,8 +5885,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>速度或力超出范围。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
-        <translation>夹爪未接受命令。</translation>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
+        <translation>夹爪未执行命令。请确认没有其他程序控制夹爪，然后重试。</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5920,7 +5920,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>上次停止</translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation>机器人状态</translation>
     </message>
     <message>
@@ -5991,8 +5991,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>已按住另一个按钮或按键。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
-        <translation>显示服务器不响应：无法检测按键是否松开。</translation>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <translation>显示服务器不响应：无法检测按钮或按键是否松开。请松开后重试。</translation>
     </message>
 </context>
 <context>
@@ -6275,8 +6275,8 @@ Right-click or press F2 to rename it.</source>
         <translation>上次停止：%1，%2 ms 后静止，%3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
-        <translation>按住此按钮时可用手移动机械臂：%1。右键选择轴</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
+        <translation>按住此按钮时可用手移动机械臂：%1。右键选择轴。</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6287,8 +6287,8 @@ Right-click or press F2 to rename it.</source>
         <translation>自由驱动…</translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
-        <translation>自由驱动前检查有效负载（直到下次连接）</translation>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
+        <translation>自由驱动前检查有效负载（重新连接后重置）</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6372,28 +6372,28 @@ Right-click or press F2 to rename it.</source>
         <translation>还没有示教坐标系。请在坐标系选项卡中示教。</translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
-        <translation>每次按下一步：%1</translation>
+        <source>Moves by %1 per press.</source>
+        <translation>每按一次移动 %1。</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
-        <translation>每按一次转动工具或关节：%1</translation>
+        <source>Rotates the tool or joint by %1 per press.</source>
+        <translation>每按一次，工具或关节转动 %1。</translation>
     </message>
     <message>
         <source>≤ %1</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>按住时缓慢移动，直到接触力达到 %1 N。再点击可选其他步长</translation>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <translation>按住时缓慢移动，直到接触力达到 %1 N。再次点击可选择其他步长。</translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
-        <translation>每按一次一步：%1。再点击可选其他步长</translation>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
+        <translation>每按一次移动 %1。再次点击可选择其他步长。</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>每按一次转动工具或关节：%1。再点击可选其他角度</translation>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
+        <translation>每按一次，工具或关节转动 %1。再次点击可选择其他角度。</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -6717,8 +6717,8 @@ Right-click or press F2 to rename it.</source>
         <translation>“%1”</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>“%1”的位置未知，因为其坐标系 %2 不在项目中。请在单元页面上输入位置、将其排除或删除</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>“%1”的位置未知，因为其坐标系不在项目中。请在单元页面上输入位置、将其排除或删除</translation>
     </message>
 </context>
 <context>
@@ -6740,11 +6740,11 @@ Right-click or press F2 to rename it.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation>通知的操作</translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation>通知的第二个操作</translation>
     </message>
 </context>
@@ -6765,8 +6765,8 @@ Right-click or press F2 to rename it.</source>
 <context>
     <name>tiller::PathControls</name>
     <message>
-        <source>Tolerance of recorded paths</source>
-        <translation>录制路径的公差</translation>
+        <source>Path tolerance</source>
+        <translation>路径公差</translation>
     </message>
     <message>
         <source>Record path</source>
@@ -6777,8 +6777,8 @@ Right-click or press F2 to rename it.</source>
         <translation>将路径导出为 CSV…</translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
-        <translation>导入演示 (CSV)…</translation>
+        <source>Import path from CSV…</source>
+        <translation>从 CSV 导入路径…</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
@@ -6817,8 +6817,8 @@ Right-click or press F2 to rename it.</source>
         <translation>导出路径</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV 文件 (*.csv)</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
@@ -6831,8 +6831,8 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
-        <translation>导入演示</translation>
+        <source>Import path</source>
+        <translation>导入路径</translation>
     </message>
     <message>
         <source>○ Path</source>
@@ -7023,14 +7023,14 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>三个角点在一条直线上。请为其中一个选择其他路点。</translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation>阵列的格位</translation>
     </message>
     <message>
@@ -7206,7 +7206,7 @@ Right-click or press F2 to rename it.</source>
         <translation>CZ</translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation>有效负载的质量</translation>
     </message>
     <message>
@@ -7222,7 +7222,7 @@ Right-click or press F2 to rename it.</source>
         <translation>重心 Z</translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation>按回车应用到项目。机器人的有效负载不变。</translation>
     </message>
     <message>
@@ -7549,8 +7549,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>录制到 CSV 文件</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
-        <translation>将机器人数据录制到 CSV 文件。使用旁边的箭头按钮选择信号和文件夹</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
+        <translation>将机器人数据录制到 CSV 文件。使用旁边的箭头按钮选择信号和文件夹。</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7629,16 +7629,16 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>图片 (*.png)</translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
-        <translation>矢量图 (*.svg)</translation>
+        <source>SVG image (*.svg)</source>
+        <translation>SVG 图像 (*.svg)</translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
-        <translation>页面 (*.pdf)</translation>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF 文档 (*.pdf)</translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
-        <translation>数值 (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV 文件 (*.csv)</translation>
     </message>
     <message>
         <source>Recording options</source>
@@ -7789,7 +7789,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>%1 等</translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation>信号列表</translation>
     </message>
     <message>
@@ -7849,7 +7849,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>时刻</translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>曲线图页数已达上限：请先移除一页。</translation>
     </message>
     <message>
@@ -7857,8 +7857,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>录制到 MCAP 文件</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
-        <translation>将机器人数据录制到 MCAP 文件。使用旁边的箭头按钮选择信号和文件夹</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
+        <translation>将机器人数据录制到 MCAP 文件。使用旁边的箭头按钮选择信号和文件夹。</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7883,8 +7883,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>已将游标 A 和 B 之间的范围导出到 %1</translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
-        <translation>游标 A 和 B 之间的值 (*%1)</translation>
+        <source>Cursor A to cursor B (*%1)</source>
+        <translation>游标 A 到游标 B (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -7895,8 +7895,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>实时信号只能导出为 .csv。如需其他格式，请先录制。</translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
-        <translation>该范围的值过多，无法从窗口导出。请导出较短的范围，或使用 tiller-cli export。</translation>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation>该范围的值过多，无法从此窗口导出。请导出较短的范围，或运行“tiller-cli export”。</translation>
     </message>
 </context>
 <context>
@@ -7917,7 +7917,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>曲线图页</translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation>页的名称</translation>
     </message>
     <message>
@@ -8043,8 +8043,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>随时间的曲线图</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A 和 B 放置游标，左右键移动游标，上下键选择游标读取的信号。H 隐藏其曲线，Ctrl+Delete 移除曲线。加号和减号改变时间范围，按住 Ctrl 改变数值刻度；Ctrl+0 自动缩放。N 添加备注，F 显示全部数据，End 返回最新样本</translation>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
+        <translation>A 和 B 放置游标。左右键移动当前游标，上下键选择游标读取的信号。H 隐藏该信号的曲线；Ctrl+Delete 移除曲线。加号和减号改变时间范围，按住 Ctrl 改变数值刻度；Ctrl+0 自动缩放。N 添加备注，F 显示全部数据，End 返回最新样本。</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -8105,15 +8105,15 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>%1中的 TCP 位姿</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
-        <translation>方向按设置显示。Δ₀：自归零起的位移。点击显示自上次运动开始起的位移</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <translation>方向按设置显示。Δ₀：自归零起的位移。点击显示自上次运动开始起的位移。</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
-        <translation>方向按设置显示。Δ：自上次运动开始起的位移。点击在此处归零</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <translation>方向按设置显示。Δ：自上次运动开始起的位移。点击在此处归零。</translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation>法兰坐标系中的 TCP：%1</translation>
     </message>
 </context>
@@ -8145,9 +8145,9 @@ Press Measure… to measure the payload with the arm.</source>
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation>还没有位置。
-把机械臂点动到某处，按“此处设为原位”或“在此添加”。</translation>
+把机械臂点动到某处，按“此处设为原位”或“添加位置”。</translation>
     </message>
     <message>
         <source>Safe height</source>
@@ -8174,8 +8174,8 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>此处设为原位</translation>
     </message>
     <message>
-        <source>Add here</source>
-        <translation>在此添加</translation>
+        <source>Add position</source>
+        <translation>添加位置</translation>
     </message>
     <message>
         <source>Store the current position of the arm</source>
@@ -8332,7 +8332,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>力 Fz（牛顿）</translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation>输入数值，按回车</translation>
     </message>
     <message>
@@ -8870,7 +8870,7 @@ Release the button to stop the arm.</source>
         <translation>项目使用 TCP“%1”。机器人当前的 TCP 相差 %2。</translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation>项目与已连接的机器人相符。</translation>
     </message>
     <message>
@@ -8973,11 +8973,11 @@ Release the button to stop the arm.</source>
         <translation>未选择文件</translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation>%1 — 已在另一个窗口中打开，此处的更改不会保存</translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation>%1 — 已被其他程序更改，此处的更改不会保存</translation>
     </message>
     <message>
@@ -9059,16 +9059,16 @@ Release the button to stop the arm.</source>
         <translation>整数 %1</translation>
     </message>
     <message>
-        <source>Number %1</source>
-        <translation>数值 %1</translation>
+        <source>Float %1</source>
+        <translation>浮点 %1</translation>
     </message>
     <message>
         <source>Int</source>
         <translation>整数</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>数值</translation>
+        <source>Float</source>
+        <translation>浮点</translation>
     </message>
     <message>
         <source>Bit</source>
@@ -9102,8 +9102,8 @@ Release the button to stop the arm.</source>
         <translation>返回实时</translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>显示机器人的当前状态。录制仍在曲线图中打开</translation>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
+        <translation>显示机器人的当前状态。录制仍在曲线图中打开。</translation>
     </message>
 </context>
 <context>
@@ -9202,7 +9202,7 @@ Release the button to stop the arm.</source>
         <translation>程序：%1</translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation>程序错误，第 %1 行第 %2 列：%3</translation>
     </message>
     <message>
@@ -9242,8 +9242,8 @@ Release the button to stop the arm.</source>
         <translation>仅监视：此窗口不更改机器人的任何状态。STOP 仍然有效。</translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
-        <translation>仅监视已关闭</translation>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
+        <translation>“仅监视”已关闭。可以向机器人发送命令。</translation>
     </message>
     <message>
         <source>%1: refused. %2</source>
@@ -9284,7 +9284,7 @@ Release the button to stop the arm.</source>
         <translation>其他客户端的程序已接管机器人。获取控制权会结束该程序。</translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation>为获取控制权，正在停止其他客户端的程序。</translation>
     </message>
     <message>
@@ -9343,19 +9343,19 @@ Release the button to stop the arm.</source>
         <translation>%1 失败。%2</translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation>%1:%2 处没有夹爪应答。请在机器人上安装 Robotiq 的 URCap，并在其安装设置中选择夹爪。</translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>夹爪不应答。检查手腕处的电缆和机器人安装设置中的页面；若仍如此，重启机器人。</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
+        <translation>夹爪不应答。检查手腕处的电缆和机器人安装设置中夹爪的页面。若问题仍存在，请重启机器人。</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>机器人结束了与夹爪的连接，可能正在重启。会自行恢复；夹爪继续夹持。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>夹爪没有接受命令。请激活它；若已激活，请检查机器人安装设置中的页面。</translation>
     </message>
     <message>
@@ -9586,7 +9586,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation>机械臂视图</translation>
     </message>
     <message>
@@ -9690,7 +9690,7 @@ Release the button to stop the arm.</source>
         <translation>搜索信号</translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation>机器人的信号</translation>
     </message>
     <message>
@@ -9698,8 +9698,8 @@ Release the button to stop the arm.</source>
         <translation>新建：|F| [N] = norm(…)</translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
-        <translation>由其他信号计算的信号</translation>
+        <source>Derived signal</source>
+        <translation>派生信号</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
@@ -9867,7 +9867,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP</translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation>相对于法兰。按回车应用到项目。机器人的 TCP 不变。</translation>
     </message>
     <message>
@@ -10014,24 +10014,24 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>示教 TCP</translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
-        <translation>取一个用于旋转的位姿</translation>
+        <source>Record pose for the tool orientation</source>
+        <translation>取一个用于方向的位姿</translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
-        <translation>工具的旋转</translation>
+        <source>Tool orientation</source>
+        <translation>工具方向</translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
-        <translation>保持当前旋转</translation>
+        <source>Keep current orientation</source>
+        <translation>保持当前方向</translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
-        <translation>由一个位姿定旋转：工具竖直向下</translation>
+        <source>Orientation from one pose: tool straight down</source>
+        <translation>由一个位姿定方向：工具竖直向下</translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
-        <translation>由三个位姿定旋转：沿 +Z，朝 +X</translation>
+        <source>Orientation from three poses: along +Z, towards +X</source>
+        <translation>由三个位姿定方向：沿 +Z，朝 +X</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10060,16 +10060,16 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
-        <translation>工具保持当前旋转。</translation>
+        <source>The tool keeps the current orientation.</source>
+        <translation>工具保持当前方向。</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>转动工具，使其竖直向下且 X 轴与基座 X 轴平行，然后取位姿。</translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>已取旋转。再取一次即可替换。</translation>
+        <source>Orientation recorded. Record it again to replace it.</source>
+        <translation>已取方向。再取一次即可替换。</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
@@ -10084,8 +10084,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>现在沿工具的 +X 方向移动至少 %1，然后取位姿。</translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>已取旋转：沿 +Z %1，沿 +X %2；法兰最大转动 %3（位姿 %4）。</translation>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>已取方向：沿 +Z %1，沿 +X %2；法兰最大转动 %3（位姿 %4）。</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
@@ -10211,7 +10211,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>所选路点</translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation>路点的坐标系</translation>
     </message>
     <message>
@@ -10344,8 +10344,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>导出路点</translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
-        <translation>逗号分隔 (*.csv);;JSON (*.json)</translation>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
+        <translation>CSV 文件 (*.csv);;JSON 文件 (*.json)</translation>
     </message>
     <message>
         <source>Import failed</source>
@@ -10488,11 +10488,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>动作：MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation>MoveJ 速度：%1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation>MoveL 速度：%1 → %2</translation>
     </message>
     <message>
@@ -10528,8 +10528,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>此更改之前的版本与当前版本相同。</translation>
     </message>
     <message>
-        <source>Before this change:</source>
-        <translation>此前为：</translation>
+        <source>Changes from the version before this change to the current version:</source>
+        <translation>从此更改之前的版本到当前版本的变化：</translation>
     </message>
 </context>
 <context>
@@ -10701,8 +10701,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
-        <translation>✕ 机械臂</translation>
+        <source>✕ model</source>
+        <translation>✕ 型号</translation>
     </message>
     <message>
         <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
@@ -10774,11 +10774,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>移动</translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation>MoveJ 速度</translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation>MoveL 速度</translation>
     </message>
     <message>
@@ -10872,16 +10872,16 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>偏移 %1</translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
-        <translation>绕或沿</translation>
+        <source>Rotation axis or mirror normal</source>
+        <translation>旋转轴或镜像法线</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
-        <translation>机械臂无法到达这些位姿：%1。不会移动任何路点。</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <translation>移动后机械臂无法到达这些路点：%1。请选择较小的平移或旋转。不会移动任何路点。</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another frame.</source>
@@ -10937,7 +10937,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation>还没有路点。
 把机械臂点动到某处，按“在此示教” (T)。</translation>
     </message>
@@ -11144,7 +11144,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>连接</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>移动真实机械臂之前：不要让任何人进入可达范围，紧急停止在手边，检查有效负载和 TCP，慢速开始。此窗口的 STOP 不是紧急停止。</translation>
     </message>
     <message>
@@ -11732,19 +11732,19 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>将面板移到主窗口的这一侧。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>将 %1 移到左侧</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>将 %1 移到右侧</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>将 %1 移到顶部</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>将 %1 移到底部</translation>
     </message>
     <message>
@@ -11760,8 +11760,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>机器人上程序的名称，例如 pick.urp</translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
-        <translation>速度上限 %1</translation>
+        <source>Speed cap set to %1</source>
+        <translation>速度上限已设为 %1</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
@@ -11914,8 +11914,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Change during a program</source>
-        <translation>程序运行期间的更改</translation>
+        <source>Change while a program is active</source>
+        <translation>程序处于活动状态时的更改</translation>
     </message>
 </context>
 <context>
@@ -12008,7 +12008,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>视角布局 %1。选择面板排列，或保存当前排列。</translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation>视角布局的名称</translation>
     </message>
     <message>
@@ -12083,7 +12083,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>名称太长。</translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>视角布局已达上限。请先删除一个。</translation>
     </message>
     <message>
@@ -12215,7 +12215,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>您做了什么？期望什么？发生了什么？</translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation>报告中的文件</translation>
     </message>
     <message>

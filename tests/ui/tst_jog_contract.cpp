@@ -108,7 +108,7 @@ private Q_SLOTS:
                                "frame changes",
                                "motion class changes",
                                "speed class changes",
-                               "second button",
+                               "another button or key pressed",
                                "Esc",
                                "Space",
                                "key hidden"};

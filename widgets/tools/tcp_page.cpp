@@ -70,8 +70,8 @@ TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* pare
     , document_(document)
     , state_(session.state())
     , pose_(new PoseEditor(QStringLiteral("tcp.details"), tr("TCP"),
-                           tr("Relative to the flange. Press Return to apply to the project. The robot's TCP "
-                              "does not change.")))
+                           tr("Relative to the flange. Press Return to apply the value to the project. The "
+                              "robot's TCP does not change.")))
     , facts_(new QLabel)
     , teacher_(new TcpTeacher(this)) {
     teacher_->hide();

@@ -203,7 +203,7 @@ QString PatternDialog::problem() const {
     const Eigen::Vector3d acrossRows = pattern_.rowEnd - origin;
     if (pattern_.columns > 1 && pattern_.rows > 1 &&
         alongRow.cross(acrossRows).norm() < kMinSide * std::max(alongRow.norm(), acrossRows.norm())) {
-        return tr("The three corners are on one line. Select another waypoint for one of them.");
+        return tr("The three corners are on a straight line. Select a different waypoint for one of them.");
     }
     if (layerStep_->isRefused()) {
         return tr("Invalid layer height.");

@@ -49,10 +49,10 @@ QString ProjectStore::statusText() const {
         return modified_ ? tr("project not saved to a file") : QString();
     }
     if (obstacle_ == Obstacle::OpenElsewhere) {
-        return tr("%1 — open in another window, changes here are not saved").arg(name());
+        return tr("%1 — open in another window; changes here are not saved").arg(name());
     }
     if (obstacle_ == Obstacle::ChangedByOther) {
-        return tr("%1 — changed by another program, changes here are not saved").arg(name());
+        return tr("%1 — changed by another program; changes here are not saved").arg(name());
     }
     if (lastError_.code != ErrorCode::None) {
         const QString why = lastError_.code == ErrorCode::DiskFull   ? tr("disk full")

@@ -56,8 +56,8 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
         return Error{
             context.code, context.context,
             QCoreApplication::translate("tiller::PlotDock",
-                                        "The range has too many values for an export from the window. Export "
-                                        "a shorter range, or use tiller-cli export.")};
+                                        "The range contains too many values to export from this window. "
+                                        "Export a shorter range, or run “tiller-cli export”.")};
     }
     const auto report = recording::exportRecording(*selected, choice);
     return report ? Result<std::int64_t>(static_cast<std::int64_t>(report->rows)) : report.error();

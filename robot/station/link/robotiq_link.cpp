@@ -294,13 +294,13 @@ QString RobotiqLink::errorText(const Error& error) const {
     switch (error.code) {
         case ErrorCode::ConnectionRefused:
             return tr("No gripper service responds at %1:%2. Install Robotiq's URCap on the robot and select "
-                      "the gripper in its Installation.")
+                      "the gripper in the robot's installation.")
                 .arg(host_)
                 .arg(port_);
         case ErrorCode::Timeout:
             return tr(
-                "The gripper does not respond. Check its cable at the wrist and its page in the robot's "
-                "Installation; restart the robot if the problem persists.");
+                "The gripper is not responding. Check the cable at the wrist and the gripper's page in the "
+                "robot's installation. If the problem persists, restart the robot.");
         case ErrorCode::ConnectionClosed:
         case ErrorCode::NotConnected:
             return tr(
@@ -308,8 +308,8 @@ QString RobotiqLink::errorText(const Error& error) const {
                 "automatically; the gripper keeps its grip.");
         case ErrorCode::Rejected:
             return tr(
-                "The gripper did not accept the command. Activate it; if it is active, check its page in the "
-                "robot's Installation.");
+                "The gripper did not accept the command. Activate it. If it is active, check the gripper's "
+                "page in the robot's installation.");
         default:
             return texts::errorText(error);
     }
