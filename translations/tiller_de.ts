@@ -577,7 +577,7 @@
         <translation>Einige Werte und die Register zum Steuern fehlen. Aktualisieren Sie die Software des Roboters auf %1.%2 oder neuer.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Prüfen Sie den Arm, beseitigen Sie die Ursache und stellen Sie den Betrieb wieder her: „Wiederherstellen…“ in der Kopfzeile oder am Teach-Pendant.</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>Programm pausiert</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>Setzen Sie die unterbrochene Bewegung mit „Abspielen“ fort, oder stoppen Sie das Programm, um sie zu verwerfen.</translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation>Warte auf den Stopp.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>Der Arm ist in einem Schutzstopp. Drücken Sie „Wiederherstellen…“ in der Kopfzeile.</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>„%1“ wurde nicht mit dem Arm geteacht: Der TCP war nie an seinem Ursprung.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>Der Wegpunkt wurde gelöscht. Drücken Sie „Start“, um einen neuen hinzuzufügen.</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>Diese Aufzeichnung ist zu kurz. Zeichnen Sie erneut auf.</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>Noch keine Aufzeichnung. Drücken Sie „Aufzeichnen“ über den Diagrammen.</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>Aufzeichnen und messen</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>Drücken Sie „Start“, um eine Kollision mit Schutzstopp zu simulieren. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Teachen Sie im Register Koordinatensysteme ein Koordinatensystem aus drei Punkten. Seine X-Achse muss entlang Y+ der Basis zeigen, seine Z-Achse nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter in Y+, dann einen Punkt weiter in X−.</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Drücken Sie „Start“, um an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzuzufügen. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>Fahren Sie nach außen, weg von der Basis, bis eine Grenze die Geschwindigkeit halbiert. Die Zeile unter dem Tastenfeld nennt die Grenze und wie Sie sie verlassen. Fahren Sie dann um %1 zurück.</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Drücken Sie „Start“, um eine Hand zu simulieren, die von oben auf das Werkzeug drückt. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
     </message>
     <message>
         <source>part</source>
         <translation>Teil</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>%1 schreiben</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>Analogausgang %1: %2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>Eingangsregister %1: %2</translation>
+        <source>Input int register %1</source>
+        <translation>Int-Eingangsregister %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,8 @@
         <translation>Der Roboter hat den Impuls von %1 nicht beendet, weil sein Programm gestoppt oder angehalten wurde. Tiller schaltet den Ausgang aus.</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>Eingangsregister %1</translation>
+        <source>Input float register %1</source>
+        <translation>Float-Eingangsregister %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -6602,10 +6595,6 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Details des gewählten Eintrags</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>%1 schreiben</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>Das Protokoll exportieren</translation>
     </message>
@@ -6848,7 +6837,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>○ Bahn</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>Die Bahn des Arms wird aufgezeichnet. Wählen Sie „Bahnaufzeichnung beenden“, um sie zu beenden.</translation>
     </message>
 </context>
@@ -7388,7 +7377,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>Noch keine Nutzlasten.
 Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translation>
     </message>
@@ -7706,8 +7695,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>nach %1 exportieren</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>exportieren: In diesem Bereich gibt es keine Werte</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>In diesem Bereich gibt es keine Messwerte. Wählen Sie einen anderen Bereich und exportieren Sie dann erneut.</translation>
     </message>
     <message>
         <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
@@ -7772,10 +7761,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     <message>
         <source>Memory for the history</source>
         <translation>Speicher für den Verlauf</translation>
-    </message>
-    <message>
-        <source>save the layout to %1</source>
-        <translation>das Layout nach %1 speichern</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -8323,11 +8308,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Der Arm wurde vom Sicherheitssystem gestoppt. Stellen Sie zuerst den Betrieb wieder her.</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>Erledigt. Drücken Sie „Start“, um die Aufgabe zu wiederholen.</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>Drücken Sie Start.</translation>
     </message>
 </context>
@@ -8991,8 +8976,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 — gespeichert</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>keine Datei gewählt</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>Für das Projekt ist keine Datei gewählt. Speichern Sie das Projekt zuerst in einer Datei.</translation>
     </message>
     <message>
         <source>%1 — open in another window; changes here are not saved</source>
@@ -9007,20 +8992,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ungespeichertes Projekt</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>%1 speichern</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>die Datei ist in einem anderen Fenster geöffnet (%1)</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 ist in einem anderen Fenster geöffnet (%2). Schließen Sie die Datei dort, oder speichern Sie unter einem anderen Namen.</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>ein anderes Programm</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>ein anderes Programm hat die Datei geändert</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>%1 wurde von einem anderen Programm geändert. Laden Sie die Datei neu, oder speichern Sie unter einem anderen Namen.</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9347,7 +9328,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer ist aktiv</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>Der Greifer wurde nicht aktiviert. Prüfen Sie, ob etwas seine Finger blockiert, und drücken Sie dann erneut „Aktivieren“.</translation>
     </message>
     <message>
@@ -9387,43 +9368,43 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer wird aktiviert; der Befehl wird danach ausgeführt.</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>Der Greifer hat einen Bewegungsbefehl erhalten, bevor er aktiv war. Drücken Sie „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>Der Greifer ist zu heiß. Lassen Sie ihn abkühlen, dann drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>Der Greifer hat eine Sekunde lang keinen Befehl erhalten. Prüfen Sie sein Kabel am Handgelenk und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>Die Versorgungsspannung des Greifers ist zu niedrig. Stellen Sie die Werkzeugspannung auf 24 V und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>Das automatische Lösen des Greifers läuft. Warten Sie, bis es abgeschlossen ist, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>Das automatische Lösen des Greifers ist abgeschlossen. Drücken Sie „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>Der Greifer hat einen internen Fehler. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, wenden Sie sich an Robotiq.</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>Die Aktivierung ist fehlgeschlagen. Prüfen Sie, ob etwas die Finger blockiert, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>Der Greifer nimmt zu viel Strom auf. Prüfen Sie, ob etwas die Finger blockiert, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>Der Greifer meldet Fehler %1. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, lesen Sie sein Handbuch.</translation>
     </message>
 </context>
@@ -9688,12 +9669,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Roboter kann nicht so viele Signale auf einmal senden: Entfernen Sie zuerst andere Signale.</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>%1 öffnen</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>Die Aufzeichnung ist leer.</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>Die Aufzeichnung %1 enthält keine Messwerte. Öffnen Sie eine andere Aufzeichnung.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9883,7 +9860,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>Noch keine TCPs.
 Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen…“, um einen mit dem Arm zu teachen.</translation>
     </message>
@@ -11246,8 +11223,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>den Ordner %1 anlegen: Wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden. Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11306,8 +11283,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>die Bildschirmfotos aufnehmen</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>die Bildschirmfotos nach %1 schreiben</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>Die Bildschirmfotos können nicht nach %1 geschrieben werden. Prüfen Sie die Berechtigungen des Ordners und den freien Speicherplatz.</translation>
     </message>
     <message>
         <source>stop recording</source>

@@ -629,7 +629,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2110,18 +2110,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>part</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3252,7 +3245,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
+        <source>Input int register %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3284,7 +3277,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Input register %1</source>
+        <source>Input float register %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6595,10 +6588,6 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6841,7 +6830,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7381,7 +7370,7 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7512,7 +7501,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7763,10 +7752,6 @@ Press Measure… to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Memory for the history</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>save the layout to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8314,11 +8299,11 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8974,7 +8959,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no file chosen</source>
+        <source>No file is selected for the project. Save the project to a file first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8994,11 +8979,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9006,7 +8987,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>another program has changed it</source>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9334,7 +9315,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9374,43 +9355,43 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9675,11 +9656,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
+        <source>The recording %1 contains no samples. Open another recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9870,7 +9847,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11231,7 +11208,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11291,7 +11268,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -577,7 +577,7 @@
         <translation>Faltan algunos valores y los registros para el control. Actualice el software del robot a %1.%2 o posterior.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Inspeccione el brazo, elimine la causa y recupérelo: pulse «Recuperar…» en la cabecera o use la consola portátil.</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>Programa en pausa</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>Pulse Reproducir para continuar el movimiento interrumpido, o detenga el programa para descartarlo.</translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation>Esperando la parada.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>El brazo está en parada de protección. Pulse «Recuperar…» en la cabecera.</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>«%1» no se enseñó con el brazo: el TCP nunca estuvo en su origen.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>El punto de paso se eliminó. Pulse Iniciar para añadir uno nuevo.</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>Esa grabación es demasiado corta. Grabe de nuevo.</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>Aún no hay grabación. Pulse «Grabar» sobre los gráficos.</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>Grabar y medir</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>Pulse Iniciar para simular un choque que provoca una parada de protección. Averigüe qué detuvo el brazo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas de coordenadas. Su eje X debe apuntar en Y+ de la base y su eje Z hacia arriba: tome el origen, después un punto más allá en Y+ y otro más allá en X−.</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Pulse Iniciar para añadir un punto de paso «pieza» en la posición actual del brazo. Después la pieza se desplaza %1 en X+ de la base. Mueva el brazo allí, seleccione el punto y retóquelo (U).</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo los botones indica el límite y cómo salir de él. Después vuelva %1.</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Pulse Iniciar para simular una mano que presiona la herramienta desde arriba. Grabe al menos tres segundos y detenga la grabación. Lea la fuerza Fz en los gráficos e introdúzcala.</translation>
     </message>
     <message>
         <source>part</source>
         <translation>pieza</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>escribir %1</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>Salida analógica %1: %2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>Registro de entrada %1: %2</translation>
+        <source>Input int register %1</source>
+        <translation>Registro de entrada entero %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,8 @@
         <translation>El robot no terminó el impulso de %1 porque su programa se detuvo o quedó en pausa. Tiller desactiva la salida.</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>Registro de entrada %1</translation>
+        <source>Input float register %1</source>
+        <translation>Registro de entrada real %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -6602,10 +6595,6 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Detalles de la entrada seleccionada</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>escribir %1</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>Exportar el registro</translation>
     </message>
@@ -6848,7 +6837,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>○ Ruta</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>Se está grabando la trayectoria del brazo. Seleccione el mismo comando para terminar.</translation>
     </message>
 </context>
@@ -7388,7 +7377,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>Aún no hay cargas.
 Pulse Medir… para medir la carga con el brazo.</translation>
     </message>
@@ -7706,8 +7695,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>exportar a %1</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>exportar: no hay muestras en este intervalo</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>No hay muestras en este intervalo. Seleccione otro intervalo y exporte de nuevo.</translation>
     </message>
     <message>
         <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
@@ -7772,10 +7761,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     <message>
         <source>Memory for the history</source>
         <translation>Memoria para el historial</translation>
-    </message>
-    <message>
-        <source>save the layout to %1</source>
-        <translation>guardar la disposición en %1</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -8323,11 +8308,11 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>El sistema de seguridad detuvo el brazo. Recupérelo primero.</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>Hecho. Pulse Iniciar para repetir la tarea.</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>Pulse Iniciar.</translation>
     </message>
 </context>
@@ -8991,8 +8976,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>%1 — guardado</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>ningún archivo elegido</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>No hay ningún archivo elegido para el proyecto. Guarde primero el proyecto en un archivo.</translation>
     </message>
     <message>
         <source>%1 — open in another window; changes here are not saved</source>
@@ -9007,20 +8992,16 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Proyecto sin guardar</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>guardar %1</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>está abierto en otra ventana (%1)</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 está abierto en otra ventana (%2). Ciérrelo allí o guarde con otro nombre.</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>otro programa</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>otro programa lo ha cambiado</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>Otro programa ha cambiado %1. Vuelva a cargarlo o guarde con otro nombre.</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9347,7 +9328,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La pinza está activa</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>La pinza no se activó. Compruebe que nada bloquea sus dedos y pulse Activar de nuevo.</translation>
     </message>
     <message>
@@ -9387,43 +9368,43 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La pinza se está activando; la orden se ejecuta después.</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>La pinza recibió una orden de movimiento antes de estar activa. Pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>La pinza está demasiado caliente. Déjela enfriar y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>La pinza no recibió ninguna orden durante un segundo. Compruebe su cable en la muñeca y pulse Activar.</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>La tensión de alimentación de la pinza es demasiado baja. Ajuste la tensión de la herramienta a 24 V y pulse Activar.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>La liberación automática de la pinza está en curso. Espere a que termine y pulse Activar.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>La liberación automática de la pinza ha terminado. Pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>La pinza tiene un fallo interno. Pulse Activar; si el fallo vuelve, contacte con Robotiq.</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>La activación falló. Compruebe que nada bloquea los dedos y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>La pinza consume demasiada corriente. Compruebe que nada bloquea los dedos y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>La pinza comunica el fallo %1. Pulse Activar; si el fallo vuelve, consulte su manual.</translation>
     </message>
 </context>
@@ -9688,12 +9669,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El robot no puede enviar tantas señales a la vez: quite primero otras señales.</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>abrir %1</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>La grabación está vacía.</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>La grabación %1 no contiene muestras. Abra otra grabación.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9883,7 +9860,7 @@ Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>Aún no hay TCP.
 Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar uno con el brazo.</translation>
     </message>
@@ -11246,8 +11223,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>crear la carpeta %1: elija una carpeta en la que tenga permiso para escribir</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>No se puede crear la carpeta %1. Elija una carpeta en la que tenga permiso para escribir.</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11306,8 +11283,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>tomar las capturas de pantalla</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>escribir las capturas de pantalla en %1</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>No se pueden escribir las capturas de pantalla en %1. Compruebe los permisos de la carpeta y el espacio libre en disco.</translation>
     </message>
     <message>
         <source>stop recording</source>

@@ -577,7 +577,7 @@
         <translation>Des valeurs et les registres de commande manquent. Mettez le logiciel du robot à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Inspectez le bras, éliminez la cause, puis rétablissez : appuyez sur « Rétablir… » dans l’en-tête ou utilisez le pupitre.</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>Programme en pause</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>Appuyez sur Lecture pour poursuivre le mouvement interrompu, ou arrêtez le programme pour l’abandonner.</translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation>En attente de l’arrêt.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>Le bras est en arrêt de protection. Appuyez sur « Rétablir… » dans l’en-tête.</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>« %1 » n’a pas été appris avec le bras : le TCP n’a jamais été à son origine.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>Le point de passage a été supprimé. Appuyez sur Démarrer pour en ajouter un nouveau.</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>Cet enregistrement est trop court. Recommencez.</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>Pas encore d’enregistrement. Appuyez sur « Enregistrer » au-dessus des tracés.</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>Enregistrer et mesurer</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>Appuyez sur Démarrer pour simuler une collision qui provoque un arrêt de protection. Trouvez ce qui a arrêté le bras, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Apprenez un repère à partir de trois points dans l’onglet Repères. Son axe X doit pointer selon Y+ de la base et son axe Z vers le haut : prenez l’origine, puis un point plus loin selon Y+, puis un point plus loin selon X−.</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Appuyez sur Démarrer pour ajouter un point de passage « pièce » à la position actuelle du bras. La pièce se déplace ensuite de %1 selon X+ de la base. Allez-y, sélectionnez le point et retouchez-le (U).</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>Déplacez vers l’extérieur, loin de la base, jusqu’à ce qu’une limite réduise la vitesse de moitié. La ligne sous le pavé nomme la limite et la façon d’en sortir. Revenez ensuite de %1.</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Appuyez sur Démarrer pour simuler une main qui appuie sur l’outil par le haut. Enregistrez au moins trois secondes, puis arrêtez. Lisez la force Fz dans les tracés et saisissez-la.</translation>
     </message>
     <message>
         <source>part</source>
         <translation>pièce</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>écrire %1</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>Sortie analogique %1 : %2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>Registre d’entrée %1 : %2</translation>
+        <source>Input int register %1</source>
+        <translation>Registre d’entrée entier %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,8 @@
         <translation>Le robot n’a pas terminé l’impulsion de %1 parce que son programme a été arrêté ou mis en pause. Tiller désactive la sortie.</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>Registre d’entrée %1</translation>
+        <source>Input float register %1</source>
+        <translation>Registre d’entrée réel %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -6602,10 +6595,6 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Détails de l’entrée sélectionnée</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>écrire %1</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>Exporter le journal</translation>
     </message>
@@ -6848,7 +6837,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>○ Trajet</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>La trajectoire du bras est enregistrée. Sélectionnez la même commande pour terminer.</translation>
     </message>
 </context>
@@ -7388,7 +7377,7 @@ Clic droit ou F2 pour renommer.</translation>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>Aucune charge.
 Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     </message>
@@ -7706,8 +7695,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>exporter vers %1</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>exporter : il n’y a pas de valeurs dans cette plage</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>Il n’y a pas d’échantillons dans cette plage. Sélectionnez une autre plage, puis exportez de nouveau.</translation>
     </message>
     <message>
         <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
@@ -7772,10 +7761,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     <message>
         <source>Memory for the history</source>
         <translation>Mémoire pour l’historique</translation>
-    </message>
-    <message>
-        <source>save the layout to %1</source>
-        <translation>enregistrer la disposition dans %1</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -8323,11 +8308,11 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Le système de sécurité a arrêté le bras. Rétablissez-le d’abord.</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>Terminé. Appuyez sur Démarrer pour répéter l’exercice.</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>Appuyez sur Démarrer.</translation>
     </message>
 </context>
@@ -8991,8 +8976,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>%1 — enregistré</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>aucun fichier choisi</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>Aucun fichier n’est choisi pour le projet. Enregistrez d’abord le projet dans un fichier.</translation>
     </message>
     <message>
         <source>%1 — open in another window; changes here are not saved</source>
@@ -9007,20 +8992,16 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Projet non enregistré</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>enregistrer %1</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>il est ouvert dans une autre fenêtre (%1)</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 est ouvert dans une autre fenêtre (%2). Fermez-le dans cette fenêtre ou enregistrez sous un autre nom.</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>un autre programme</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>un autre programme l’a modifié</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>%1 a été modifié par un autre programme. Rechargez-le ou enregistrez sous un autre nom.</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9347,7 +9328,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>La pince est active</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>La pince n’a pas été activée. Vérifiez que rien ne bloque ses doigts, puis appuyez de nouveau sur Activer.</translation>
     </message>
     <message>
@@ -9387,43 +9368,43 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>La pince s’active ; la commande est exécutée ensuite.</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>La pince a reçu une commande de mouvement avant d’être active. Appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>La pince est trop chaude. Laissez-la refroidir, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>La pince n’a reçu aucune commande pendant une seconde. Vérifiez son câble au poignet, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>La tension d’alimentation de la pince est trop basse. Réglez la tension de l’outil à 24 V, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>L’ouverture automatique de la pince est en cours. Attendez la fin, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>L’ouverture automatique de la pince est terminée. Appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>La pince a un défaut interne. Appuyez sur Activer ; si le défaut revient, contactez Robotiq.</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>L’activation a échoué. Vérifiez que rien ne bloque les doigts, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>La pince consomme trop de courant. Vérifiez que rien ne bloque les doigts, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>La pince signale le défaut %1. Appuyez sur Activer ; si le défaut revient, consultez son manuel.</translation>
     </message>
 </context>
@@ -9688,12 +9669,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le robot ne peut pas envoyer autant de signaux à la fois : retirez d’abord d’autres signaux.</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>ouvrir %1</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>L’enregistrement est vide.</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>L’enregistrement %1 ne contient aucun échantillon. Ouvrez un autre enregistrement.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9883,7 +9860,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>Pas encore de TCP.
 Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre… » pour en apprendre un avec le bras.</translation>
     </message>
@@ -11246,8 +11223,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>créer le dossier %1 : choisissez un dossier où vous avez le droit d’écrire</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>Impossible de créer le dossier %1. Choisissez un dossier où vous avez le droit d’écrire.</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11306,8 +11283,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>prendre les captures d’écran</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>écrire les captures d’écran dans %1</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>Impossible d’écrire les captures d’écran dans %1. Vérifiez les droits du dossier et l’espace disque libre.</translation>
     </message>
     <message>
         <source>stop recording</source>

@@ -577,7 +577,7 @@
         <translation>いくつかの値と制御用レジスターがありません。ロボットを %1.%2 以降に更新してください。</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>アームを点検して原因を取り除き、復旧してください：ヘッダーの「復旧…」を押すか、ティーチペンダントを使います。</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>プログラム一時停止</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>再生すると中断した動作を続けます。破棄するにはプログラムを停止してください。</translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation>停止を待っています。</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>アームは保護停止中です。ヘッダーの「復旧」を押してください。</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>「%1」はアームで教示されていません：TCP が原点に位置したことがありません。</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>ウェイポイントは削除されました。「開始」を押すと新しく追加します。</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>その記録は短すぎます。もう一度記録してください。</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>まだ記録がありません。グラフの上の「記録」を押してください。</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>記録と計測</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>「開始」を押すと、保護停止を起こす衝突をシミュレートします。アームが停止した原因を調べ、5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を記録します。</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>「開始」を押すと、アームの現在位置にウェイポイント「部品」を追加します。その後、部品はベースの X+ 方向に %1 動きます。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>限界で速度が半分になるまで、ベースから外側へジョグしてください。パッドの下の行に限界と抜け出し方が表示されます。その後 %1 戻ってください。</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>「開始」を押すと、ツールを上から押す手をシミュレートします。3 秒以上記録して停止してください。グラフで力 Fz を読み取り、入力してください。</translation>
     </message>
     <message>
         <source>part</source>
         <translation>部品</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>%1 を書き込む</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>アナログ出力 %1：%2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>入力レジスター %1：%2</translation>
+        <source>Input int register %1</source>
+        <translation>整数入力レジスター %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,8 @@
         <translation>プログラムが停止または一時停止されたため、ロボットは%1のパルスを終了しませんでした。Tillerが出力をオフにします。</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>入力レジスター %1</translation>
+        <source>Input float register %1</source>
+        <translation>実数入力レジスター %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -6594,10 +6587,6 @@ Right-click or press F2 to rename it.</source>
         <translation>選択した項目の詳細</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>%1 を書き込む</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>ログをエクスポート</translation>
     </message>
@@ -6839,7 +6828,7 @@ Right-click or press F2 to rename it.</source>
         <translation>○ 経路</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>アームの経路を記録しています。終了するには経路記録の停止を選択してください。</translation>
     </message>
 </context>
@@ -7375,7 +7364,7 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>ペイロードはまだありません。
 「測定…」を押すと、アームでペイロードを測定します。</translation>
     </message>
@@ -7689,8 +7678,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>%1 にエクスポート</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>エクスポート：この範囲にサンプルがありません</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>この範囲にサンプルがありません。別の範囲を選んでから、もう一度エクスポートしてください。</translation>
     </message>
     <message>
         <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
@@ -7755,10 +7744,6 @@ Press Measure… to measure the payload with the arm.</source>
     <message>
         <source>Memory for the history</source>
         <translation>履歴用メモリー</translation>
-    </message>
-    <message>
-        <source>save the layout to %1</source>
-        <translation>配置を %1 に保存する</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -8305,11 +8290,11 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>アームは安全システムにより停止しています。先に復旧してください。</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>完了。「開始」を押すと課題を繰り返せます。</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>開始を押してください。</translation>
     </message>
 </context>
@@ -8969,8 +8954,8 @@ Release the button to stop the arm.</source>
         <translation>%1 — 保存済み</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>ファイル未選択</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>プロジェクトのファイルが選択されていません。先にプロジェクトをファイルに保存してください。</translation>
     </message>
     <message>
         <source>%1 — open in another window; changes here are not saved</source>
@@ -8985,20 +8970,16 @@ Release the button to stop the arm.</source>
         <translation>未保存のプロジェクト</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>%1を保存</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>別のウィンドウで開かれています（%1）</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 は別のウィンドウで開かれています（%2）。そこで閉じるか、別の名前で保存してください。</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>別のプログラム</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>別のプログラムが変更しました</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>%1 は別のプログラムによって変更されました。再読み込みするか、別の名前で保存してください。</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9323,7 +9304,7 @@ Release the button to stop the arm.</source>
         <translation>グリッパーは有効です</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>グリッパーが有効になりませんでした。指を妨げるものがないか見て、もう一度「有効化」を押してください。</translation>
     </message>
     <message>
@@ -9363,43 +9344,43 @@ Release the button to stop the arm.</source>
         <translation>グリッパーを有効化中です。指令はその後に実行されます。</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>グリッパーは有効になる前に動作指令を受けました。「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>グリッパーが熱すぎます。冷ましてから「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>グリッパーに 1 秒間指令が届きませんでした。手首のケーブルを確認し、「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>グリッパーの電圧が低すぎます。ツール電圧を 24 V にして「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>グリッパーの自動解放中です。終わるのを待って「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>グリッパーの自動解放が終わりました。「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>グリッパーの内部故障です。「有効化」を押してください。再発したら Robotiq に問い合わせてください。</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>有効化に失敗しました。指を妨げるものがないか見て「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>グリッパーの電流が大きすぎます。指を妨げるものがないか見て「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>グリッパーが故障 %1 を報告しています。「有効化」を押してください。再発したら説明書を見てください。</translation>
     </message>
 </context>
@@ -9663,12 +9644,8 @@ Release the button to stop the arm.</source>
         <translation>ロボットが一度に送れる信号を超えます：先に他を外してください。</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>%1 を開く</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>記録は空です。</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>記録 %1 にサンプルがありません。別の記録を開いてください。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9858,7 +9835,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>TCP はまだありません。
 「ロボットから」で現在のものを採用するか、「教示…」でアームで求めてください。</translation>
     </message>
@@ -11207,8 +11184,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>フォルダー %1 の作成：書き込み権限のあるフォルダーを選んでください</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>フォルダー %1 を作成できません。書き込み権限のあるフォルダーを選んでください。</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11267,8 +11244,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>画面写真を撮る</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>画面写真を %1 に書く</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>スクリーンショットを %1 に書き込めません。フォルダーの権限とディスクの空き容量を確認してください。</translation>
     </message>
     <message>
         <source>stop recording</source>

@@ -577,7 +577,7 @@
         <translation>缺少一些数值和用于控制的寄存器。请将机器人更新到 %1.%2 或更新版本。</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>检查机械臂，消除原因，然后恢复：按页眉中的“恢复…”，或使用示教器。</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>程序已暂停</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>按“播放”继续被中断的动作，或停止程序以放弃它。</translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation>等待停止。</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>机械臂处于保护性停止。请按页眉中的“恢复…”。</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>“%1”不是用机械臂示教的：TCP 从未到过其原点。</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>路点已删除。按“开始”添加一个新的。</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>该录制太短。请重新录制。</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>还没有录制。请按曲线图上方的“录制”。</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>录制并测量</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>按“开始”模拟一次引发保护性停止的碰撞。查明机械臂停止的原因，等待五秒，解锁并再次获取控制。</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>在坐标系选项卡中用三点示教坐标系。其 X 轴须沿基座的 Y+ 方向，Z 轴向上：先取原点，再取沿 Y+ 方向的点，然后取沿 X− 方向的点。</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>按“开始”在机械臂的当前位置添加路点“工件”。随后工件沿基座 X+ 方向移动 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>从基座向外点动，直到某个极限将速度降到一半。操作盘下方的行显示该极限和退出方法。然后点动返回 %1。</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>按“开始”模拟一只手从上方按压工具。至少录制三秒后停止。在曲线图中读取力 Fz 并输入。</translation>
     </message>
     <message>
         <source>part</source>
         <translation>工件</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>写入 %1</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>模拟输出 %1：%2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>输入寄存器 %1：%2</translation>
+        <source>Input int register %1</source>
+        <translation>整数输入寄存器 %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,8 @@
         <translation>由于程序被停止或暂停，机器人未结束 %1 的脉冲。Tiller 将关闭该输出。</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>输入寄存器 %1</translation>
+        <source>Input float register %1</source>
+        <translation>浮点输入寄存器 %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -6594,10 +6587,6 @@ Right-click or press F2 to rename it.</source>
         <translation>所选条目的详情</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>写入 %1</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>导出日志</translation>
     </message>
@@ -6839,7 +6828,7 @@ Right-click or press F2 to rename it.</source>
         <translation>○ 路径</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>正在记录机械臂的路径。选择停止记录路径以结束。</translation>
     </message>
 </context>
@@ -7375,7 +7364,7 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>尚无负载。
 按“测量…”用机械臂测量负载。</translation>
     </message>
@@ -7689,8 +7678,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>导出到 %1</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>导出：此范围内没有样本</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>此范围内没有样本。请选择其他范围，然后重新导出。</translation>
     </message>
     <message>
         <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
@@ -7755,10 +7744,6 @@ Press Measure… to measure the payload with the arm.</source>
     <message>
         <source>Memory for the history</source>
         <translation>历史内存</translation>
-    </message>
-    <message>
-        <source>save the layout to %1</source>
-        <translation>将布局保存到 %1</translation>
     </message>
     <message>
         <source>Opened the recording %1</source>
@@ -8305,11 +8290,11 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>机械臂已被安全系统停止。请先恢复。</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>完成。按“开始”可重复此任务。</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>请按“开始”。</translation>
     </message>
 </context>
@@ -8969,8 +8954,8 @@ Release the button to stop the arm.</source>
         <translation>%1 — 已保存</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>未选择文件</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>未为项目选择文件。请先将项目保存到文件。</translation>
     </message>
     <message>
         <source>%1 — open in another window; changes here are not saved</source>
@@ -8985,20 +8970,16 @@ Release the button to stop the arm.</source>
         <translation>未保存的项目</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>保存 %1</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>已在另一个窗口中打开（%1）</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 已在另一个窗口中打开（%2）。请在那里关闭，或以其他名称保存。</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>其他程序</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>其他程序已更改它</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>%1 已被其他程序更改。请重新加载，或以其他名称保存。</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9323,7 +9304,7 @@ Release the button to stop the arm.</source>
         <translation>夹爪已激活</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>夹爪没有激活。确认手指没有受阻，然后再按“激活”。</translation>
     </message>
     <message>
@@ -9363,43 +9344,43 @@ Release the button to stop the arm.</source>
         <translation>夹爪正在激活；随后执行命令。</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>夹爪在激活前被指令移动。请按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>夹爪过热。待其冷却后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>夹爪一秒内没有收到命令。检查手腕处的电缆，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>夹爪电压不足。把工具电压设为 24 V，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>夹爪正在自动释放。等其结束后按“激活”。</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>夹爪的自动释放已结束。请按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>夹爪有内部故障。请按“激活”；若再次出现，请咨询 Robotiq。</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>激活失败。确认手指没有受阻，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>夹爪电流过大。确认手指没有受阻，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>夹爪报告故障 %1。请按“激活”；若再次出现，查看其手册。</translation>
     </message>
 </context>
@@ -9663,12 +9644,8 @@ Release the button to stop the arm.</source>
         <translation>这些信号超过机器人一次发送的数量：请先去除其他信号。</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>打开 %1</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>此录制中没有行。</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>录制 %1 不包含样本。请打开其他录制。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9858,7 +9835,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>还没有 TCP。
 按“取自机器人”保存当前 TCP，或按“示教…”用机械臂示教。</translation>
     </message>
@@ -11207,8 +11184,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>创建文件夹 %1：请选择可写入的文件夹</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>无法创建文件夹 %1。请选择可写入的文件夹。</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11267,8 +11244,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>截图</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>把截图写入 %1</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>无法将截图写入 %1。请检查文件夹权限和可用磁盘空间。</translation>
     </message>
     <message>
         <source>stop recording</source>

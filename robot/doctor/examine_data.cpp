@@ -93,7 +93,7 @@ void judgeModes(Examiner& examiner, RobotMode mode, SafetyMode safety) {
     } else {
         examiner.found(Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"),
                        safetyModeName(safety),
-                       DoctorText::tr("Inspect the arm, remove the cause, then recover: press Recover… in "
+                       DoctorText::tr("Inspect the arm, remove the cause, then recover: press “Recover…” in "
                                       "the header, or use the teach pendant."));
     }
     if (mode == RobotMode::Running) {

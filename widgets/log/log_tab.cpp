@@ -326,7 +326,7 @@ void LogTab::copy() {
 }
 
 Result<void> LogTab::exportTo(const QString& path) const {
-    return writeFileAtomically(path, shownText().toUtf8(), tr("write %1").arg(path));
+    return writeFileAtomically(path, shownText().toUtf8());
 }
 
 void LogTab::focusSearch() {

@@ -450,7 +450,7 @@ void PlotDock::buildPagesMenu() {
 }
 
 Result<void> PlotDock::saveArrangement(const QString& path) const {
-    return writeFileAtomically(path, arrangement(), tr("save the layout to %1").arg(path));
+    return writeFileAtomically(path, arrangement());
 }
 
 Result<void> PlotDock::openArrangement(const QString& path) {

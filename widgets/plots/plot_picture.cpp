@@ -122,8 +122,7 @@ Result<void> exportPicture(const PlotView& view, SignalStore& store, const State
     const QByteArray bytes = ending == QLatin1String("png")   ? png(page)
                              : ending == QLatin1String("svg") ? svg(page, text.title)
                                                               : pdf(page, text.title);
-    return bytes.isEmpty() ? Error{ErrorCode::Internal, context, {}}
-                           : writeFileAtomically(path, bytes, context);
+    return bytes.isEmpty() ? Error{ErrorCode::Internal, context, {}} : writeFileAtomically(path, bytes);
 }
 
 }  // namespace tiller

@@ -77,7 +77,7 @@ constexpr Preset kPresets[] = {
 PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port,
                          HoldPolicy& policy, QWidget* parent)
     : PartPage(QStringLiteral("payload"), tr("Payloads"), payloadModel(document),
-               tr("No payloads yet.\nPress Measure… to measure the payload with the arm."), new QWidget,
+               tr("No payloads yet.\nPress “Measure…” to measure the payload with the arm."), new QWidget,
                parent)
     , session_(session)
     , document_(document)

@@ -62,10 +62,10 @@ PartModel* tcpModel(ProjectDocument& document) {
 }  // namespace
 
 TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
-    : PartPage(
-          QStringLiteral("tcp"), tr("TCPs"), tcpModel(document),
-          tr("No TCPs yet.\nPress From robot to store the active TCP, or Teach… to teach one with the arm."),
-          new QWidget, parent)
+    : PartPage(QStringLiteral("tcp"), tr("TCPs"), tcpModel(document),
+               tr("No TCPs yet.\nPress “From robot” to store the active TCP, or “Teach…” to teach one with "
+                  "the arm."),
+               new QWidget, parent)
     , session_(session)
     , document_(document)
     , state_(session.state())

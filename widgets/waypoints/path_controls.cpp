@@ -94,8 +94,8 @@ void PathControls::toggle() {
     } else {
         recorder_.start();
         if (recorder_.isRecording()) {
-            Q_EMIT reported(
-                tr("The path of the arm is being recorded. Select Stop recording path to end it."));
+            Q_EMIT reported(tr(
+                "The path of the arm is being recorded. Press “Stop recording path” to end the recording."));
         }
     }
 }

@@ -146,8 +146,8 @@ constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
     {RuntimeState::Pausing, QT_TRANSLATE_NOOP("ModeWords", "Program pausing"),
      QT_TRANSLATE_NOOP("ModeWords", "The program is pausing.")},
     {RuntimeState::Paused, QT_TRANSLATE_NOOP("ModeWords", "Program paused"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "Press Play to continue the interrupted motion, or stop the program to discard it.")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords", "Press “Play” to continue the interrupted motion, or stop the program to discard it.")},
     {RuntimeState::Resuming, QT_TRANSLATE_NOOP("ModeWords", "Program resuming"),
      QT_TRANSLATE_NOOP("ModeWords", "The program is resuming: the arm may move.")},
 });
