@@ -607,7 +607,7 @@ void MainWindow::showPaths() {
 void MainWindow::stopMotion(control::StopCause cause) {
     using control::StopCause;
     jog_->stopMotion(cause);
-    // These causes end what is held. A program that runs without a held button continues.
+    // These causes end held motions. A program that runs without a held button continues.
     const bool endsOnlyHolds = cause == StopCause::SelectionChanged || cause == StopCause::DialogOpened ||
                                cause == StopCause::WindowDeactivated;
     if (!endsOnlyHolds || !program_->runsFreely()) {

@@ -386,7 +386,7 @@ void GripperPanel::chosenByUser() {
     }
     choose(choice);
     chosen_.start();
-    // A gripper with the same output for opening and closing is not saved.
+    // Opening and closing need different outputs, so an incomplete selection is not saved.
     const bool complete =
         choice.kind != GripperChoice::Kind::TwoOutputs || choice.closeOutput != choice.openOutput;
     if (!robot_.isEmpty() && memory_.keep && complete) {

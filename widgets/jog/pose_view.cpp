@@ -188,7 +188,7 @@ QString PoseView::deltaText(int axis) const {
     return valid_ ? paced(inFrame(pose_.position - zero_)[axis], moving_) : dash();
 }
 
-/// With fewer decimals if the text would not fit into the space [px].
+/// As above, with fewer decimals if necessary to fit into `space` [px].
 QString PoseView::deltaText(int axis, const QFont& font, int space) const {
     const QFontMetrics metrics(font);
     QString text = deltaText(axis);

@@ -46,7 +46,7 @@ struct ProgramBench {
         }
         return condition();
     }
-    /// As within(), while no data arrive. The cell would wait for them.
+    /// Like within(), while no data arrive. The cell would wait for them.
     bool withoutData(const std::function<bool()>& condition) {
         QElapsedTimer waited;
         waited.start();
