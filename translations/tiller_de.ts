@@ -4,8 +4,8 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Für diesen Roboter ist kein Greifer eingerichtet. Wählen Sie ihn unter E/A, Greifer.</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>Für diesen Roboter ist kein Greifer eingerichtet. Wählen Sie ihn unter E/A &gt; Greifer.</translation>
     </message>
     <message>
         <source>Run route</source>
@@ -673,8 +673,8 @@
         <translation>TCP %1 mm vom Flansch, Nutzlast %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive absacken.</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive wegdriften.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -900,7 +900,7 @@
         <translation>Warten Sie auf Stillstand, bevor Sie Freedrive starten.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>Der Arm würde wegdriften: Er misst %1 bei einer Nutzlast von %2 kg. Lassen Sie das Werkzeug los oder korrigieren Sie Nutzlast und TCP.</translation>
     </message>
 </context>
@@ -4629,7 +4629,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke te
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>Mitte des Quaders. Mit Enter übernehmen. Nur der Quader ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -5098,7 +5098,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ursprung</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>Im Basis-Koordinatensystem. Mit Enter übernehmen. Nur das Koordinatensystem ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -6599,8 +6599,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Das Protokoll exportieren</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>Textdatei (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6856,8 +6856,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Import abgelehnt: Es wird gerade eine Bahn aufgezeichnet. Beenden Sie diese Aufzeichnung zuerst.</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>Die Vorführung konnte nicht importiert werden.</translation>
+        <source>The path could not be imported.</source>
+        <translation>Die Bahn konnte nicht importiert werden.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6982,7 +6982,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Teachen Sie zuerst die drei Ecken und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>Zwei Ecken sind identisch. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
     </message>
     <message>
@@ -7629,8 +7629,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Sichtbarer Bereich exportiert nach %1</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>Bild (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
     </message>
     <message>
         <source>SVG image (*.svg)</source>
@@ -8157,7 +8157,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Sichere Höhe</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Mit Enter übernehmen. Nur die gespeicherte Position ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -9734,7 +9734,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Geschwindigkeitsregler</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>Geschwindigkeitsregler des Roboters, 2 bis 100 %</translation>
     </message>
     <message>
@@ -10176,7 +10176,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1. Mit Enter übernehmen. Der Roboter bewegt sich nicht.</translation>
     </message>
 </context>
@@ -10206,7 +10206,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>Im Koordinatensystem des Wegpunkts. Mit Enter übernehmen. Nur der Wegpunkt ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -11372,7 +11372,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>Totzone: %1</translation>
     </message>
     <message>
@@ -11384,7 +11384,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Auslenkung, unterhalb derer das Gerät den Arm nicht bewegt.</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>Kennlinie: %1</translation>
     </message>
     <message>
@@ -11458,12 +11458,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Inhalt</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Das Handbuch ist auf diesem Rechner nicht installiert&lt;/h2&gt;&lt;p&gt;Das Debian-Paket von Tiller enthält es. Für einen eigenen Build installieren Sie das Paket python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Sie können die Seiten auch als Text im Ordner packaging/manual des Quelltexts lesen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange Sie eine Verfahrtaste halten, und stoppt, wenn Sie sie loslassen. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine zweite Maustaste gedrückt oder ein zweites Eingabegerät benutzt wird;&lt;/li&gt;&lt;li&gt;eine Umschalttaste oder eine entgegengesetzte Taste gedrückt wird, während eine Taste der Tastatur gehalten wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, ein Dialog oder Menü sich öffnet oder sich Koordinatensystem, Geschwindigkeit, Schrittweite oder Register ändern;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter verspätet sind, dieses Programm nicht reagiert oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC in den Ruhezustand wechselt oder das Eingabegerät getrennt wird oder keine Daten mehr sendet;&lt;/li&gt;&lt;li&gt;die Tastenprüfung fehlschlägt: Unter X11 prüft Tiller alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist. Ist sie es nicht oder antwortet der Server 100 ms lang nicht, endet die Bewegung. Ist die Prüfung nicht verfügbar, zeigen es die Kopfzeile und die Einstellungen;&lt;/li&gt;&lt;li&gt;die maximale Haltezeit erreicht ist: %1 s beim Verfahren (Einstellungen), fünf Minuten bei Freedrive, die Dauer der Bewegung plus 5 s bei einer Bewegung zu einer Position. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Nach einem Stopp muss die Taste erneut gedrückt werden. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; den Arm aus jedem Fenster, Dialog und Textfeld. Hat Tiller die Steuerung nicht, wirken sie auf das fokussierte Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;Mit &lt;b&gt;Strg&lt;/b&gt; bewegt ein Druck zehnmal feiner, mit &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, aber nie über der Grenze. Auf einer Tastatur ohne lateinische Buchstaben bezeichnet ein Buchstabe unten seine Position auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange Sie eine Verfahrtaste halten, und stoppt, wenn Sie sie loslassen. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine andere Maustaste gedrückt oder ein zweites Eingabegerät benutzt wird;&lt;/li&gt;&lt;li&gt;eine Umschalttaste oder eine entgegengesetzte Taste gedrückt wird, während eine Taste der Tastatur gehalten wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, ein Dialog oder Menü sich öffnet oder sich Koordinatensystem, Geschwindigkeit, Schrittweite oder Register ändern;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter verspätet sind, dieses Programm nicht reagiert oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC in den Ruhezustand wechselt oder das Eingabegerät getrennt wird oder keine Daten mehr sendet;&lt;/li&gt;&lt;li&gt;die Tastenprüfung fehlschlägt: Unter X11 prüft Tiller alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist. Ist sie es nicht oder antwortet der Server 100 ms lang nicht, endet die Bewegung. Ist die Prüfung nicht verfügbar, zeigen es die Kopfzeile und die Einstellungen;&lt;/li&gt;&lt;li&gt;die maximale Haltezeit erreicht ist: %1 s beim Verfahren (Einstellungen), fünf Minuten bei Freedrive, die Dauer der Bewegung plus 5 s bei einer Bewegung zu einer Position. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Nach einem Stopp muss die Taste erneut gedrückt werden. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; den Arm aus jedem Fenster, Dialog und Textfeld. Hat Tiller die Steuerung nicht, wirken sie auf das fokussierte Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;Mit &lt;b&gt;Strg&lt;/b&gt; bewegt ein Druck zehnmal feiner, mit &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, aber nie über der Grenze. Auf einer Tastatur ohne lateinische Buchstaben bezeichnet ein Buchstabe unten seine Position auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>

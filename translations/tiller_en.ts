@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -665,7 +665,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4627,7 +4627,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5110,7 +5110,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6592,7 +6592,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
+        <source>Text file (*.txt)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6856,7 +6856,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
+        <source>The path could not be imported.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6975,7 +6975,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7589,7 +7589,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
+        <source>PNG image (*.png)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8148,7 +8148,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9721,7 +9721,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10162,7 +10162,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10227,7 +10227,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11356,7 +11356,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11368,7 +11368,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11442,11 +11442,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

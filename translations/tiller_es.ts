@@ -4,8 +4,8 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Este robot no tiene ninguna pinza configurada. Selecciónela en E/S, Pinza.</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>No hay ninguna pinza configurada para este robot. Selecciónela en E/S &gt; Pinza.</translation>
     </message>
     <message>
         <source>Run route</source>
@@ -673,8 +673,8 @@
         <translation>TCP a %1 mm de la brida, carga útil %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>Si hay una herramienta montada, ajuste TCP y carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace ceder el brazo en movimiento libre.</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>Si hay una herramienta montada, ajuste el TCP y la carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace que el brazo se desplace solo en movimiento libre.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -900,7 +900,7 @@
         <translation>Espere al reposo antes de iniciar el movimiento libre.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>El brazo se desplazaría solo: mide %1 con una carga útil de %2 kg. Suelte la herramienta o corrija la carga útil y el TCP.</translation>
     </message>
 </context>
@@ -4629,7 +4629,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Enseñar esquina».</trans
         <translation>Centro</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>Centro de la caja. Pulse Intro para aplicar. Solo cambia la caja; el robot no se mueve.</translation>
     </message>
     <message>
@@ -5098,7 +5098,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Origen</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>En el sistema de la base. Pulse Intro para aplicar. Solo cambia el sistema de coordenadas; el robot no se mueve.</translation>
     </message>
     <message>
@@ -6599,8 +6599,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Exportar el registro</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>Texto (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>Archivo de texto (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6856,8 +6856,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Importación rechazada: se está grabando una trayectoria. Detenga primero esa grabación.</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>No se pudo importar la demostración.</translation>
+        <source>The path could not be imported.</source>
+        <translation>No se pudo importar la trayectoria.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6982,7 +6982,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Enseñe primero las tres esquinas y seleccione después un punto de paso para cada una.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>Dos esquinas son idénticas. Seleccione otro punto de paso para una de ellas.</translation>
     </message>
     <message>
@@ -7629,8 +7629,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Intervalo visible exportado a %1</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>Imagen (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>Imagen PNG (*.png)</translation>
     </message>
     <message>
         <source>SVG image (*.svg)</source>
@@ -8157,7 +8157,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>Altura segura</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Pulse Intro para aplicar. Solo cambia la posición guardada; el robot no se mueve.</translation>
     </message>
     <message>
@@ -9734,7 +9734,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Deslizador de velocidad</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>Deslizador de velocidad del robot, 2 a 100 %</translation>
     </message>
     <message>
@@ -10176,7 +10176,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1. Pulse Intro para aplicar. El robot no se mueve.</translation>
     </message>
 </context>
@@ -10206,7 +10206,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>En el sistema del punto de paso. Pulse Intro para aplicar. Solo cambia el punto de paso; el robot no se mueve.</translation>
     </message>
     <message>
@@ -11372,7 +11372,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>Zona muerta: %1</translation>
     </message>
     <message>
@@ -11384,7 +11384,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Desviación por debajo de la cual el dispositivo no mueve el brazo.</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>Curva: %1</translation>
     </message>
     <message>
@@ -11458,12 +11458,12 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Índice</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;El manual no está instalado en este ordenador&lt;/h2&gt;&lt;p&gt;El paquete Debian de Tiller lo contiene. Para añadirlo a su propia compilación, instale el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. También puede leer las páginas como texto en la carpeta packaging/manual del código fuente. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras mantiene pulsado un botón de movimiento y se detiene al soltarlo. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero sale del botón, se pulsa un segundo botón del ratón o se usa un segundo dispositivo de entrada;&lt;/li&gt;&lt;li&gt;se pulsa un modificador o la tecla contraria mientras se mantiene una tecla del teclado;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, se abre un diálogo o menú, o cambia el sistema de coordenadas, la velocidad, el paso o la pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa no responde o el robot sale de «En marcha», de su modo de seguridad o del control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo de entrada se desconecta o deja de enviar datos;&lt;/li&gt;&lt;li&gt;falla la comprobación de teclas: en X11, Tiller comprueba cada 10 ms en el servidor gráfico que el botón o la tecla sigue pulsado. Si no lo está, o si el servidor no responde durante 100 ms, el movimiento termina. Si la comprobación no está disponible, lo indican la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se alcanza el tiempo máximo de pulsación: %1 s para el movimiento manual (Ajustes), cinco minutos para el movimiento libre, la duración del movimiento más 5 s para ir a una posición. Se muestra una cuenta atrás de los últimos 3 s.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Después de una parada hay que pulsar de nuevo. Mientras Tiller tiene el control, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen el brazo desde cualquier ventana, diálogo y campo de texto. Cuando Tiller no tiene el control, actúan sobre el elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace el movimiento diez veces más fino y &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápido, pero nunca por encima del límite. En un teclado sin letras latinas, las letras siguientes se refieren a su posición en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras mantiene pulsado un botón de movimiento y se detiene al soltarlo. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero sale del botón, se pulsa otro botón del ratón o se usa un segundo dispositivo de entrada;&lt;/li&gt;&lt;li&gt;se pulsa un modificador o la tecla contraria mientras se mantiene una tecla del teclado;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, se abre un diálogo o menú, o cambia el sistema de coordenadas, la velocidad, el paso o la pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa no responde o el robot sale de «En marcha», de su modo de seguridad o del control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo de entrada se desconecta o deja de enviar datos;&lt;/li&gt;&lt;li&gt;falla la comprobación de teclas: en X11, Tiller comprueba cada 10 ms en el servidor gráfico que el botón o la tecla sigue pulsado. Si no lo está, o si el servidor no responde durante 100 ms, el movimiento termina. Si la comprobación no está disponible, lo indican la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se alcanza el tiempo máximo de pulsación: %1 s para el movimiento manual (Ajustes), cinco minutos para el movimiento libre, la duración del movimiento más 5 s para ir a una posición. Se muestra una cuenta atrás de los últimos 3 s.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Después de una parada hay que pulsar de nuevo. Mientras Tiller tiene el control, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen el brazo desde cualquier ventana, diálogo y campo de texto. Cuando Tiller no tiene el control, actúan sobre el elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace el movimiento diez veces más fino y &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápido, pero nunca por encima del límite. En un teclado sin letras latinas, las letras siguientes se refieren a su posición en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>

@@ -4,8 +4,8 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Aucune pince n’est configurée pour ce robot. Sélectionnez-la dans E/S, Pince.</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>Aucune pince n’est configurée pour ce robot. Sélectionnez-la sous E/S &gt; Pince.</translation>
     </message>
     <message>
         <source>Run route</source>
@@ -673,8 +673,8 @@
         <translation>TCP à %1 mm de la bride, charge utile %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>Si un outil est monté, réglez TCP et charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et laisse le bras s’affaisser en Freedrive.</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>Si un outil est monté, réglez le TCP et la charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et fait dériver le bras en Freedrive.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -900,7 +900,7 @@
         <translation>Attendez l’arrêt du bras avant de démarrer Freedrive.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>Le bras dériverait : il mesure %1 avec une charge utile de %2 kg. Lâchez l’outil, ou corrigez la charge utile et le TCP.</translation>
     </message>
 </context>
@@ -4629,7 +4629,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Apprendre coin ».</t
         <translation>Centre</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>Centre de la boîte. Entrée pour appliquer. Seule la boîte change ; le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -5098,7 +5098,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Origine</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>Dans le repère de base. Appuyez sur Entrée pour appliquer. Seul le repère change ; le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -6599,8 +6599,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Exporter le journal</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>Texte (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>Fichier texte (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6856,8 +6856,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Importation refusée : une trajectoire est en cours d’enregistrement. Arrêtez d’abord cet enregistrement.</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>La démonstration n’a pas pu être importée.</translation>
+        <source>The path could not be imported.</source>
+        <translation>La trajectoire n’a pas pu être importée.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6982,7 +6982,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Apprenez d’abord les trois coins, puis sélectionnez un point de passage pour chacun.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>Deux coins sont identiques. Sélectionnez un autre point pour l’un d’eux.</translation>
     </message>
     <message>
@@ -7629,8 +7629,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Plage visible exportée vers %1</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>Image (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>Image PNG (*.png)</translation>
     </message>
     <message>
         <source>SVG image (*.svg)</source>
@@ -8157,7 +8157,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Hauteur sûre</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Appuyez sur Entrée pour appliquer. Seule la position enregistrée change ; le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -9734,7 +9734,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Curseur de vitesse</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>Curseur de vitesse du robot, 2 à 100 %</translation>
     </message>
     <message>
@@ -10176,7 +10176,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1. Entrée pour appliquer. Le robot ne bouge pas.</translation>
     </message>
 </context>
@@ -10206,7 +10206,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>Dans le repère du point. Appuyez sur Entrée pour appliquer. Seul le point de passage change ; le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -11372,7 +11372,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>Zone morte : %1</translation>
     </message>
     <message>
@@ -11384,7 +11384,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Déviation en dessous de laquelle l’appareil ne déplace pas le bras.</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>Courbe : %1</translation>
     </message>
     <message>
@@ -11458,12 +11458,12 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Sommaire</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Le manuel n’est pas installé sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Le paquet Debian de Tiller le contient. Pour l’ajouter à votre propre compilation, installez le paquet python3-sphinx :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. Vous pouvez aussi lire ses pages comme du texte dans le dossier packaging/manual du code source. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Déplacer le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant que vous maintenez un bouton de déplacement, et s’arrête quand vous le relâchez. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte le bouton, un second bouton de souris est pressé ou un second périphérique est utilisé ;&lt;/li&gt;&lt;li&gt;un modificateur ou la touche contraire est enfoncé pendant qu’une touche du clavier est maintenue ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, un dialogue ou un menu s’ouvre, ou le repère, la vitesse, le pas ou l’onglet change ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme ne répond plus, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou n’envoie plus de données ;&lt;/li&gt;&lt;li&gt;le contrôle de touche échoue : sous X11, Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé. Si ce n’est pas le cas, ou si le serveur ne répond pas pendant 100 ms, le mouvement se termine. Si ce contrôle n’est pas disponible, l’en-tête et les réglages l’indiquent ;&lt;/li&gt;&lt;li&gt;la durée maximale d’appui est atteinte : %1 s pour un déplacement manuel (réglages), cinq minutes pour Freedrive, la durée du mouvement plus 5 s pour aller à une position. Les 3 dernières secondes sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Après un arrêt, un nouvel appui est nécessaire. Tant que Tiller a le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent le bras depuis chaque fenêtre, dialogue et champ de texte. Quand Tiller n’a pas le contrôle, ils agissent sur l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée de main.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend le mouvement dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, mais jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa position sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Déplacer le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant que vous maintenez un bouton de déplacement, et s’arrête quand vous le relâchez. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte le bouton, un autre bouton de souris est pressé ou un second périphérique est utilisé ;&lt;/li&gt;&lt;li&gt;un modificateur ou la touche contraire est enfoncé pendant qu’une touche du clavier est maintenue ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, un dialogue ou un menu s’ouvre, ou le repère, la vitesse, le pas ou l’onglet change ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme ne répond plus, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou n’envoie plus de données ;&lt;/li&gt;&lt;li&gt;le contrôle de touche échoue : sous X11, Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé. Si ce n’est pas le cas, ou si le serveur ne répond pas pendant 100 ms, le mouvement se termine. Si ce contrôle n’est pas disponible, l’en-tête et les réglages l’indiquent ;&lt;/li&gt;&lt;li&gt;la durée maximale d’appui est atteinte : %1 s pour un déplacement manuel (réglages), cinq minutes pour Freedrive, la durée du mouvement plus 5 s pour aller à une position. Les 3 dernières secondes sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Après un arrêt, un nouvel appui est nécessaire. Tant que Tiller a le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent le bras depuis chaque fenêtre, dialogue et champ de texte. Quand Tiller n’a pas le contrôle, ils agissent sur l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée de main.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend le mouvement dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, mais jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa position sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>

@@ -4,8 +4,8 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>このロボットにはグリッパーがありません。I/Oのグリッパーで選んでください。</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>このロボットにはグリッパーが設定されていません。「I/O &gt; グリッパー」で選択してください。</translation>
     </message>
     <message>
         <source>Run route</source>
@@ -673,8 +673,8 @@
         <translation>TCP はフランジから %1 mm、ペイロード %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが下がります。</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが勝手に動きます。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -900,7 +900,7 @@
         <translation>静止を待ってからフリードライブを開始してください。</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>ペイロード %2 kg でアームは %1 を検出しており、勝手に動くおそれがあります。ツールから手を離すか、ペイロードと TCP を修正してください。</translation>
     </message>
 </context>
@@ -4627,7 +4627,7 @@ TCPを障害物の角に移動し、「角を教示」を押してください�
         <translation>中心</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>箱の中心です。Enterで適用します。変わるのは箱だけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -5096,7 +5096,7 @@ Clear the search to see everything.</source>
         <translation>原点</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>ベース座標系での値。Return で適用します。変わるのは座標系だけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -6591,8 +6591,8 @@ Right-click or press F2 to rename it.</source>
         <translation>ログをエクスポート</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>テキスト (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>テキストファイル (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6847,8 +6847,8 @@ Right-click or press F2 to rename it.</source>
         <translation>読み込みませんでした：経路を記録中です。先に記録を停止してください。</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>デモンストレーションをインポートできませんでした。</translation>
+        <source>The path could not be imported.</source>
+        <translation>経路を取り込めませんでした。</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6972,7 +6972,7 @@ Right-click or press F2 to rename it.</source>
         <translation>先に三隅を教示し、次に各隅のウェイポイントを選んでください。</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>二つの隅が同じ位置です。一方に別のウェイポイントを選んでください。</translation>
     </message>
     <message>
@@ -7614,8 +7614,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>表示範囲を %1 にエクスポートしました</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>画像 (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>PNG 画像 (*.png)</translation>
     </message>
     <message>
         <source>SVG image (*.svg)</source>
@@ -8139,7 +8139,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>安全高さ</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1。Return で適用します。変わるのは保存された位置だけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -9709,7 +9709,7 @@ Release the button to stop the arm.</source>
         <translation>速度スライダー</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>ロボットの速度スライダー、2〜100 %</translation>
     </message>
     <message>
@@ -10150,7 +10150,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1。Enterで適用します。ロボットは動きません。</translation>
     </message>
 </context>
@@ -10180,7 +10180,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>ウェイポイントの座標系での値。Return で適用します。変わるのはウェイポイントだけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -11333,7 +11333,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>%1 の不感帯</translation>
     </message>
     <message>
@@ -11345,7 +11345,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>これ以下の傾きではアームは動きません。</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>%1 の曲線</translation>
     </message>
     <message>
@@ -11419,11 +11419,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>目次</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;このコンピューターにはマニュアルがインストールされていません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドする場合は、パッケージ python3-sphinx をインストールしてください。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。ソースコードのフォルダー packaging/manual でテキストとして読むこともできます。ジョグの規則とすべてのキーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;ジョグボタンを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがボタンから外れる、マウスの別のボタンが押される、または別の入力デバイスが使われる；&lt;/li&gt;&lt;li&gt;キーボードのキーを押している間に、修飾キーや反対方向のキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、ダイアログやメニューが開く、または座標系、速度、ステップ、タブが変わる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが応答しない、またはロボットが「稼働中」、現在の安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、または入力デバイスが取り外されるかデータを送らなくなる；&lt;/li&gt;&lt;li&gt;キー状態の確認に失敗する：X11 では、ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。押されていない場合、またはサーバーが 100 ms 応答しない場合、動作は終わります。この確認が使えない場合は、ヘッダーと設定に表示されます；&lt;/li&gt;&lt;li&gt;最大保持時間に達する：ジョグは %1 s（設定）、フリードライブは 5 分、ある位置への移動は所要時間と 5 s。最後の 3 s はカウントダウンされます。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止後は、もう一度押す必要があります。Tiller が制御している間は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでもアームが停止します。制御していないときは、フォーカスのある要素に働きます。他のクライアントのプログラムを停止するには &lt;b&gt;STOP&lt;/b&gt; をクリックしてください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; を押すと動作は 10 倍細かく、&lt;b&gt;Shift&lt;/b&gt; を押すと 3 倍速くなりますが、上限は超えません。ラテン文字のないキーボードでは、下の文字は US 配列での位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
     </message>
 </context>

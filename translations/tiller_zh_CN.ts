@@ -4,8 +4,8 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>此机器人未配置夹爪。请在 I/O 的“夹爪”页中选择。</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>此机器人未配置夹爪。请在“I/O &gt; 夹爪”中选择。</translation>
     </message>
     <message>
         <source>Run route</source>
@@ -673,8 +673,8 @@
         <translation>TCP 距法兰 %1 mm，有效负载 %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时下沉。</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时漂移。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -900,7 +900,7 @@
         <translation>请等待静止后再启动自由驱动。</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>机械臂会漂移：有效负载为 %2 kg 时测得 %1。请松开工具，或更正有效负载和 TCP。</translation>
     </message>
 </context>
@@ -4627,7 +4627,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>中心</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>长方体的中心。按回车应用。只有长方体改变；机器人不移动。</translation>
     </message>
     <message>
@@ -5096,7 +5096,7 @@ Clear the search to see everything.</source>
         <translation>原点</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>基座坐标系中的值。按回车应用。只有坐标系改变；机器人不移动。</translation>
     </message>
     <message>
@@ -6591,8 +6591,8 @@ Right-click or press F2 to rename it.</source>
         <translation>导出日志</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>文本 (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>文本文件 (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6847,8 +6847,8 @@ Right-click or press F2 to rename it.</source>
         <translation>拒绝导入：正在录制路径。请先停止录制。</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>无法导入演示。</translation>
+        <source>The path could not be imported.</source>
+        <translation>无法导入路径。</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6972,7 +6972,7 @@ Right-click or press F2 to rename it.</source>
         <translation>请先示教三个角，然后为每个角选择路点。</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>两个角是同一位置。请为其中一个选择另一路点。</translation>
     </message>
     <message>
@@ -7614,8 +7614,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>可见范围已导出到 %1</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>图片 (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>PNG 图像 (*.png)</translation>
     </message>
     <message>
         <source>SVG image (*.svg)</source>
@@ -8139,7 +8139,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>安全高度</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1。按回车应用。只有保存的位置改变；机器人不移动。</translation>
     </message>
     <message>
@@ -9709,7 +9709,7 @@ Release the button to stop the arm.</source>
         <translation>速度滑块</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>机器人的速度滑块，2 至 100 %</translation>
     </message>
     <message>
@@ -10150,7 +10150,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1。按回车应用。机器人不移动。</translation>
     </message>
 </context>
@@ -10180,7 +10180,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>路点坐标系中的值。按回车应用。只有路点改变；机器人不移动。</translation>
     </message>
     <message>
@@ -11333,7 +11333,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>%1的死区</translation>
     </message>
     <message>
@@ -11345,7 +11345,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>偏转小于此值时设备不移动机械臂。</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>%1的曲线</translation>
     </message>
     <message>
@@ -11419,11 +11419,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>目录</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住点动按钮时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按钮、按下鼠标的另一个键，或使用了另一个输入设备；&lt;/li&gt;&lt;li&gt;按住键盘按键时，按下了修饰键或相反方向的按键；&lt;/li&gt;&lt;li&gt;窗口失去焦点、打开了对话框或菜单，或坐标系、速度、步长或选项卡发生变化；&lt;/li&gt;&lt;li&gt;机器人的数据延迟、本程序没有响应，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 进入休眠，或输入设备被拔出或停止发送数据；&lt;/li&gt;&lt;li&gt;按键状态检查失败：在 X11 上，Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。如果没有按下，或服务器 100 ms 没有响应，运动即结束。如果无法进行此检查，页眉和设置会显示；&lt;/li&gt;&lt;li&gt;达到最长按住时间：点动为 %1 s（设置），自由驱动为五分钟，移动到某位置为运动时间加 5 s。最后 3 s 会倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止后需要重新按下。Tiller 拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止机械臂。Tiller 没有控制时，它们作用于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请使紧急停止在伸手可及之处。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使运动精细十倍，&lt;b&gt;Shift&lt;/b&gt; 使运动快三倍，但绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
 </context>

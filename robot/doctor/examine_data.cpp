@@ -244,10 +244,8 @@ void examineData(Examiner& examiner) {
     if (noTool || noPayload) {
         examiner.found(
             Condition::ToolAndPayload, Verdict::Attention, QStringLiteral("payload.unset"), tool,
-            DoctorText::tr(
-                "If a tool is mounted, set TCP and payload in the robot's installation: a wrong payload "
-                "causes "
-                "protective stops and lets the arm sag in Freedrive."));
+            DoctorText::tr("If a tool is mounted, set the TCP and the payload in the robot's installation: a "
+                           "wrong payload causes protective stops and makes the arm drift in Freedrive."));
     } else {
         examiner.good(Condition::ToolAndPayload, tool);
     }

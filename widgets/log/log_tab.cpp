@@ -339,8 +339,8 @@ void LogTab::showFrom(Severity severity) {
 }
 
 void LogTab::exportToFile() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export the log"),
-                                                      QStringLiteral("tiller-log.txt"), tr("Text (*.txt)"));
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the log"), QStringLiteral("tiller-log.txt"), tr("Text file (*.txt)"));
     if (path.isEmpty()) {
         return;
     }

@@ -1036,7 +1036,7 @@ void PlotDock::askExport() {
         QString suffix;
         ExportRange range = ExportRange::Visible;
     };
-    std::vector<Kind> kinds = {{tr("Image (*.png)"), QStringLiteral(".png")},
+    std::vector<Kind> kinds = {{tr("PNG image (*.png)"), QStringLiteral(".png")},
                                {tr("SVG image (*.svg)"), QStringLiteral(".svg")},
                                {tr("PDF document (*.pdf)"), QStringLiteral(".pdf")},
                                {tr("CSV file (*.csv)"), QStringLiteral(".csv")}};

@@ -108,7 +108,8 @@ VectorEditor::VectorEditor(Kind kind, const QString& name, const std::array<QStr
         auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("%1.%2").arg(name).arg(i));
         box->setAccessibleName(spoken.at(at));
-        box->setToolTip(tr("%1. Press Return to apply. The robot does not move.").arg(spoken.at(at)));
+        box->setToolTip(
+            tr("%1. Press Return to apply the values. The robot does not move.").arg(spoken.at(at)));
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
         box->setMinimumWidth(80);
@@ -187,10 +188,9 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , selected_(new QWidget)
     , facts_(new QLabel)
     , enabled_(new QCheckBox(CellPage::tr("Check for collisions")))
-    , pose_(new PoseEditor(
-          QStringLiteral("cell.box"), CellPage::tr("Centre"),
-          CellPage::tr(
-              "Centre of the box. Press Return to apply. Only the box changes; the robot does not move.")))
+    , pose_(new PoseEditor(QStringLiteral("cell.box"), CellPage::tr("Centre"),
+                           CellPage::tr("Centre of the box. Press Return to apply the values. Only the box "
+                                        "changes; the robot does not move.")))
     , size_(new VectorEditor(
           VectorEditor::Kind::Size, QStringLiteral("cell.size"),
           {CellPage::tr("LX"), CellPage::tr("LY"), CellPage::tr("LZ")},

@@ -79,9 +79,9 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
         auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("position.details.%1").arg(i));
         box->setAccessibleName(jointName(i));
-        box->setToolTip(
-            tr("%1. Press Return to apply. Only the stored position changes; the robot does not move.")
-                .arg(jointName(i)));
+        box->setToolTip(tr("%1. Press Return to apply the values. Only the stored position changes; the "
+                           "robot does not move.")
+                            .arg(jointName(i)));
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
         box->setMinimumWidth(80);

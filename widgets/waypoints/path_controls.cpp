@@ -137,7 +137,7 @@ void PathControls::askForExport() {
         return;
     }
     const QString path = QFileDialog::getSaveFileName(
-        window(), tr("Export path"), QStringLiteral("demonstration.csv"), tr("CSV file (*.csv)"));
+        window(), tr("Export path"), QStringLiteral("path.csv"), tr("CSV file (*.csv)"));
     if (!path.isEmpty()) {
         exportTo(path);
     }

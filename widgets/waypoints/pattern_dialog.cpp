@@ -197,7 +197,7 @@ QString PatternDialog::problem() const {
     const Eigen::Vector3d& origin = pattern_.first.pose.position;
     if ((pattern_.columns > 1 && (pattern_.columnEnd - origin).norm() < kMinSide) ||
         (pattern_.rows > 1 && (pattern_.rowEnd - origin).norm() < kMinSide)) {
-        return tr("Two corners are identical. Select another waypoint for one of them.");
+        return tr("Two corners are identical. Select a different waypoint for one of them.");
     }
     const Eigen::Vector3d alongRow = pattern_.columnEnd - origin;
     const Eigen::Vector3d acrossRows = pattern_.rowEnd - origin;

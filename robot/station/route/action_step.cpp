@@ -38,7 +38,7 @@ ActionStep::~ActionStep() {
 
 QString ActionStep::obstacle(const project::WaypointAction& action, const GripperChoice& gripper) {
     return isGrip(action) && gripper.kind == GripperChoice::Kind::None
-               ? tr("No gripper is configured for this robot. Select it in I/O, Gripper.")
+               ? tr("No gripper is configured for this robot. Select it under I/O > Gripper.")
                : QString();
 }
 
