@@ -3281,6 +3281,10 @@
         <translation>Float-Eingangsregister %1</translation>
     </message>
     <message>
+        <source>Input bit register %1</source>
+        <translation>Bit-Eingangsregister %1</translation>
+    </message>
+    <message>
         <source>Speed slider</source>
         <translation>Geschwindigkeitsregler</translation>
     </message>
@@ -12165,10 +12169,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>File name</source>
         <translation>Dateiname</translation>
-    </message>
-    <message>
-        <source>One row every</source>
-        <translation>Eine Zeile je</translation>
     </message>
     <message>
         <source>Signals</source>

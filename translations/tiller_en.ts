@@ -3281,6 +3281,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Input bit register %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Speed slider</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12148,10 +12152,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>File name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One row every</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

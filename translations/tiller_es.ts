@@ -3281,6 +3281,10 @@
         <translation>Registro de entrada real %1</translation>
     </message>
     <message>
+        <source>Input bit register %1</source>
+        <translation>Registro de entrada de bit %1</translation>
+    </message>
+    <message>
         <source>Speed slider</source>
         <translation>Deslizador de velocidad</translation>
     </message>
@@ -12165,10 +12169,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>File name</source>
         <translation>Nombre de archivo</translation>
-    </message>
-    <message>
-        <source>One row every</source>
-        <translation>Una fila cada</translation>
     </message>
     <message>
         <source>Signals</source>

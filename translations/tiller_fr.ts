@@ -3281,6 +3281,10 @@
         <translation>Registre d’entrée réel %1</translation>
     </message>
     <message>
+        <source>Input bit register %1</source>
+        <translation>Registre d’entrée bit %1</translation>
+    </message>
+    <message>
         <source>Speed slider</source>
         <translation>Curseur de vitesse</translation>
     </message>
@@ -12165,10 +12169,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>File name</source>
         <translation>Nom de fichier</translation>
-    </message>
-    <message>
-        <source>One row every</source>
-        <translation>Une ligne tous les</translation>
     </message>
     <message>
         <source>Signals</source>

@@ -3281,6 +3281,10 @@
         <translation>実数入力レジスター %1</translation>
     </message>
     <message>
+        <source>Input bit register %1</source>
+        <translation>ビット入力レジスター %1</translation>
+    </message>
+    <message>
         <source>Speed slider</source>
         <translation>速度スライダー</translation>
     </message>
@@ -12125,10 +12129,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>File name</source>
         <translation>ファイル名</translation>
-    </message>
-    <message>
-        <source>One row every</source>
-        <translation>一行の間隔</translation>
     </message>
     <message>
         <source>Signals</source>

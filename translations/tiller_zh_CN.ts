@@ -3281,6 +3281,10 @@
         <translation>浮点输入寄存器 %1</translation>
     </message>
     <message>
+        <source>Input bit register %1</source>
+        <translation>位输入寄存器 %1</translation>
+    </message>
+    <message>
         <source>Speed slider</source>
         <translation>速度滑块</translation>
     </message>
@@ -12125,10 +12129,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>File name</source>
         <translation>文件名</translation>
-    </message>
-    <message>
-        <source>One row every</source>
-        <translation>每几个一行</translation>
     </message>
     <message>
         <source>Signals</source>
