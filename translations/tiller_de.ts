@@ -4622,11 +4622,11 @@ F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
         <source>No boxes or planes yet.
 Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>Noch keine Quader oder Ebenen.
-Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke teachen“.</translation>
+Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hier“.</translation>
     </message>
     <message>
         <source>Check for collisions</source>
-        <translation>Auf Kollisionen prüfen</translation>
+        <translation>Kollisionen prüfen</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -4673,8 +4673,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke te
         <translation>Erste Ecke übernommen.</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
-        <translation>Bewegen Sie den TCP zur gegenüberliegenden Ecke und drücken Sie „Gegenecke teachen“.</translation>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
+        <translation>Bewegen Sie den TCP zur gegenüberliegenden Ecke und drücken Sie „Andere Ecke“.</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4717,12 +4717,12 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke te
         <translation>Sicherheitsabstand ändern</translation>
     </message>
     <message>
-        <source>Teach opposite corner</source>
-        <translation>Gegenecke teachen</translation>
+        <source>Teach corner 2</source>
+        <translation>Andere Ecke</translation>
     </message>
     <message>
         <source>Teach corner</source>
-        <translation>Ecke teachen</translation>
+        <translation>Ecke hier</translation>
     </message>
     <message>
         <source>%1 · %2 in %3</source>
@@ -4810,7 +4810,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke te
     </message>
     <message>
         <source>Teach plane</source>
-        <translation>Ebene teachen</translation>
+        <translation>Ebene hier</translation>
     </message>
     <message>
         <source>Add a plane through the TCP, perpendicular to the tool</source>

@@ -4671,7 +4671,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4715,7 +4715,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Teach opposite corner</source>
+        <source>Teach corner 2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4622,7 +4622,7 @@ F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
         <source>No boxes or planes yet.
 Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>Aún no hay cajas ni planos.
-Mueva el TCP a una esquina de un obstáculo y pulse «Enseñar esquina».</translation>
+Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translation>
     </message>
     <message>
         <source>Check for collisions</source>
@@ -4673,8 +4673,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Enseñar esquina».</trans
         <translation>Primera esquina tomada.</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
-        <translation>Mueva el TCP a la esquina opuesta y pulse «Enseñar esquina opuesta».</translation>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
+        <translation>Mueva el TCP a la esquina opuesta y pulse «Otra esquina».</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4717,12 +4717,12 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Enseñar esquina».</trans
         <translation>Cambiar la distancia de seguridad</translation>
     </message>
     <message>
-        <source>Teach opposite corner</source>
-        <translation>Enseñar esquina opuesta</translation>
+        <source>Teach corner 2</source>
+        <translation>Otra esquina</translation>
     </message>
     <message>
         <source>Teach corner</source>
-        <translation>Enseñar esquina</translation>
+        <translation>Esquina aquí</translation>
     </message>
     <message>
         <source>%1 · %2 in %3</source>
@@ -4810,7 +4810,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Enseñar esquina».</trans
     </message>
     <message>
         <source>Teach plane</source>
-        <translation>Enseñar plano</translation>
+        <translation>Plano aquí</translation>
     </message>
     <message>
         <source>Add a plane through the TCP, perpendicular to the tool</source>

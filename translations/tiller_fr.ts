@@ -4622,7 +4622,7 @@ F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translatio
         <source>No boxes or planes yet.
 Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>Pas encore de boîtes ni de plans.
-Amenez le TCP à un coin d’un obstacle et appuyez sur « Apprendre coin ».</translation>
+Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</translation>
     </message>
     <message>
         <source>Check for collisions</source>
@@ -4673,8 +4673,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Apprendre coin ».</t
         <translation>Premier coin pris.</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
-        <translation>Amenez le TCP au coin opposé et appuyez sur « Apprendre coin opposé ».</translation>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
+        <translation>Amenez le TCP au coin opposé et appuyez sur « Autre coin ».</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4717,12 +4717,12 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Apprendre coin ».</t
         <translation>Modifier la distance de sécurité</translation>
     </message>
     <message>
-        <source>Teach opposite corner</source>
-        <translation>Apprendre coin opposé</translation>
+        <source>Teach corner 2</source>
+        <translation>Autre coin</translation>
     </message>
     <message>
         <source>Teach corner</source>
-        <translation>Apprendre coin</translation>
+        <translation>Coin ici</translation>
     </message>
     <message>
         <source>%1 · %2 in %3</source>
@@ -4810,7 +4810,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Apprendre coin ».</t
     </message>
     <message>
         <source>Teach plane</source>
-        <translation>Apprendre plan</translation>
+        <translation>Plan ici</translation>
     </message>
     <message>
         <source>Add a plane through the TCP, perpendicular to the tool</source>

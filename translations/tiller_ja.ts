@@ -4620,7 +4620,7 @@ F2 で名前変更、Shift+F2 でスケール、または右クリック。</tra
         <source>No boxes or planes yet.
 Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>箱も平面もまだありません。
-TCPを障害物の角に移動し、「角を教示」を押してください。</translation>
+TCPを障害物の角に移動し、「角をここに」を押してください。</translation>
     </message>
     <message>
         <source>Check for collisions</source>
@@ -4671,8 +4671,8 @@ TCPを障害物の角に移動し、「角を教示」を押してください�
         <translation>最初の角を記録しました。</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
-        <translation>TCPを反対側の角に移動し、「反対側の角を教示」を押してください。</translation>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
+        <translation>TCPを反対側の角に移動し、「もう一つの角」を押してください。</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4715,12 +4715,12 @@ TCPを障害物の角に移動し、「角を教示」を押してください�
         <translation>安全距離を変更</translation>
     </message>
     <message>
-        <source>Teach opposite corner</source>
-        <translation>反対側の角を教示</translation>
+        <source>Teach corner 2</source>
+        <translation>もう一つの角</translation>
     </message>
     <message>
         <source>Teach corner</source>
-        <translation>角を教示</translation>
+        <translation>角をここに</translation>
     </message>
     <message>
         <source>%1 · %2 in %3</source>
@@ -4808,7 +4808,7 @@ TCPを障害物の角に移動し、「角を教示」を押してください�
     </message>
     <message>
         <source>Teach plane</source>
-        <translation>平面を教示</translation>
+        <translation>平面をここに</translation>
     </message>
     <message>
         <source>Add a plane through the TCP, perpendicular to the tool</source>

@@ -4620,7 +4620,7 @@ Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <source>No boxes or planes yet.
 Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>还没有长方体或平面。
-将 TCP 移到障碍物的一个角，然后按“示教角”。</translation>
+将 TCP 移到障碍物的一个角，然后按“此处为角”。</translation>
     </message>
     <message>
         <source>Check for collisions</source>
@@ -4671,8 +4671,8 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>已记录第一个角。</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press “Teach opposite corner”.</source>
-        <translation>将 TCP 移到对角，然后按“示教对角”。</translation>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
+        <translation>将 TCP 移到对角，然后按“另一个角”。</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4715,12 +4715,12 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>更改安全距离</translation>
     </message>
     <message>
-        <source>Teach opposite corner</source>
-        <translation>示教对角</translation>
+        <source>Teach corner 2</source>
+        <translation>另一个角</translation>
     </message>
     <message>
         <source>Teach corner</source>
-        <translation>示教角</translation>
+        <translation>此处为角</translation>
     </message>
     <message>
         <source>%1 · %2 in %3</source>
@@ -4808,7 +4808,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
     </message>
     <message>
         <source>Teach plane</source>
-        <translation>示教平面</translation>
+        <translation>此处为平面</translation>
     </message>
     <message>
         <source>Add a plane through the TCP, perpendicular to the tool</source>

@@ -53,7 +53,7 @@ struct MoveParameters {
     std::chrono::milliseconds silence = kHoldTime;
 };
 
-/// Which contacts end moveUntilContact().
+/// The contacts that end moveUntilContact().
 enum class Sought : std::uint8_t {
     NewContact,  ///< an initial contact must be released first
     AnyContact,  ///< an initial contact counts, so the arm does not move

@@ -442,7 +442,7 @@ void CellPage::takeCorner() {
     if (!corner_) {
         corner_ = here;
         notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner recorded."),
-                      CellPage::tr("Move the TCP to the opposite corner and press “Teach opposite corner”."),
+                      CellPage::tr("Move the TCP to the opposite corner and press “Teach corner 2”."),
                       CellPage::tr("Discard"), [this] {
                           corner_.reset();
                           refresh();
@@ -576,7 +576,7 @@ void CellPage::changeEvent(QEvent* event) {
 
 void CellPage::refresh() {
     const project::CellGeometry& cell = document_.cell();
-    cornerKey_->setText(corner_ ? CellPage::tr("Teach opposite corner") : CellPage::tr("Teach corner"));
+    cornerKey_->setText(corner_ ? CellPage::tr("Teach corner 2") : CellPage::tr("Teach corner"));
     const project::CellBox* selected = box();
     const project::CellPlane* wall = plane();
     selected_->setVisible(selected != nullptr || wall != nullptr);
