@@ -7703,8 +7703,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>In diesem Bereich gibt es keine Messwerte. Wählen Sie einen anderen Bereich und exportieren Sie dann erneut.</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>verwenden Sie die Endung .png, .svg oder .pdf für ein Bild oder .csv für Werte</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>Verwenden Sie die Endung .png, .svg oder .pdf für ein Bild oder .csv für Werte.</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7827,8 +7827,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>ein Diagrammlayout lesen</translation>
+        <source>not a plot layout</source>
+        <translation>kein Diagrammlayout</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>

@@ -7617,7 +7617,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7819,7 +7819,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>read a plot layout</source>
+        <source>not a plot layout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

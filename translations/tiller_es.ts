@@ -7703,8 +7703,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>No hay muestras en este intervalo. Seleccione otro intervalo y exporte de nuevo.</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>use la extensión .png, .svg o .pdf para una imagen, o .csv para valores</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>Use la extensión .png, .svg o .pdf para una imagen, o .csv para valores.</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7827,8 +7827,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>leer una disposición de gráficos</translation>
+        <source>not a plot layout</source>
+        <translation>no es una disposición de gráficos</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>

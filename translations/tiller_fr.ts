@@ -7703,8 +7703,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Il n’y a pas d’échantillons dans cette plage. Sélectionnez une autre plage, puis exportez de nouveau.</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>utilisez le suffixe .png, .svg ou .pdf pour une image, ou .csv pour des valeurs</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>Utilisez le suffixe .png, .svg ou .pdf pour une image, ou .csv pour des valeurs.</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7827,8 +7827,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>lire une disposition de tracés</translation>
+        <source>not a plot layout</source>
+        <translation>ce n’est pas une disposition de tracés</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>

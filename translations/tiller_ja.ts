@@ -7686,8 +7686,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>この範囲にサンプルがありません。別の範囲を選んでから、もう一度エクスポートしてください。</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>画像は .png、.svg、.pdf、値は .csv の名前にしてください</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>画像は .png、.svg、.pdf、値は .csv の名前にしてください。</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7810,8 +7810,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>配置 ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>グラフの配置を読む</translation>
+        <source>not a plot layout</source>
+        <translation>グラフの配置ではありません</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>

@@ -7686,8 +7686,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>此范围内没有样本。请选择其他范围，然后重新导出。</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名。</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7810,8 +7810,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>布局 ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>读取曲线图布局</translation>
+        <source>not a plot layout</source>
+        <translation>不是曲线图布局</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>
