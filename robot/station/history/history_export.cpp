@@ -15,8 +15,8 @@ namespace tiller {
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
                                    double t1, const QString& path) {
     // A context that is a complete sentence is shown without the text of the error code.
-    const auto refusal = [](const char* sentence) {
-        return Error{ErrorCode::Rejected, QCoreApplication::translate("tiller::PlotDock", sentence), {}};
+    const auto refusal = [](const char* sentence, ErrorCode code = ErrorCode::Rejected) {
+        return Error{code, QCoreApplication::translate("tiller::PlotDock", sentence), {}};
     };
     const QString source = shown.empty() ? QString() : store.recordingOf(shown.front());
     if (std::any_of(shown.begin(), shown.end(),
@@ -46,9 +46,11 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
         return rows.error();
     }
     if (rows->count == 0) {
-        return refusal(QT_TRANSLATE_NOOP(
-            "tiller::PlotDock",
-            "There are no samples in this range. Select a different range, then export again."));
+        return refusal(
+            QT_TRANSLATE_NOOP(
+                "tiller::PlotDock",
+                "There are no samples in this range. Select a different range, then export again."),
+            ErrorCode::InvalidArgument);
     }
     // The export blocks the window, including STOP, so its size is limited.
     constexpr double kMaxValues = 20e6;
