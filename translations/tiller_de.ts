@@ -4212,7 +4212,7 @@
         <translation>beendet</translation>
     </message>
     <message>
-        <source>button released</source>
+        <source>button or key released</source>
         <translation>Taste losgelassen</translation>
     </message>
     <message>

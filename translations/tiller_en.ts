@@ -4212,7 +4212,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>button released</source>
+        <source>button or key released</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4212,8 +4212,8 @@
         <translation>terminado</translation>
     </message>
     <message>
-        <source>button released</source>
-        <translation>botón soltado</translation>
+        <source>button or key released</source>
+        <translation>se soltó el botón o la tecla</translation>
     </message>
     <message>
         <source>pointer left the button</source>

@@ -4212,8 +4212,8 @@
         <translation>terminé</translation>
     </message>
     <message>
-        <source>button released</source>
-        <translation>bouton relâché</translation>
+        <source>button or key released</source>
+        <translation>bouton ou touche relâché</translation>
     </message>
     <message>
         <source>pointer left the button</source>

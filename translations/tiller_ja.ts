@@ -4211,8 +4211,8 @@
         <translation>終了</translation>
     </message>
     <message>
-        <source>button released</source>
-        <translation>ボタンを離した</translation>
+        <source>button or key released</source>
+        <translation>ボタンまたはキーを離した</translation>
     </message>
     <message>
         <source>pointer left the button</source>

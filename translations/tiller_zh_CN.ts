@@ -4211,8 +4211,8 @@
         <translation>已结束</translation>
     </message>
     <message>
-        <source>button released</source>
-        <translation>已松开按钮</translation>
+        <source>button or key released</source>
+        <translation>已松开按钮或按键</translation>
     </message>
     <message>
         <source>pointer left the button</source>

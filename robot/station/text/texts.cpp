@@ -164,7 +164,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::None:
             return TextsText::tr("ended");
         case StopCause::Released:
-            return TextsText::tr("button released");
+            return TextsText::tr("button or key released");
         case StopCause::PointerLeft:
             return TextsText::tr("pointer left the button");
         case StopCause::FocusLost:

@@ -13,7 +13,7 @@ namespace tiller::texts {
 
 /// Example: "Connection refused: 192.168.0.10:30004. Enable the interface on the robot under ...".
 QString errorText(const Error& error);
-/// Text for messages about a stop, e.g. "button released", "pointer left the button".
+/// Text for messages about a stop, e.g. "button or key released", "pointer left the button".
 QString stopCauseText(control::StopCause cause);
 /// Reason why the arm cannot be moved in this robot mode, with the suggested action; empty if it can.
 QString robotModeObstacle(RobotMode mode);
