@@ -136,8 +136,8 @@ void PathControls::askForExport() {
         Q_EMIT refused(tr("Select at least two waypoints of the path."), {});
         return;
     }
-    const QString path = QFileDialog::getSaveFileName(
-        window(), tr("Export path"), QStringLiteral("path.csv"), tr("CSV file (*.csv)"));
+    const QString path = QFileDialog::getSaveFileName(window(), tr("Export path"), QStringLiteral("path.csv"),
+                                                      tr("CSV file (*.csv)"));
     if (!path.isEmpty()) {
         exportTo(path);
     }
