@@ -2,7 +2,7 @@
 #pragma once
 
 // Table of all actions of the window: name, menu, shortcut, one sentence of help, and the reason why an
-// action is disabled. The menus, the shortcuts, the command palette, the shortcut settings and the help page
+// action is disabled. The menus, the shortcuts, the command list, the shortcut settings and the help page
 // are generated from this table.
 
 #include <QAction>

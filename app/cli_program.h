@@ -25,7 +25,7 @@ struct LoadedProgram {
 /// such program or step
 Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int fromStep);
 
-/// Formats a problem of a step, e.g. "step 3 (MoveL): The arm cannot reach ...".
+/// Formats a problem with a step, e.g. "step 3 (MoveL): The arm cannot reach ...".
 QString problemText(const LoadedProgram& loaded, int step, const QString& text);
 /// Returns the type of this step; empty if no step has this number.
 QString stepName(const LoadedProgram& loaded, int number);

@@ -60,9 +60,9 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     layout->addSpacing(12);
     layout->addWidget(remembered.isEmpty() ? robot : simulator);
 
-    auto* safety = new QLabel(
-        tr("Before you move a real arm: keep everyone out of its reach, keep the emergency stop within "
-           "reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop."));
+    auto* safety = new QLabel(tr(
+        "Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, "
+        "check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop."));
     safety->setProperty("role", "secondary");
     safety->setWordWrap(true);
     layout->addWidget(safety);

@@ -54,7 +54,7 @@ Demonstration::Demonstration(MainWindow& window, const QString& folder, QObject*
 
 void Demonstration::start() {
     if (!folder_.mkpath(QStringLiteral("."))) {
-        fail(tr("create the folder %1: choose a folder that you have permission to write to")
+        fail(tr("Cannot create the folder %1. Choose a folder that you have permission to write to.")
                  .arg(folder_.path()));
         finish();
         return;
@@ -137,7 +137,9 @@ void Demonstration::addSteps() {
                           window_.showTab(QStringLiteral("waypoints"));
                           window_.selectWaypoint(1);
                           if (!saveScreenshots()) {
-                              fail(tr("write the screenshots to %1").arg(folder_.path()));
+                              fail(tr("Cannot write the screenshots to %1. Check the permissions of the "
+                                      "folder and the free disk space.")
+                                       .arg(folder_.path()));
                           }
                       },
                       [] { return true; }});

@@ -89,10 +89,10 @@ DeviceSettings::DeviceSettings(DeviceJog& devices, const QMap<QString, DeviceTun
 QWidget* DeviceSettings::buildKind(const QString& kind, const QString& title, const DeviceTuning& first) {
     const DeviceTuning now = chosen_.value(kind, first);
     auto* zone =
-        numberField("settings." + kind + ".deadZone", tr("Dead zone of the %1").arg(title),
+        numberField("settings." + kind + ".deadZone", tr("%1 dead zone").arg(title),
                     DeviceTuning::kMinDeadZone * 100, DeviceTuning::kMaxDeadZone * 100, 1, 0, tr(" %"));
     zone->setToolTip(tr("Deflection below which the device does not move the arm."));
-    auto* curve = numberField("settings." + kind + ".exponent", tr("Curve of the %1").arg(title), 1,
+    auto* curve = numberField("settings." + kind + ".exponent", tr("%1 curve").arg(title), 1,
                               DeviceTuning::kMaxExponent, 0.1, 1, {});
     curve->setPrefix(tr("exponent "));
     curve->setToolTip(tr("1: linear. Higher values: finer near the centre, faster at full deflection."));

@@ -74,7 +74,7 @@ QWidget* HelpPage::buildManual() {
     contents->setEnabled(!folder_.isEmpty());
     if (folder_.isEmpty()) {
         manual_->setHtml(
-            tr("<h2>The manual is not installed on this computer</h2><p>The Debian package of Tiller "
+            tr("<h2>The manual is not installed on this PC</h2><p>The Debian package of Tiller "
                "contains it. To add it to your own build, install the package "
                "python3-sphinx:</p><pre>apt-get install python3-sphinx</pre><p>Then build again. You can "
                "also read its pages as text in the folder packaging/manual of the source code. The rules of "
@@ -92,7 +92,7 @@ QWidget* HelpPage::buildRules(int longestHold, const QString& commands) {
     text->setAccessibleName(tr("Jogging and keys"));
     text->setHtml(
         tr("<h2>Moving the arm</h2><p>The arm moves while you hold a jog button, and stops when you release "
-           "it. It also stops when</p><ul><li>the pointer leaves the button, a second mouse button is "
+           "it. It also stops when</p><ul><li>the pointer leaves the button, another mouse button is "
            "pressed, or a second input device is used;</li><li>a modifier or an opposite key is pressed "
            "while a keyboard key is held;</li><li>the window loses focus, a dialog or menu opens, or the "
            "frame, speed, step or tab changes;</li><li>data from the robot are late, this program hangs, or "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The functions of the jog column as commands, for the command palette and for use without a mouse.
+// The functions of the jog column as commands, for the command list and for use without a mouse.
 
 #include <QCoreApplication>
 #include <functional>

@@ -607,7 +607,7 @@ void MainWindow::showPaths() {
 void MainWindow::stopMotion(control::StopCause cause) {
     using control::StopCause;
     jog_->stopMotion(cause);
-    // These causes end what is held. A program that runs without a held button continues.
+    // These causes end held motions. A program that runs without a held button continues.
     const bool endsOnlyHolds = cause == StopCause::SelectionChanged || cause == StopCause::DialogOpened ||
                                cause == StopCause::WindowDeactivated;
     if (!endsOnlyHolds || !program_->runsFreely()) {
@@ -1147,10 +1147,10 @@ void MainWindow::addPanelActions(PanelDock& dock) {
                                              {},
                                              [this, &dock, side] { stage_->move(dock, side); }}));
     };
-    move("left", tr("%1 to the left"), StageSide::Left);
-    move("right", tr("%1 to the right"), StageSide::Right);
-    move("top", tr("%1 to the top"), StageSide::Top);
-    move("bottom", tr("%1 to the bottom"), StageSide::Bottom);
+    move("left", tr("Move %1 to the left"), StageSide::Left);
+    move("right", tr("Move %1 to the right"), StageSide::Right);
+    move("top", tr("Move %1 to the top"), StageSide::Top);
+    move("bottom", tr("Move %1 to the bottom"), StageSide::Bottom);
     connect(&dock.menu(), &QMenu::aboutToShow, this,
             [this] { stopMotion(control::StopCause::DialogOpened); });
 }
@@ -1238,7 +1238,7 @@ void MainWindow::askToTakeControl() {
 
 void MainWindow::askToChange(const QString& what, const std::function<void()>& change) {
     askToEndProgram(
-        QStringLiteral("changeQuestion"), tr("Change during a program"),
+        QStringLiteral("changeQuestion"), tr("Change while a program is active"),
         what + QLatin1Char('\n') + tr("The change takes effect immediately and may disturb the program."),
         tr("Change anyway"), tr("Cancel"), [this, change] {
             session_->confirmChanges();
@@ -1382,7 +1382,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
         session_->setSpeedCap(preferences.speedCap);
         Q_EMIT session_->message(
             preferences.speedCap > Preferences::kOrdinaryCap ? Severity::Warning : Severity::Info,
-            tr("Speed cap %1").arg(format::speed(preferences.speedCap)), Origin::Operator);
+            tr("Speed cap set to %1").arg(format::speed(preferences.speedCap)), Origin::Operator);
     }
     session_->setMonitorOnly(preferences.monitorOnly || monitorOnlyLocked_);
     keyboard_->setLock(session_->isMonitorOnly() ? texts::monitorOnlyObstacle() : QString());

@@ -12,7 +12,7 @@ namespace tiller::app {
 void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
     table.add({"plots.action.record",
                tr("Record"),
-               tr("Writes every packet from the robot to a CSV file until you stop the recording."),
+               tr("Records the robot data to a file until you stop the recording."),
                {},
                [&plots] { plots.toggleRecording(); },
                [](const SessionState& s) {

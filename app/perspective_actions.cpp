@@ -169,7 +169,7 @@ void PerspectiveActions::askForName(const QString& title, const QString& proposa
     dialog->setMinimumWidth(460);
     auto* name = new QLineEdit(proposal);
     name->setObjectName("perspectiveName");
-    name->setAccessibleName(tr("Name of the perspective"));
+    name->setAccessibleName(tr("Perspective name"));
     auto* hint = new QLabel;
     hint->setObjectName("perspectiveHint");
     hint->setWordWrap(true);

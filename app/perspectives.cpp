@@ -147,7 +147,7 @@ QString Perspectives::obstacle(const QString& name, const QString& except) const
         return tr("The name is too long.");
     }
     if (except.isEmpty() && saved_.size() >= kMaxPerspectives) {
-        return tr("The maximum number of perspectives is reached. Delete a perspective first.");
+        return tr("The maximum number of perspectives has been reached. Delete a perspective first.");
     }
     const QList<Entry> entries = all();
     const bool taken = std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {

@@ -74,7 +74,7 @@ public:
 Q_SIGNALS:
     /// The list or a name has changed.
     void listChanged();
-    /// Another perspective was selected.
+    /// A perspective was selected, saved under a new name, or restored.
     void currentChanged();
     void message(tiller::Severity severity, const QString& text);
 

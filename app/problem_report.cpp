@@ -3,7 +3,6 @@
 
 #include <zlib.h>
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QGuiApplication>
@@ -20,11 +19,6 @@
 
 namespace tiller::app {
 namespace {
-
-/// Translation context of this file for lupdate.
-struct ProblemReport {
-    Q_DECLARE_TR_FUNCTIONS(ProblemReport)
-};
 
 /// Returns the versions in English, for the support team, independent of the user's language.
 QString versionsText(const SessionState& state) {
@@ -195,7 +189,7 @@ QByteArray zipped(const QVector<ReportPart>& parts) {
 }
 
 Result<void> writeReport(const QString& path, const QVector<ReportPart>& parts) {
-    return writeFileAtomically(path, zipped(parts), ProblemReport::tr("write %1").arg(path));
+    return writeFileAtomically(path, zipped(parts));
 }
 
 }  // namespace tiller::app

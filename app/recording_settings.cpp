@@ -146,7 +146,7 @@ void RecordingSettings::build() {
     form->addRow(tr("Folder"), place);
     form->addRow(tr("File name"), pattern_);
     form->addRow(QString(), example_);
-    form->addRow(tr("One row every"), every_);
+    form->addRow(tr("Packets per row"), every_);
     form->addRow(QString(), rate_);
     form->addRow(tr("Keep free"), keepFree_);
     form->addRow(tr("Signals"), above);

@@ -50,7 +50,7 @@ ReportDialog::ReportDialog(ReportSources sources, QWidget* parent)
     words_->setFixedHeight(5 * words_->fontMetrics().lineSpacing());
     names_->setObjectName("report.names");
     list_->setObjectName("report.parts");
-    list_->setAccessibleName(tr("Files of the report"));
+    list_->setAccessibleName(tr("Report files"));
     list_->setFixedWidth(190);
     content_->setObjectName("report.content");
     content_->setAccessibleName(tr("Content of this file"));

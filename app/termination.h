@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Waits for the termination of a program without a window, by Ctrl-C or a request of the system.
+// Waits for the termination of a program without a window, by Ctrl+C or a request of the system.
 
 #include <chrono>
 

@@ -4,19 +4,19 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Für diesen Roboter ist kein Greifer eingerichtet. Wählen Sie ihn unter E/A, Greifer.</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>Für diesen Roboter ist kein Greifer eingerichtet. Wählen Sie ihn unter E/A &gt; Greifer.</translation>
     </message>
     <message>
         <source>Run route</source>
         <translation>Route</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation>%1 wurde nicht innerhalb von %2 s eingeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
@@ -24,8 +24,8 @@
         <translation>%1 wurde nicht ausgeführt. %2</translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
-        <translation>Der Greifer kam nicht innerhalb von %1 s zum Stillstand.</translation>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
+        <translation>Der Greifer kam nicht innerhalb von %1 s zum Stillstand. Prüfen Sie den Greifer und versuchen Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -444,19 +444,19 @@
         <translation>Zu viele Schutzstopps</translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
-        <translation>Ein Gelenk hatte in acht Stunden mehr als fünfzig Schutzstopps.</translation>
+        <source>One joint had fifty protective stops within eight hours.</source>
+        <translation>Ein Gelenk hatte innerhalb von acht Stunden fünfzig Schutzstopps.</translation>
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>Klären Sie die Ursache der Stopps, bevor Sie fortfahren; starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation>Plötzlicher Sprung der Sollposition</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation>Ein Programm hat einen Positionssprung befohlen.</translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation>Starten Sie das Programm an der aktuellen Position des Arms und halten Sie die Servo-Schritte klein.</translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation>Plötzlicher Sprung der Sollgeschwindigkeit</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation>Ein Programm hat einen Geschwindigkeitssprung befohlen.</translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation>%1 in %2</translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation>Achsen des Geräts</translation>
     </message>
 </context>
@@ -577,7 +577,7 @@
         <translation>Einige Werte und die Register zum Steuern fehlen. Aktualisieren Sie die Software des Roboters auf %1.%2 oder neuer.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Prüfen Sie den Arm, beseitigen Sie die Ursache und stellen Sie den Betrieb wieder her: „Wiederherstellen…“ in der Kopfzeile oder am Teach-Pendant.</translation>
     </message>
     <message>
@@ -673,8 +673,8 @@
         <translation>TCP %1 mm vom Flansch, Nutzlast %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive absacken.</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive wegdriften.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -729,8 +729,8 @@
         <translation>Port %1 antwortet nicht</translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>Aktivieren Sie diese Schnittstelle am Roboter: Einstellungen, Sicherheit, Dienste.</translation>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
+        <translation>Aktivieren Sie diese Schnittstelle am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste.</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
@@ -773,8 +773,8 @@
         <translation>weder das Dashboard (Port %1) noch die Robot API (Port %2) ist verfügbar</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>Aktivieren Sie den Dashboard-Server am Roboter: Einstellungen, Sicherheit, Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <translation>Aktivieren Sie den Dashboard-Server am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste. PolyScope X benötigt für die Robot API Version 10.11 oder neuer.</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
@@ -900,7 +900,7 @@
         <translation>Warten Sie auf Stillstand, bevor Sie Freedrive starten.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>Der Arm würde wegdriften: Er misst %1 bei einer Nutzlast von %2 kg. Lassen Sie das Werkzeug los oder korrigieren Sie Nutzlast und TCP.</translation>
     </message>
 </context>
@@ -1093,12 +1093,12 @@
         <translation>%1 fahren oder den Ellbogen beugen</translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
-        <translation>Handgelenk über der Basisachse</translation>
+        <source>Wrist near the base axis</source>
+        <translation>Handgelenk nahe der Basisachse</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
-        <translation>Handgelenk über der Basisachse: %1 der Geschwindigkeit</translation>
+        <source>Wrist near the base axis: %1 speed</source>
+        <translation>Handgelenk nahe der Basisachse: %1 der Geschwindigkeit</translation>
     </message>
     <message>
         <source>move outwards</source>
@@ -1137,24 +1137,24 @@
         <translation>%1 fahren oder %2 %3 drehen</translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
-        <translation>TCP an der Geschwindigkeitsgrenze von %1</translation>
+        <source>TCP at the speed cap: %1 speed</source>
+        <translation>TCP an der Geschwindigkeitsgrenze: %1 der Geschwindigkeit</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
         <translation>Grenze in den Einstellungen ändern</translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
-        <translation>Ellbogen an der Geschwindigkeitsgrenze von %1</translation>
+        <source>Elbow at the speed cap: %1 speed</source>
+        <translation>Ellbogen an der Geschwindigkeitsgrenze: %1 der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
-        <translation>Drehung an der Grenze von %1</translation>
+        <source>Rotation at the speed cap: %1 speed</source>
+        <translation>Drehung an der Geschwindigkeitsgrenze: %1 der Geschwindigkeit</translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
-        <translation>%1 an der Höchstgeschwindigkeit von %2</translation>
+        <source>%1 at its maximum speed: %2 speed</source>
+        <translation>%1 an der Höchstgeschwindigkeit: %2 der Geschwindigkeit</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
@@ -1506,8 +1506,8 @@
         <translation>Not-Halt</translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
-        <translation>Der Not-Halt des Roboters ist gedrückt. Ziehen Sie den Knopf heraus, dann schalten Sie ein und lösen die Bremsen.</translation>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
+        <translation>Der Not-Halt-Taster des Roboters ist gedrückt. Drehen Sie ihn im Uhrzeigersinn, um ihn zu entriegeln, dann schalten Sie ein und lösen die Bremsen.</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1546,7 +1546,7 @@
         <translation>Safeguard-Stopp Automatik</translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation>Die Schutzeinrichtung des Automatikbetriebs ist offen. Schließen Sie sie oder wechseln Sie in den manuellen Modus.</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>PROFIsafe-Automatik-Stopp</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation>Die PROFIsafe-Steuerung fordert den Safeguard-Stopp des Automatikbetriebs an. Heben Sie die Anforderung dort auf.</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>Programm pausiert</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>Setzen Sie die unterbrochene Bewegung mit „Abspielen“ fort, oder stoppen Sie das Programm, um sie zu verwerfen.</translation>
     </message>
     <message>
@@ -1740,8 +1740,8 @@
         <translation>Aufzeichnen</translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>Schreibt jedes Paket des Roboters in eine CSV-Datei, bis Sie die Aufzeichnung beenden.</translation>
+        <source>Records the robot data to a file until you stop the recording.</source>
+        <translation>Zeichnet die Roboterdaten in eine Datei auf, bis Sie die Aufzeichnung beenden.</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -1974,7 +1974,7 @@
         <translation>Warte auf den Stopp.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>Der Arm ist in einem Schutzstopp. Drücken Sie „Wiederherstellen…“ in der Kopfzeile.</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>„%1“ wurde nicht mit dem Arm geteacht: Der TCP war nie an seinem Ursprung.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>Der Wegpunkt wurde gelöscht. Drücken Sie „Start“, um einen neuen hinzuzufügen.</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>Diese Aufzeichnung ist zu kurz. Zeichnen Sie erneut auf.</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>Noch keine Aufzeichnung. Drücken Sie „Aufzeichnen“ über den Diagrammen.</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>Aufzeichnen und messen</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>Drücken Sie „Start“, um eine Kollision mit Schutzstopp zu simulieren. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Teachen Sie im Register Koordinatensysteme ein Koordinatensystem aus drei Punkten. Seine X-Achse muss entlang Y+ der Basis zeigen, seine Z-Achse nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter in Y+, dann einen Punkt weiter in X−.</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Drücken Sie „Start“, um an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzuzufügen. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>Fahren Sie nach außen, weg von der Basis, bis eine Grenze die Geschwindigkeit halbiert. Die Zeile unter dem Tastenfeld nennt die Grenze und wie Sie sie verlassen. Fahren Sie dann um %1 zurück.</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Drücken Sie „Start“, um eine Hand zu simulieren, die von oben auf das Werkzeug drückt. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
     </message>
     <message>
         <source>part</source>
         <translation>Teil</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>%1 schreiben</translation>
     </message>
 </context>
 <context>
@@ -3020,8 +3013,8 @@
         <translation>Die Ursache ist beseitigt, und niemand befindet sich im Arbeitsbereich des Arms.</translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>Hier ist keine Aktion nötig: Der Zustand endet, wenn die Ursache beseitigt ist.</translation>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <translation>In Tiller ist keine Aktion nötig. Der Zustand endet, wenn die Ursache beseitigt ist.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -3063,8 +3056,8 @@
         <translation>Verlauf bei %1 s</translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
-        <translation>bei %1 s von %2</translation>
+        <source>at %1 s in %2</source>
+        <translation>bei %1 s in %2</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>Analogausgang %1: %2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>Eingangsregister %1: %2</translation>
+        <source>Input int register %1</source>
+        <translation>Int-Eingangsregister %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,12 @@
         <translation>Der Roboter hat den Impuls von %1 nicht beendet, weil sein Programm gestoppt oder angehalten wurde. Tiller schaltet den Ausgang aus.</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>Eingangsregister %1</translation>
+        <source>Input float register %1</source>
+        <translation>Float-Eingangsregister %1</translation>
+    </message>
+    <message>
+        <source>Input bit register %1</source>
+        <translation>Bit-Eingangsregister %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -3868,12 +3865,12 @@
         <translation>Bit %1</translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
-        <translation>Ausgangsregister, Zahlen</translation>
+        <source>Output registers, floats</source>
+        <translation>Ausgangsregister, Float</translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
-        <translation>Eingangsregister, Zahlen</translation>
+        <source>Input registers, floats</source>
+        <translation>Eingangsregister, Float</translation>
     </message>
     <message>
         <source>Output registers, integers</source>
@@ -4031,12 +4028,12 @@
         <translation>Prüfen Sie, ob der Roboter eingeschaltet, das Kabel eingesteckt und dieser PC im selben Netzwerk ist.</translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>Aktivieren Sie die Schnittstelle am Roboter: Einstellungen, Sicherheit, Dienste. Ein gerade gestarteter Roboter benötigt eventuell noch eine Minute.</translation>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
+        <translation>Aktivieren Sie die Schnittstelle am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste. Ein gerade gestarteter Roboter benötigt eventuell noch eine Minute.</translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
-        <translation>Der Roboter hat die Verbindung geschlossen: Er startet eventuell neu oder wurde zwischen Lokal und Fernsteuerung umgeschaltet.</translation>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <translation>Er startet eventuell neu oder wird zwischen Lokal und Fernsteuerung umgeschaltet. Warten Sie eine Minute und verbinden Sie dann erneut.</translation>
     </message>
     <message>
         <source>The robot does not respond. Check the cable and the address.</source>
@@ -4215,8 +4212,8 @@
         <translation>beendet</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>losgelassen</translation>
+        <source>button or key released</source>
+        <translation>Taste losgelassen</translation>
     </message>
     <message>
         <source>pointer left the button</source>
@@ -4227,8 +4224,8 @@
         <translation>Fokus verloren</translation>
     </message>
     <message>
-        <source>window lost activation</source>
-        <translation>Fenster nicht mehr aktiv</translation>
+        <source>another window became active</source>
+        <translation>anderes Fenster wurde aktiv</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -4239,8 +4236,8 @@
         <translation>Dialog oder Menü geöffnet</translation>
     </message>
     <message>
-        <source>second button</source>
-        <translation>zweite Maustaste</translation>
+        <source>another button or key pressed</source>
+        <translation>andere Taste gedrückt</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -4303,8 +4300,8 @@
         <translation>Ziel zu weit für einen Schritt</translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
-        <translation>keine Bestätigung, dass die Taste noch gehalten wird</translation>
+        <source>could not verify that the button or key is still pressed</source>
+        <translation>nicht prüfbar, ob die Taste noch gedrückt ist</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4503,8 +4500,8 @@
         <translation>Zeitlimit in Sekunden</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
-        <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde</translation>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde.</translation>
     </message>
 </context>
 <context>
@@ -4535,9 +4532,9 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1: %2
-Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
+F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4623,20 +4620,20 @@ Rechtsklick oder F2, um umzubenennen und zu skalieren.</translation>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>Noch keine Quader oder Ebenen.
-Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.</translation>
+Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hier“.</translation>
     </message>
     <message>
-        <source>Checked</source>
-        <translation>Geprüft</translation>
+        <source>Check for collisions</source>
+        <translation>Kollisionen prüfen</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>Mitte des Quaders. Mit Enter übernehmen. Nur der Quader ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -4676,8 +4673,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Erste Ecke übernommen.</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
-        <translation>Bewegen Sie den TCP zur gegenüberliegenden Ecke und drücken Sie Andere Ecke.</translation>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
+        <translation>Bewegen Sie den TCP zur gegenüberliegenden Ecke und drücken Sie „Andere Ecke“.</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4720,11 +4717,11 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Sicherheitsabstand ändern</translation>
     </message>
     <message>
-        <source>Other corner</source>
+        <source>Teach corner 2</source>
         <translation>Andere Ecke</translation>
     </message>
     <message>
-        <source>Corner here</source>
+        <source>Teach corner</source>
         <translation>Ecke hier</translation>
     </message>
     <message>
@@ -4776,15 +4773,15 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Boden</translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
-        <translation>Ausgeschaltet wird der Boden weder angezeigt noch auf Kollisionen geprüft.</translation>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
+        <translation>Ausgeschaltet wird der Quader oder die Ebene weder angezeigt noch auf Kollisionen geprüft.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
         <translation>Waagerechte Ebene im Basissystem, über der der Arm bleiben muss.</translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation>Höhe des Bodens</translation>
     </message>
     <message>
@@ -4812,7 +4809,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie Ecke hier.
         <translation>Ecke eines Quaders auf den TCP setzen</translation>
     </message>
     <message>
-        <source>Plane here</source>
+        <source>Teach plane</source>
         <translation>Ebene hier</translation>
     </message>
     <message>
@@ -5055,7 +5052,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Bremsen lösen (Kopfzeile)</translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation>Steuerung übernehmen, Verfahrtaste halten</translation>
     </message>
     <message>
@@ -5063,7 +5060,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Hier teachen (T)</translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation>Wegfahren, Anfahren halten (G)</translation>
     </message>
     <message>
@@ -5105,7 +5102,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Ursprung</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>Im Basis-Koordinatensystem. Mit Enter übernehmen. Nur das Koordinatensystem ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -5416,7 +5413,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation>Noch keine Koordinatensysteme.
 Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP“ oder „3 Punkte“, um Ursprung, +X und +Y zu nehmen.</translation>
     </message>
@@ -5548,7 +5545,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Fährt zum nächsten Wegpunkt, solange die Taste gehalten wird, und stoppt dort</translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation>Wegpunkte der Route</translation>
     </message>
     <message>
@@ -5893,8 +5890,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Geschwindigkeit oder Kraft liegt außerhalb des Bereichs.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
-        <translation>Der Greifer hat den Befehl nicht angenommen.</translation>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
+        <translation>Der Greifer hat den Befehl nicht ausgeführt. Prüfen Sie, dass kein anderes Programm den Greifer steuert, und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5928,7 +5925,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>LETZTER STOPP</translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation>Zustand des Roboters</translation>
     </message>
     <message>
@@ -5999,8 +5996,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
-        <translation>Der Display-Server antwortet nicht: Das Loslassen einer Taste kann nicht erkannt werden.</translation>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <translation>Der Display-Server antwortet nicht: Das Loslassen einer Taste kann nicht erkannt werden. Lassen Sie sie los und versuchen Sie es erneut.</translation>
     </message>
 </context>
 <context>
@@ -6283,8 +6280,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Letzter Stopp: %1, Stillstand nach %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
-        <translation>Bewegen Sie den Arm von Hand, solange diese Taste gehalten wird: %1. Rechtsklick wählt Achsen</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
+        <translation>Bewegen Sie den Arm von Hand, solange diese Taste gehalten wird: %1. Rechtsklick wählt Achsen.</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6295,8 +6292,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Freedrive…</translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
-        <translation>Nutzlast vor Freedrive prüfen (bis zur nächsten Verbindung)</translation>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
+        <translation>Nutzlast vor Freedrive prüfen (wird bei neuer Verbindung zurückgesetzt)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6380,28 +6377,28 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Noch kein Koordinatensystem geteacht. Teachen Sie eines im Register Koordinatensysteme.</translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
-        <translation>Ein Schritt je Tastendruck: %1</translation>
+        <source>Moves by %1 per press.</source>
+        <translation>Bewegt je Tastendruck um %1.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
-        <translation>Ein Drehschritt je Tastendruck, Werkzeug oder Gelenk: %1</translation>
+        <source>Rotates the tool or joint by %1 per press.</source>
+        <translation>Dreht Werkzeug oder Gelenk je Tastendruck um %1.</translation>
     </message>
     <message>
         <source>≤ %1</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>Fährt langsam, solange gehalten, bis die Kontaktkraft %1 N erreicht. Erneut klicken für andere Schritte</translation>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <translation>Bewegt langsam, solange gehalten, bis die Kontaktkraft %1 N erreicht. Erneut klicken, um einen anderen Schritt zu wählen.</translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
-        <translation>Ein Schritt je Tastendruck: %1. Erneut klicken für andere Schritte</translation>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
+        <translation>Bewegt je Tastendruck um %1. Erneut klicken, um einen anderen Schritt zu wählen.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>Ein Drehschritt je Tastendruck, Werkzeug oder Gelenk: %1. Erneut klicken für andere Winkel</translation>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
+        <translation>Dreht Werkzeug oder Gelenk je Tastendruck um %1. Erneut klicken, um einen anderen Winkel zu wählen.</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -6602,16 +6599,12 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Details des gewählten Eintrags</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>%1 schreiben</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>Das Protokoll exportieren</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>Textdatei (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6725,8 +6718,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>„%1“</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem %2 nicht im Projekt ist. Geben Sie die Position auf der Seite „Zelle“ ein, schließen Sie das Objekt aus oder löschen Sie es dort</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem nicht im Projekt ist. Geben Sie die Position auf der Seite „Zelle“ ein, schließen Sie das Objekt aus oder löschen Sie es dort</translation>
     </message>
 </context>
 <context>
@@ -6748,11 +6741,11 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation>Aktion des Hinweises</translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation>Zweite Aktion des Hinweises</translation>
     </message>
 </context>
@@ -6773,8 +6766,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
 <context>
     <name>tiller::PathControls</name>
     <message>
-        <source>Tolerance of recorded paths</source>
-        <translation>Toleranz aufgezeichneter Bahnen</translation>
+        <source>Path tolerance</source>
+        <translation>Bahntoleranz</translation>
     </message>
     <message>
         <source>Record path</source>
@@ -6785,8 +6778,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Bahn als CSV exportieren…</translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
-        <translation>Vorführung importieren (CSV)…</translation>
+        <source>Import path from CSV…</source>
+        <translation>Bahn aus CSV importieren…</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
@@ -6825,8 +6818,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Bahn exportieren</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV-Datei (*.csv)</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
@@ -6840,15 +6833,15 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         </translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
-        <translation>Eine Vorführung importieren</translation>
+        <source>Import path</source>
+        <translation>Bahn importieren</translation>
     </message>
     <message>
         <source>○ Path</source>
         <translation>○ Bahn</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>Die Bahn des Arms wird aufgezeichnet. Wählen Sie „Bahnaufzeichnung beenden“, um sie zu beenden.</translation>
     </message>
 </context>
@@ -6867,8 +6860,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Import abgelehnt: Es wird gerade eine Bahn aufgezeichnet. Beenden Sie diese Aufzeichnung zuerst.</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>Die Vorführung konnte nicht importiert werden.</translation>
+        <source>The path could not be imported.</source>
+        <translation>Die Bahn konnte nicht importiert werden.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6993,7 +6986,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Teachen Sie zuerst die drei Ecken und wählen Sie dann für jede Ecke einen Wegpunkt.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>Zwei Ecken sind identisch. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
     </message>
     <message>
@@ -7035,14 +7028,14 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>Die drei Ecken liegen auf einer Geraden. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation>Plätze des Musters</translation>
     </message>
     <message>
@@ -7219,7 +7212,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>CZ</translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation>Masse der Nutzlast</translation>
     </message>
     <message>
@@ -7235,7 +7228,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Schwerpunkt Z</translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation>Mit Enter in das Projekt übernehmen. Die Nutzlast des Roboters ändert sich nicht.</translation>
     </message>
     <message>
@@ -7388,7 +7381,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>Noch keine Nutzlasten.
 Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translation>
     </message>
@@ -7564,8 +7557,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>In eine CSV-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
-        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Roboterdaten in eine CSV-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner.</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7640,20 +7633,20 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Sichtbarer Bereich exportiert nach %1</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>Bild (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
-        <translation>Zeichnung (*.svg)</translation>
+        <source>SVG image (*.svg)</source>
+        <translation>SVG-Bild (*.svg)</translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
-        <translation>Seite (*.pdf)</translation>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
-        <translation>Werte (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV-Datei (*.csv)</translation>
     </message>
     <message>
         <source>Recording options</source>
@@ -7706,12 +7699,12 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>nach %1 exportieren</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>exportieren: In diesem Bereich gibt es keine Werte</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>In diesem Bereich gibt es keine Messwerte. Wählen Sie einen anderen Bereich und exportieren Sie dann erneut.</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>verwenden Sie die Endung .png, .svg oder .pdf für ein Bild oder .csv für Werte</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>Verwenden Sie die Endung .png, .svg oder .pdf für ein Bild oder .csv für Werte.</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7774,10 +7767,6 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Speicher für den Verlauf</translation>
     </message>
     <message>
-        <source>save the layout to %1</source>
-        <translation>das Layout nach %1 speichern</translation>
-    </message>
-    <message>
         <source>Opened the recording %1</source>
         <translation>Aufzeichnung %1 geöffnet</translation>
     </message>
@@ -7806,7 +7795,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>%1 und weitere</translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation>Liste der Signale</translation>
     </message>
     <message>
@@ -7838,8 +7827,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>ein Diagrammlayout lesen</translation>
+        <source>not a plot layout</source>
+        <translation>kein Diagrammlayout</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>
@@ -7866,7 +7855,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Uhrzeit</translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Die maximale Zahl an Diagrammseiten ist erreicht: Entfernen Sie zuerst eine Seite.</translation>
     </message>
     <message>
@@ -7874,8 +7863,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>In eine MCAP-Datei aufzeichnen</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
-        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Roboterdaten in eine MCAP-Datei aufzeichnen. Mit der Pfeiltaste wählen Sie Signale und Ordner.</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7901,8 +7890,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Bereich zwischen den Cursorn A und B nach %1 exportiert</translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
-        <translation>Werte zwischen den Cursorn A und B (*%1)</translation>
+        <source>Cursor A to cursor B (*%1)</source>
+        <translation>Cursor A bis Cursor B (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -7913,8 +7902,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Live-Signale können nur als .csv exportiert werden. Zeichnen Sie sie für andere Formate zuerst auf.</translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
-        <translation>Der Bereich enthält zu viele Werte für einen Export aus dem Fenster. Exportieren Sie einen kürzeren Bereich, oder verwenden Sie tiller-cli export.</translation>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation>Der Bereich enthält zu viele Werte, um ihn aus diesem Fenster zu exportieren. Exportieren Sie einen kürzeren Bereich, oder führen Sie „tiller-cli export“ aus.</translation>
     </message>
 </context>
 <context>
@@ -7935,7 +7924,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Diagrammseiten</translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation>Name der Seite</translation>
     </message>
     <message>
@@ -8061,8 +8050,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Diagramme über der Zeit</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A und B setzen die Cursor, links und rechts bewegen sie, auf und ab wählen das abgelesene Signal. H blendet dessen Kurve aus, Strg+Entf entfernt sie. Plus und Minus ändern den Zeitbereich, mit Strg die Werteskala; Strg+0 skaliert automatisch. N fügt eine Notiz hinzu, F zeigt alle Daten, Ende kehrt zu den neuesten Messwerten zurück</translation>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
+        <translation>A und B setzen die Cursor. Links und Rechts bewegen den aktiven Cursor. Auf und Ab wählen das abgelesene Signal. H blendet dessen Kurve aus; Strg+Entf entfernt sie. Plus und Minus ändern den Zeitbereich, mit Strg die Werteskala; Strg+0 skaliert automatisch. N fügt eine Notiz hinzu, F zeigt alle Daten, und Ende kehrt zu den neuesten Messwerten zurück.</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -8123,15 +8112,15 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>TCP-Pose in %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
-        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick zeigt die Verschiebung seit Beginn der letzten Bewegung</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick zeigt die Verschiebung seit Beginn der letzten Bewegung.</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
-        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit Beginn der letzten Bewegung. Klick setzt hier null</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit Beginn der letzten Bewegung. Klick setzt hier null.</translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation>TCP im System des Flansches: %1</translation>
     </message>
 </context>
@@ -8163,16 +8152,16 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation>Noch keine Positionen.
-Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hier hinzufügen“.</translation>
+Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Position hinzufügen“.</translation>
     </message>
     <message>
         <source>Safe height</source>
         <translation>Sichere Höhe</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Mit Enter übernehmen. Nur die gespeicherte Position ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -8192,8 +8181,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Home hier</translation>
     </message>
     <message>
-        <source>Add here</source>
-        <translation>Hier hinzufügen</translation>
+        <source>Add position</source>
+        <translation>Position hinzufügen</translation>
     </message>
     <message>
         <source>Store the current position of the arm</source>
@@ -8323,11 +8312,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Der Arm wurde vom Sicherheitssystem gestoppt. Stellen Sie zuerst den Betrieb wieder her.</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>Erledigt. Drücken Sie „Start“, um die Aufgabe zu wiederholen.</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>Drücken Sie Start.</translation>
     </message>
 </context>
@@ -8350,7 +8339,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Hie
         <translation>Kraft Fz in Newton</translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation>Wert eingeben, Enter drücken</translation>
     </message>
     <message>
@@ -8892,7 +8881,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Projekt verwendet den TCP „%1“. Der aktive TCP des Roboters weicht um %2 ab.</translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation>Das Projekt passt zum verbundenen Roboter.</translation>
     </message>
     <message>
@@ -8991,15 +8980,15 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 — gespeichert</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>keine Datei gewählt</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>Für das Projekt ist keine Datei gewählt. Speichern Sie das Projekt zuerst in einer Datei.</translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation>%1 — in einem anderen Fenster geöffnet, Änderungen hier werden nicht gespeichert</translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation>%1 — von einem anderen Programm geändert, Änderungen hier werden nicht gespeichert</translation>
     </message>
     <message>
@@ -9007,20 +8996,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ungespeichertes Projekt</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>%1 speichern</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>die Datei ist in einem anderen Fenster geöffnet (%1)</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 ist in einem anderen Fenster geöffnet (%2). Schließen Sie die Datei dort, oder speichern Sie unter einem anderen Namen.</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>ein anderes Programm</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>ein anderes Programm hat die Datei geändert</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>%1 wurde von einem anderen Programm geändert. Laden Sie die Datei neu, oder speichern Sie unter einem anderen Namen.</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9081,16 +9066,16 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ganzzahl %1</translation>
     </message>
     <message>
-        <source>Number %1</source>
-        <translation>Zahl %1</translation>
+        <source>Float %1</source>
+        <translation>Float %1</translation>
     </message>
     <message>
         <source>Int</source>
         <translation>Ganzzahl</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>Zahl</translation>
+        <source>Float</source>
+        <translation>Float</translation>
     </message>
     <message>
         <source>Bit</source>
@@ -9124,8 +9109,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Zurück zu Live</translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>Aktuellen Zustand des Roboters zeigen. Die Aufzeichnung bleibt in den Diagrammen offen</translation>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
+        <translation>Aktuellen Zustand des Roboters zeigen. Die Aufzeichnung bleibt in den Diagrammen offen.</translation>
     </message>
 </context>
 <context>
@@ -9225,7 +9210,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Programm: %1</translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation>Programmfehler in Zeile %1, Spalte %2: %3</translation>
     </message>
     <message>
@@ -9265,8 +9250,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. STOP funktioniert weiterhin.</translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
-        <translation>Nur beobachten ist aus</translation>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
+        <translation>„Nur beobachten“ ist aus. Befehle an den Roboter sind möglich.</translation>
     </message>
     <message>
         <source>%1: refused. %2</source>
@@ -9308,7 +9293,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ein Programm eines anderen Clients hat den Roboter übernommen. Übernehmen der Steuerung beendet es.</translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation>Das Programm des anderen Clients wird beendet, um die Steuerung zu übernehmen.</translation>
     </message>
     <message>
@@ -9347,7 +9332,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer ist aktiv</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>Der Greifer wurde nicht aktiviert. Prüfen Sie, ob etwas seine Finger blockiert, und drücken Sie dann erneut „Aktivieren“.</translation>
     </message>
     <message>
@@ -9367,19 +9352,19 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 ist fehlgeschlagen. %2</translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation>Unter %1:%2 antwortet kein Greiferdienst. Installieren Sie die URCap von Robotiq auf dem Roboter und wählen Sie den Greifer in der Installation.</translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>Der Greifer antwortet nicht. Prüfen Sie sein Kabel am Handgelenk und seine Seite in der Installation des Roboters; wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
+        <translation>Der Greifer antwortet nicht. Prüfen Sie das Kabel am Handgelenk und die Seite des Greifers in der Installation des Roboters. Wenn das Problem bleibt, starten Sie den Roboter neu.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>Der Roboter hat die Verbindung zum Greifer geschlossen und startet eventuell neu. Tiller verbindet sich automatisch neu; der Greifer hält weiter.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>Der Greifer hat den Befehl nicht angenommen. Aktivieren Sie ihn; wenn er aktiv ist, prüfen Sie seine Seite in der Installation des Roboters.</translation>
     </message>
     <message>
@@ -9387,43 +9372,43 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer wird aktiviert; der Befehl wird danach ausgeführt.</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>Der Greifer hat einen Bewegungsbefehl erhalten, bevor er aktiv war. Drücken Sie „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>Der Greifer ist zu heiß. Lassen Sie ihn abkühlen, dann drücken Sie Aktivieren.</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>Der Greifer hat eine Sekunde lang keinen Befehl erhalten. Prüfen Sie sein Kabel am Handgelenk und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>Die Versorgungsspannung des Greifers ist zu niedrig. Stellen Sie die Werkzeugspannung auf 24 V und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>Das automatische Lösen des Greifers läuft. Warten Sie, bis es abgeschlossen ist, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>Das automatische Lösen des Greifers ist abgeschlossen. Drücken Sie „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>Der Greifer hat einen internen Fehler. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, wenden Sie sich an Robotiq.</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>Die Aktivierung ist fehlgeschlagen. Prüfen Sie, ob etwas die Finger blockiert, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>Der Greifer nimmt zu viel Strom auf. Prüfen Sie, ob etwas die Finger blockiert, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>Der Greifer meldet Fehler %1. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, lesen Sie sein Handbuch.</translation>
     </message>
 </context>
@@ -9610,7 +9595,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation>Ansicht des Arms</translation>
     </message>
     <message>
@@ -9688,12 +9673,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Roboter kann nicht so viele Signale auf einmal senden: Entfernen Sie zuerst andere Signale.</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>%1 öffnen</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>Die Aufzeichnung ist leer.</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>Die Aufzeichnung %1 enthält keine Messwerte. Öffnen Sie eine andere Aufzeichnung.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9715,7 +9696,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Signale suchen</translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation>Signale des Roboters</translation>
     </message>
     <message>
@@ -9723,8 +9704,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Neu: |F| [N] = norm(…)</translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
-        <translation>Aus anderen berechnetes Signal</translation>
+        <source>Derived signal</source>
+        <translation>Abgeleitetes Signal</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
@@ -9757,7 +9738,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Geschwindigkeitsregler</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>Geschwindigkeitsregler des Roboters, 2 bis 100 %</translation>
     </message>
     <message>
@@ -9883,7 +9864,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>Noch keine TCPs.
 Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen…“, um einen mit dem Arm zu teachen.</translation>
     </message>
@@ -9892,7 +9873,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>TCP</translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation>Relativ zum Flansch. Mit Enter in das Projekt übernehmen. Der TCP des Roboters ändert sich nicht.</translation>
     </message>
     <message>
@@ -10039,24 +10020,24 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Den TCP teachen</translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
-        <translation>Pose für die Drehung nehmen</translation>
+        <source>Record pose for the tool orientation</source>
+        <translation>Pose für die Orientierung nehmen</translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
-        <translation>Drehung des Werkzeugs</translation>
+        <source>Tool orientation</source>
+        <translation>Werkzeugorientierung</translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
-        <translation>Aktuelle Drehung behalten</translation>
+        <source>Keep current orientation</source>
+        <translation>Aktuelle Orientierung behalten</translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
-        <translation>Drehung aus einer Pose: Werkzeug senkrecht nach unten</translation>
+        <source>Orientation from one pose: tool straight down</source>
+        <translation>Orientierung aus einer Pose: Werkzeug senkrecht nach unten</translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
-        <translation>Drehung aus drei Posen: entlang +Z, Richtung +X</translation>
+        <source>Orientation from three poses: along +Z, towards +X</source>
+        <translation>Orientierung aus drei Posen: entlang +Z, Richtung +X</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10086,16 +10067,16 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
-        <translation>Das Werkzeug behält seine aktuelle Drehung.</translation>
+        <source>The tool keeps the current orientation.</source>
+        <translation>Das Werkzeug behält die aktuelle Orientierung.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und seine X-Achse parallel zur X-Achse der Basis ist, und nehmen Sie dann die Pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>Drehung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
+        <source>Orientation recorded. Record it again to replace it.</source>
+        <translation>Orientierung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
@@ -10110,8 +10091,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Bewegen Sie das Werkzeug nun um mindestens %1 entlang seiner +X-Richtung und nehmen Sie die Pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Drehung genommen: %1 entlang +Z, %2 entlang +X; größte Flanschdrehung %3 bei Pose %4.</translation>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>Orientierung genommen: %1 entlang +Z, %2 entlang +X; größte Flanschdrehung %3 bei Pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
@@ -10199,7 +10180,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1. Mit Enter übernehmen. Der Roboter bewegt sich nicht.</translation>
     </message>
 </context>
@@ -10229,7 +10210,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>Im Koordinatensystem des Wegpunkts. Mit Enter übernehmen. Nur der Wegpunkt ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -10237,7 +10218,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Gewählter Wegpunkt</translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation>System des Wegpunkts</translation>
     </message>
     <message>
@@ -10373,8 +10354,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Wegpunkte exportieren</translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
-        <translation>Kommagetrennt (*.csv);;JSON (*.json)</translation>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
+        <translation>CSV-Datei (*.csv);;JSON-Datei (*.json)</translation>
     </message>
     <message>
         <source>Import failed</source>
@@ -10522,11 +10503,11 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Art: MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation>Geschwindigkeit von MoveJ: %1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation>Geschwindigkeit von MoveL: %1 → %2</translation>
     </message>
     <message>
@@ -10562,8 +10543,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Die Version vor dieser Änderung ist mit der aktuellen identisch.</translation>
     </message>
     <message>
-        <source>Before this change:</source>
-        <translation>Vor dieser Änderung:</translation>
+        <source>Changes from the version before this change to the current version:</source>
+        <translation>Änderungen von der Version vor dieser Änderung zur aktuellen Version:</translation>
     </message>
 </context>
 <context>
@@ -10736,8 +10717,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
-        <translation>✕ Arm</translation>
+        <source>✕ model</source>
+        <translation>✕ Modell</translation>
     </message>
     <message>
         <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
@@ -10810,11 +10791,11 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation>Geschwindigkeit von MoveJ</translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation>Geschwindigkeit von MoveL</translation>
     </message>
     <message>
@@ -10910,16 +10891,16 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Versatz %1</translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
-        <translation>Dreh- oder Spiegelachse</translation>
+        <source>Rotation axis or mirror normal</source>
+        <translation>Drehachse oder Spiegelnormale</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
-        <translation>Der Arm kann diese Posen nicht erreichen: %1. Es wird kein Wegpunkt verschoben.</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <translation>Der Arm kann diese Wegpunkte nach dem Verschieben nicht erreichen: %1. Wählen Sie eine kleinere Verschiebung oder Drehung. Es wird kein Wegpunkt verschoben.</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another frame.</source>
@@ -10976,7 +10957,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Noch keine Wegpunkte.
 Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</translation>
     </message>
@@ -11183,7 +11164,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Bevor Sie einen echten Arm bewegen: Halten Sie alle Personen aus seinem Arbeitsbereich fern, halten Sie den Not-Halt griffbereit, prüfen Sie Nutzlast und TCP und beginnen Sie langsam. STOP in diesem Fenster ist kein Not-Halt.</translation>
     </message>
     <message>
@@ -11246,8 +11227,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>den Ordner %1 anlegen: Wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden. Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11306,8 +11287,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>die Bildschirmfotos aufnehmen</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>die Bildschirmfotos nach %1 schreiben</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>Die Bildschirmfotos können nicht nach %1 geschrieben werden. Prüfen Sie die Berechtigungen des Ordners und den freien Speicherplatz.</translation>
     </message>
     <message>
         <source>stop recording</source>
@@ -11395,7 +11376,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>Totzone: %1</translation>
     </message>
     <message>
@@ -11407,7 +11388,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Auslenkung, unterhalb derer das Gerät den Arm nicht bewegt.</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>Kennlinie: %1</translation>
     </message>
     <message>
@@ -11481,12 +11462,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Inhalt</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Das Handbuch ist auf diesem Rechner nicht installiert&lt;/h2&gt;&lt;p&gt;Das Debian-Paket von Tiller enthält es. Für einen eigenen Build installieren Sie das Paket python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Sie können die Seiten auch als Text im Ordner packaging/manual des Quelltexts lesen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange Sie eine Verfahrtaste halten, und stoppt, wenn Sie sie loslassen. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine zweite Maustaste gedrückt oder ein zweites Eingabegerät benutzt wird;&lt;/li&gt;&lt;li&gt;eine Umschalttaste oder eine entgegengesetzte Taste gedrückt wird, während eine Taste der Tastatur gehalten wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, ein Dialog oder Menü sich öffnet oder sich Koordinatensystem, Geschwindigkeit, Schrittweite oder Register ändern;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter verspätet sind, dieses Programm nicht reagiert oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC in den Ruhezustand wechselt oder das Eingabegerät getrennt wird oder keine Daten mehr sendet;&lt;/li&gt;&lt;li&gt;die Tastenprüfung fehlschlägt: Unter X11 prüft Tiller alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist. Ist sie es nicht oder antwortet der Server 100 ms lang nicht, endet die Bewegung. Ist die Prüfung nicht verfügbar, zeigen es die Kopfzeile und die Einstellungen;&lt;/li&gt;&lt;li&gt;die maximale Haltezeit erreicht ist: %1 s beim Verfahren (Einstellungen), fünf Minuten bei Freedrive, die Dauer der Bewegung plus 5 s bei einer Bewegung zu einer Position. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Nach einem Stopp muss die Taste erneut gedrückt werden. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; den Arm aus jedem Fenster, Dialog und Textfeld. Hat Tiller die Steuerung nicht, wirken sie auf das fokussierte Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;Mit &lt;b&gt;Strg&lt;/b&gt; bewegt ein Druck zehnmal feiner, mit &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, aber nie über der Grenze. Auf einer Tastatur ohne lateinische Buchstaben bezeichnet ein Buchstabe unten seine Position auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange Sie eine Verfahrtaste halten, und stoppt, wenn Sie sie loslassen. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine andere Maustaste gedrückt oder ein zweites Eingabegerät benutzt wird;&lt;/li&gt;&lt;li&gt;eine Umschalttaste oder eine entgegengesetzte Taste gedrückt wird, während eine Taste der Tastatur gehalten wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, ein Dialog oder Menü sich öffnet oder sich Koordinatensystem, Geschwindigkeit, Schrittweite oder Register ändern;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter verspätet sind, dieses Programm nicht reagiert oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC in den Ruhezustand wechselt oder das Eingabegerät getrennt wird oder keine Daten mehr sendet;&lt;/li&gt;&lt;li&gt;die Tastenprüfung fehlschlägt: Unter X11 prüft Tiller alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist. Ist sie es nicht oder antwortet der Server 100 ms lang nicht, endet die Bewegung. Ist die Prüfung nicht verfügbar, zeigen es die Kopfzeile und die Einstellungen;&lt;/li&gt;&lt;li&gt;die maximale Haltezeit erreicht ist: %1 s beim Verfahren (Einstellungen), fünf Minuten bei Freedrive, die Dauer der Bewegung plus 5 s bei einer Bewegung zu einer Position. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Nach einem Stopp muss die Taste erneut gedrückt werden. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; den Arm aus jedem Fenster, Dialog und Textfeld. Hat Tiller die Steuerung nicht, wirken sie auf das fokussierte Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;Mit &lt;b&gt;Strg&lt;/b&gt; bewegt ein Druck zehnmal feiner, mit &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, aber nie über der Grenze. Auf einer Tastatur ohne lateinische Buchstaben bezeichnet ein Buchstabe unten seine Position auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>
@@ -11771,19 +11752,19 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>%1 nach links</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>%1 nach rechts</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>%1 nach oben</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>%1 nach unten</translation>
     </message>
     <message>
@@ -11799,8 +11780,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Name des Programms auf dem Roboter, z. B. pick.urp</translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
-        <translation>Geschwindigkeitsgrenze %1</translation>
+        <source>Speed cap set to %1</source>
+        <translation>Geschwindigkeitsgrenze auf %1 gesetzt</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
@@ -11954,8 +11935,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Change during a program</source>
-        <translation>Änderung während eines Programms</translation>
+        <source>Change while a program is active</source>
+        <translation>Änderung bei aktivem Programm</translation>
     </message>
 </context>
 <context>
@@ -12048,7 +12029,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Arbeitsansicht %1. Wählen Sie eine Anordnung der Bereiche oder speichern Sie die aktuelle.</translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation>Name der Arbeitsansicht</translation>
     </message>
     <message>
@@ -12123,7 +12104,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Der Name ist zu lang.</translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>Die maximale Zahl an Arbeitsansichten ist erreicht. Löschen Sie zuerst eine.</translation>
     </message>
     <message>
@@ -12190,10 +12171,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dateiname</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>Eine Zeile je</translation>
-    </message>
-    <message>
         <source>Signals</source>
         <translation>Signale</translation>
     </message>
@@ -12256,7 +12233,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Was haben Sie getan? Was haben Sie erwartet? Was ist geschehen?</translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation>Dateien des Berichts</translation>
     </message>
     <message>

@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12,11 +12,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -444,7 +444,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
+        <source>One joint had fifty protective stops within eight hours.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -452,11 +452,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -629,7 +629,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -665,7 +665,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -721,7 +721,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -765,7 +765,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1093,11 +1093,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
+        <source>Wrist near the base axis</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
+        <source>Wrist near the base axis: %1 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1137,7 +1137,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
+        <source>TCP at the speed cap: %1 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1145,15 +1145,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
+        <source>Elbow at the speed cap: %1 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
+        <source>Rotation at the speed cap: %1 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
+        <source>%1 at its maximum speed: %2 speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1506,7 +1506,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1546,7 +1546,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1740,7 +1740,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
+        <source>Records the robot data to a file until you stop the recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1974,7 +1974,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2110,18 +2110,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>part</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3020,7 +3013,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3063,7 +3056,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
+        <source>at %1 s in %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3252,7 +3245,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
+        <source>Input int register %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3284,7 +3277,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Input register %1</source>
+        <source>Input float register %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Input bit register %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3868,11 +3865,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
+        <source>Output registers, floats</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
+        <source>Input registers, floats</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4031,11 +4028,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4215,7 +4212,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>released</source>
+        <source>button or key released</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4227,7 +4224,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>window lost activation</source>
+        <source>another window became active</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4239,7 +4236,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>second button</source>
+        <source>another button or key pressed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4303,7 +4300,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
+        <source>could not verify that the button or key is still pressed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4503,7 +4500,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4535,7 +4532,7 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4622,11 +4619,11 @@ Right-click or press F2 to rename or scale.</source>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Checked</source>
+        <source>Check for collisions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4634,7 +4631,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4674,7 +4671,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4718,11 +4715,11 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Other corner</source>
+        <source>Teach corner 2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Corner here</source>
+        <source>Teach corner</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4774,7 +4771,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4782,7 +4779,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4810,7 +4807,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Plane here</source>
+        <source>Teach plane</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5052,7 +5049,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5060,7 +5057,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5117,7 +5114,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5413,7 +5410,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5551,7 +5548,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5889,7 +5886,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5924,7 +5921,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5995,7 +5992,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6264,7 +6261,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6276,7 +6273,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6365,7 +6362,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
+        <source>Moves by %1 per press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6373,11 +6370,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6417,11 +6414,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
+        <source>Rotates the tool or joint by %1 per press.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6595,15 +6592,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
+        <source>Text file (*.txt)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6718,7 +6711,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6741,11 +6734,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6773,7 +6766,7 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>Tolerance of recorded paths</source>
+        <source>Path tolerance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6785,7 +6778,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
+        <source>Import path from CSV…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6825,7 +6818,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
+        <source>CSV file (*.csv)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6833,7 +6826,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
+        <source>Import path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6841,7 +6834,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6867,7 +6860,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
+        <source>The path could not be imported.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6986,7 +6979,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7028,14 +7021,14 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7212,7 +7205,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7228,7 +7221,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7381,7 +7374,7 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7512,7 +7505,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7600,11 +7593,11 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
+        <source>PNG image (*.png)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
+        <source>CSV file (*.csv)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7616,15 +7609,15 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
+        <source>SVG image (*.svg)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
+        <source>PDF document (*.pdf)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7640,7 +7633,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7766,10 +7759,6 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>save the layout to %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Opened the recording %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7798,7 +7787,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7830,7 +7819,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>read a plot layout</source>
+        <source>not a plot layout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7858,7 +7847,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7866,7 +7855,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -7893,7 +7882,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
+        <source>Cursor A to cursor B (*%1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7905,7 +7894,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7927,7 +7916,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8053,7 +8042,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8115,15 +8104,15 @@ Press Measure… to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8155,7 +8144,7 @@ Press Measure… to measure the payload with the arm.</source>
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8163,7 +8152,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8183,7 +8172,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Add here</source>
+        <source>Add position</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8314,11 +8303,11 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8341,7 +8330,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8879,7 +8868,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8974,7 +8963,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no file chosen</source>
+        <source>No file is selected for the project. Save the project to a file first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8982,11 +8971,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8994,11 +8983,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9006,7 +8991,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>another program has changed it</source>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9068,7 +9053,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Number %1</source>
+        <source>Float %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9076,7 +9061,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Number</source>
+        <source>Float</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9111,7 +9096,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9208,7 +9193,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9252,7 +9237,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9295,7 +9280,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9334,7 +9319,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9354,11 +9339,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9366,7 +9351,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9374,43 +9359,43 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9597,7 +9582,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9675,11 +9660,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
+        <source>The recording %1 contains no samples. Open another recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9702,7 +9683,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9710,7 +9691,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
+        <source>Derived signal</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9744,7 +9725,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9870,7 +9851,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9878,7 +9859,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10025,23 +10006,23 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
+        <source>Record pose for the tool orientation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
+        <source>Tool orientation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
+        <source>Keep current orientation</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
+        <source>Orientation from one pose: tool straight down</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
+        <source>Orientation from three poses: along +Z, towards +X</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10072,7 +10053,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
+        <source>The tool keeps the current orientation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10080,7 +10061,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
+        <source>Orientation recorded. Record it again to replace it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10096,7 +10077,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10185,7 +10166,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10215,7 +10196,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10250,7 +10231,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10359,7 +10340,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10508,11 +10489,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10548,7 +10529,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Before this change:</source>
+        <source>Changes from the version before this change to the current version:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10722,7 +10703,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
+        <source>✕ model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10796,11 +10777,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10896,7 +10877,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
+        <source>Rotation axis or mirror normal</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10904,7 +10885,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10962,7 +10943,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11196,7 +11177,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11231,7 +11212,7 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11291,7 +11272,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11379,7 +11360,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11391,7 +11372,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11465,11 +11446,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11711,7 +11692,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
+        <source>Speed cap set to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11771,19 +11752,19 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11938,7 +11919,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change during a program</source>
+        <source>Change while a program is active</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12032,7 +12013,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12107,7 +12088,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12174,10 +12155,6 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Signals</source>
         <translation type="unfinished"></translation>
     </message>
@@ -12240,7 +12217,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4,19 +4,19 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Este robot no tiene ninguna pinza configurada. Selecciónela en E/S, Pinza.</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>No hay ninguna pinza configurada para este robot. Selecciónela en E/S &gt; Pinza.</translation>
     </message>
     <message>
         <source>Run route</source>
         <translation>Ruta</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation>%1 no se activó en %2 s. Compruebe el dispositivo conectado e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation>%1 no se desactivó en %2 s. Compruebe el dispositivo conectado e inténtelo de nuevo.</translation>
     </message>
     <message>
@@ -24,8 +24,8 @@
         <translation>%1 no se completó. %2</translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
-        <translation>La pinza no se detuvo en %1 s.</translation>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
+        <translation>La pinza no se detuvo en %1 s. Compruebe la pinza e inténtelo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -444,19 +444,19 @@
         <translation>Demasiadas paradas de protección</translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
-        <translation>Una articulación tuvo más de cincuenta paradas de protección en ocho horas.</translation>
+        <source>One joint had fifty protective stops within eight hours.</source>
+        <translation>Una articulación tuvo cincuenta paradas de protección en ocho horas.</translation>
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>Averigüe la causa de las paradas antes de continuar; después reinicie el controlador.</translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation>Cambio brusco de la posición objetivo</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation>Un programa ordenó un salto de posición.</translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation>Inicie el programa en la posición actual del brazo y use pasos de servo pequeños.</translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation>Cambio brusco de la velocidad objetivo</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation>Un programa ordenó un salto de velocidad.</translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation>%1 en %2</translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation>Ejes del dispositivo</translation>
     </message>
 </context>
@@ -577,7 +577,7 @@
         <translation>Faltan algunos valores y los registros para el control. Actualice el software del robot a %1.%2 o posterior.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Inspeccione el brazo, elimine la causa y recupérelo: pulse «Recuperar…» en la cabecera o use la consola portátil.</translation>
     </message>
     <message>
@@ -673,8 +673,8 @@
         <translation>TCP a %1 mm de la brida, carga útil %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>Si hay una herramienta montada, ajuste TCP y carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace ceder el brazo en movimiento libre.</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>Si hay una herramienta montada, ajuste el TCP y la carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace que el brazo se desplace solo en movimiento libre.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -729,8 +729,8 @@
         <translation>el puerto %1 no responde</translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>Active esta interfaz en el robot: Ajustes, Seguridad, Servicios.</translation>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
+        <translation>Active esta interfaz en el robot en Ajustes &gt; Seguridad &gt; Servicios.</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
@@ -773,8 +773,8 @@
         <translation>ni el Dashboard (puerto %1) ni la Robot API (puerto %2) están disponibles</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>Active el servidor Dashboard en el robot: Ajustes, Seguridad, Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <translation>Active el servidor Dashboard en el robot en Ajustes &gt; Seguridad &gt; Servicios. PolyScope X necesita la versión 10.11 o posterior para la Robot API.</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
@@ -900,7 +900,7 @@
         <translation>Espere al reposo antes de iniciar el movimiento libre.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>El brazo se desplazaría solo: mide %1 con una carga útil de %2 kg. Suelte la herramienta o corrija la carga útil y el TCP.</translation>
     </message>
 </context>
@@ -1093,12 +1093,12 @@
         <translation>mueva %1 o doble el codo</translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
-        <translation>Muñeca sobre el eje de la base</translation>
+        <source>Wrist near the base axis</source>
+        <translation>Muñeca cerca del eje de la base</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
-        <translation>Muñeca sobre el eje de la base: %1 de la velocidad</translation>
+        <source>Wrist near the base axis: %1 speed</source>
+        <translation>Muñeca cerca del eje de la base: %1 de la velocidad</translation>
     </message>
     <message>
         <source>move outwards</source>
@@ -1137,24 +1137,24 @@
         <translation>mueva %1 o gire %2 %3</translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
-        <translation>TCP en el límite de velocidad de %1</translation>
+        <source>TCP at the speed cap: %1 speed</source>
+        <translation>TCP en el límite de velocidad: %1 de la velocidad</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
         <translation>cambie el límite en Ajustes</translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
-        <translation>Codo en el límite de velocidad de %1</translation>
+        <source>Elbow at the speed cap: %1 speed</source>
+        <translation>Codo en el límite de velocidad: %1 de la velocidad</translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
-        <translation>Giro en el límite de %1</translation>
+        <source>Rotation at the speed cap: %1 speed</source>
+        <translation>Giro en el límite de velocidad: %1 de la velocidad</translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
-        <translation>%1 a su velocidad máxima de %2</translation>
+        <source>%1 at its maximum speed: %2 speed</source>
+        <translation>%1 a su velocidad máxima: %2 de la velocidad</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
@@ -1506,8 +1506,8 @@
         <translation>Parada de emergencia</translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
-        <translation>La parada de emergencia del robot está pulsada. Tire del botón, después encienda y libere los frenos.</translation>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
+        <translation>El botón de parada de emergencia del robot está pulsado. Gírelo en sentido horario para soltarlo, después encienda y libere los frenos.</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1546,7 +1546,7 @@
         <translation>Parada de salvaguarda automática</translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation>La salvaguarda del modo automático está abierta. Ciérrela o cambie al modo manual.</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>Parada automática PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation>El controlador PROFIsafe solicita la parada de salvaguarda del modo automático. Anule la solicitud allí.</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>Programa en pausa</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>Pulse Reproducir para continuar el movimiento interrumpido, o detenga el programa para descartarlo.</translation>
     </message>
     <message>
@@ -1740,8 +1740,8 @@
         <translation>Grabar</translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>Escribe cada paquete del robot en un archivo CSV hasta que detenga la grabación.</translation>
+        <source>Records the robot data to a file until you stop the recording.</source>
+        <translation>Graba los datos del robot en un archivo hasta que detenga la grabación.</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -1974,7 +1974,7 @@
         <translation>Esperando la parada.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>El brazo está en parada de protección. Pulse «Recuperar…» en la cabecera.</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>«%1» no se enseñó con el brazo: el TCP nunca estuvo en su origen.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>El punto de paso se eliminó. Pulse Iniciar para añadir uno nuevo.</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>Esa grabación es demasiado corta. Grabe de nuevo.</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>Aún no hay grabación. Pulse «Grabar» sobre los gráficos.</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>Grabar y medir</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>Pulse Iniciar para simular un choque que provoca una parada de protección. Averigüe qué detuvo el brazo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas de coordenadas. Su eje X debe apuntar en Y+ de la base y su eje Z hacia arriba: tome el origen, después un punto más allá en Y+ y otro más allá en X−.</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Pulse Iniciar para añadir un punto de paso «pieza» en la posición actual del brazo. Después la pieza se desplaza %1 en X+ de la base. Mueva el brazo allí, seleccione el punto y retóquelo (U).</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo los botones indica el límite y cómo salir de él. Después vuelva %1.</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Pulse Iniciar para simular una mano que presiona la herramienta desde arriba. Grabe al menos tres segundos y detenga la grabación. Lea la fuerza Fz en los gráficos e introdúzcala.</translation>
     </message>
     <message>
         <source>part</source>
         <translation>pieza</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>escribir %1</translation>
     </message>
 </context>
 <context>
@@ -3020,8 +3013,8 @@
         <translation>La causa se ha eliminado y no hay nadie al alcance del brazo.</translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>Aquí no hay que hacer nada: este estado termina cuando se elimina su causa.</translation>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <translation>No hay que hacer nada en Tiller. El estado termina cuando se elimina la causa.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -3063,8 +3056,8 @@
         <translation>historial en %1 s</translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
-        <translation>en %1 s de %2</translation>
+        <source>at %1 s in %2</source>
+        <translation>en %1 s en %2</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>Salida analógica %1: %2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>Registro de entrada %1: %2</translation>
+        <source>Input int register %1</source>
+        <translation>Registro de entrada entero %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,12 @@
         <translation>El robot no terminó el impulso de %1 porque su programa se detuvo o quedó en pausa. Tiller desactiva la salida.</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>Registro de entrada %1</translation>
+        <source>Input float register %1</source>
+        <translation>Registro de entrada real %1</translation>
+    </message>
+    <message>
+        <source>Input bit register %1</source>
+        <translation>Registro de entrada de bit %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -3868,12 +3865,12 @@
         <translation>Bit %1</translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
-        <translation>Registros de salida, números</translation>
+        <source>Output registers, floats</source>
+        <translation>Registros de salida, reales</translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
-        <translation>Registros de entrada, números</translation>
+        <source>Input registers, floats</source>
+        <translation>Registros de entrada, reales</translation>
     </message>
     <message>
         <source>Output registers, integers</source>
@@ -4031,12 +4028,12 @@
         <translation>Compruebe que el robot está encendido, que el cable está conectado y que este PC está en la misma red.</translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>Active la interfaz en el robot: Ajustes, Seguridad, Servicios. Un robot recién arrancado puede necesitar un minuto más.</translation>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
+        <translation>Active la interfaz en el robot en Ajustes &gt; Seguridad &gt; Servicios. Un robot recién arrancado puede necesitar un minuto más.</translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
-        <translation>El robot cerró la conexión: puede estar reiniciándose, o se cambió entre Local y Remoto.</translation>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <translation>Puede estar reiniciándose o cambiando entre Local y Remoto. Espere un minuto y conecte de nuevo.</translation>
     </message>
     <message>
         <source>The robot does not respond. Check the cable and the address.</source>
@@ -4215,8 +4212,8 @@
         <translation>terminado</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>tecla soltada</translation>
+        <source>button or key released</source>
+        <translation>se soltó el botón o la tecla</translation>
     </message>
     <message>
         <source>pointer left the button</source>
@@ -4227,8 +4224,8 @@
         <translation>foco perdido</translation>
     </message>
     <message>
-        <source>window lost activation</source>
-        <translation>la ventana dejó de estar activa</translation>
+        <source>another window became active</source>
+        <translation>otra ventana se activó</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -4239,8 +4236,8 @@
         <translation>se abrió un diálogo o menú</translation>
     </message>
     <message>
-        <source>second button</source>
-        <translation>segundo botón</translation>
+        <source>another button or key pressed</source>
+        <translation>otro botón o tecla pulsado</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -4303,8 +4300,8 @@
         <translation>objetivo demasiado lejos para un paso</translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
-        <translation>sin confirmación de que la tecla sigue pulsada</translation>
+        <source>could not verify that the button or key is still pressed</source>
+        <translation>no se pudo comprobar que el botón o la tecla sigue pulsado</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4503,8 +4500,8 @@
         <translation>Tiempo límite en segundos</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
-        <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene el botón, una hora como máximo</translation>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene el botón, una hora como máximo.</translation>
     </message>
 </context>
 <context>
@@ -4535,9 +4532,9 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1: %2
-Clic derecho o F2 para renombrar y escalar.</translation>
+F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4623,20 +4620,20 @@ Clic derecho o F2 para renombrar y escalar.</translation>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>Aún no hay cajas ni planos.
-Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
+Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translation>
     </message>
     <message>
-        <source>Checked</source>
-        <translation>Comprobado</translation>
+        <source>Check for collisions</source>
+        <translation>Comprobar colisiones</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>Centro</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>Centro de la caja. Pulse Intro para aplicar. Solo cambia la caja; el robot no se mueve.</translation>
     </message>
     <message>
@@ -4676,8 +4673,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Primera esquina tomada.</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
-        <translation>Mueva el TCP a la esquina opuesta y pulse Otra esquina.</translation>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
+        <translation>Mueva el TCP a la esquina opuesta y pulse «Otra esquina».</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4720,11 +4717,11 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Cambiar la distancia de seguridad</translation>
     </message>
     <message>
-        <source>Other corner</source>
+        <source>Teach corner 2</source>
         <translation>Otra esquina</translation>
     </message>
     <message>
-        <source>Corner here</source>
+        <source>Teach corner</source>
         <translation>Esquina aquí</translation>
     </message>
     <message>
@@ -4776,15 +4773,15 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Suelo</translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
-        <translation>Desactivado, el suelo no se muestra ni se comprueba si hay colisiones.</translation>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
+        <translation>Desactivado, la caja o el plano no se muestra ni se comprueba si hay colisiones.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
         <translation>Plano horizontal en el sistema de la base, por encima del cual debe quedar el brazo.</translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation>Altura del suelo</translation>
     </message>
     <message>
@@ -4812,7 +4809,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse Esquina aquí.</translation>
         <translation>Poner una esquina de una caja en el TCP</translation>
     </message>
     <message>
-        <source>Plane here</source>
+        <source>Teach plane</source>
         <translation>Plano aquí</translation>
     </message>
     <message>
@@ -5055,7 +5052,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Liberar frenos (cabecera)</translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation>Tomar el control, mantener un botón</translation>
     </message>
     <message>
@@ -5063,7 +5060,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Enseñar aquí (T)</translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation>Alejarse, mantener Ir a (G)</translation>
     </message>
     <message>
@@ -5105,7 +5102,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Origen</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>En el sistema de la base. Pulse Intro para aplicar. Solo cambia el sistema de coordenadas; el robot no se mueve.</translation>
     </message>
     <message>
@@ -5416,7 +5413,7 @@ Vacíe la búsqueda para verlo todo.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation>Aún no hay sistemas de coordenadas.
 Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 puntos» para tomar el origen, +X y +Y.</translation>
     </message>
@@ -5548,7 +5545,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Va al punto de paso siguiente mientras se mantiene el botón y se detiene allí</translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation>Puntos de paso de la ruta</translation>
     </message>
     <message>
@@ -5893,8 +5890,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>La velocidad o la fuerza está fuera del intervalo.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
-        <translation>La pinza no aceptó la orden.</translation>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
+        <translation>La pinza no ejecutó la orden. Compruebe que ningún otro programa controla la pinza e inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5928,7 +5925,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>ÚLTIMA PARADA</translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation>Estado del robot</translation>
     </message>
     <message>
@@ -5999,8 +5996,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Ya se mantiene otro botón o tecla.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
-        <translation>El servidor gráfico no responde: no se puede detectar cuándo se suelta una tecla.</translation>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <translation>El servidor gráfico no responde: no se puede detectar cuándo se suelta un botón o una tecla. Suéltelo e inténtelo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -6283,8 +6280,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Última parada: %1, reposo tras %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
-        <translation>Mueva el brazo a mano mientras mantiene este botón: %1. Clic derecho para elegir ejes</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
+        <translation>Mueva el brazo a mano mientras mantiene este botón: %1. Clic derecho para elegir ejes.</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6295,8 +6292,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Mov. libre…</translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
-        <translation>Comprobar la carga útil antes de mover a mano (hasta la próxima conexión)</translation>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
+        <translation>Comprobar la carga útil antes de mover a mano (se restablece al reconectar)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6380,28 +6377,28 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Aún no hay ningún sistema enseñado. Enseñe uno en la pestaña Sistemas de coordenadas.</translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
-        <translation>Un paso por pulsación: %1</translation>
+        <source>Moves by %1 per press.</source>
+        <translation>Mueve %1 por pulsación.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
-        <translation>Un paso de giro por pulsación, herramienta o articulación: %1</translation>
+        <source>Rotates the tool or joint by %1 per press.</source>
+        <translation>Gira la herramienta o la articulación %1 por pulsación.</translation>
     </message>
     <message>
         <source>≤ %1</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>Mueve despacio mientras se mantiene hasta que la fuerza de contacto llega a %1 N. Haga clic de nuevo para otros pasos</translation>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <translation>Mueve despacio mientras se mantiene, hasta que la fuerza de contacto llega a %1 N. Haga clic de nuevo para elegir otro paso.</translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
-        <translation>Un paso por pulsación: %1. Haga clic de nuevo para otros pasos</translation>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
+        <translation>Mueve %1 por pulsación. Haga clic de nuevo para elegir otro paso.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>Un paso de giro por pulsación, herramienta o articulación: %1. Haga clic de nuevo para otros ángulos</translation>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
+        <translation>Gira la herramienta o la articulación %1 por pulsación. Haga clic de nuevo para elegir otro ángulo.</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -6602,16 +6599,12 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Detalles de la entrada seleccionada</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>escribir %1</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>Exportar el registro</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>Texto (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>Archivo de texto (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6725,8 +6718,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>«%1»</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas %2 no está en el proyecto. Introduzca la posición, excluya el objeto o elimínelo en la página Celda</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas no está en el proyecto. Introduzca la posición, excluya el objeto o elimínelo en la página Celda</translation>
     </message>
 </context>
 <context>
@@ -6748,11 +6741,11 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation>Acción del aviso</translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation>Segunda acción del aviso</translation>
     </message>
 </context>
@@ -6773,8 +6766,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
 <context>
     <name>tiller::PathControls</name>
     <message>
-        <source>Tolerance of recorded paths</source>
-        <translation>Tolerancia de las trayectorias grabadas</translation>
+        <source>Path tolerance</source>
+        <translation>Tolerancia de trayectoria</translation>
     </message>
     <message>
         <source>Record path</source>
@@ -6785,8 +6778,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Exportar trayectoria como CSV…</translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
-        <translation>Importar demostración (CSV)…</translation>
+        <source>Import path from CSV…</source>
+        <translation>Importar trayectoria desde CSV…</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
@@ -6825,8 +6818,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Exportar trayectoria</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tablas (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>Archivo CSV (*.csv)</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
@@ -6840,15 +6833,15 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         </translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
-        <translation>Importar una demostración</translation>
+        <source>Import path</source>
+        <translation>Importar trayectoria</translation>
     </message>
     <message>
         <source>○ Path</source>
         <translation>○ Ruta</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>Se está grabando la trayectoria del brazo. Seleccione el mismo comando para terminar.</translation>
     </message>
 </context>
@@ -6867,8 +6860,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Importación rechazada: se está grabando una trayectoria. Detenga primero esa grabación.</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>No se pudo importar la demostración.</translation>
+        <source>The path could not be imported.</source>
+        <translation>No se pudo importar la trayectoria.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6993,7 +6986,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Enseñe primero las tres esquinas y seleccione después un punto de paso para cada una.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>Dos esquinas son idénticas. Seleccione otro punto de paso para una de ellas.</translation>
     </message>
     <message>
@@ -7035,14 +7028,14 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>Las tres esquinas están en una recta. Seleccione otro punto de paso para una de ellas.</translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation>Celdas del patrón</translation>
     </message>
     <message>
@@ -7219,7 +7212,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>CZ</translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation>Masa de la carga útil</translation>
     </message>
     <message>
@@ -7235,7 +7228,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Centro de gravedad Z</translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation>Pulse Intro para aplicar al proyecto. La carga útil del robot no cambia.</translation>
     </message>
     <message>
@@ -7388,7 +7381,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>Aún no hay cargas.
 Pulse Medir… para medir la carga con el brazo.</translation>
     </message>
@@ -7564,8 +7557,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Grabar en un archivo CSV</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
-        <translation>Grabar los datos del robot en un archivo CSV. Use la flecha para elegir señales y carpeta</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Grabar los datos del robot en un archivo CSV. Use la flecha para elegir señales y carpeta.</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7640,20 +7633,20 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Intervalo visible exportado a %1</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>Imagen (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>Imagen PNG (*.png)</translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
-        <translation>Dibujo (*.svg)</translation>
+        <source>SVG image (*.svg)</source>
+        <translation>Imagen SVG (*.svg)</translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
-        <translation>Página (*.pdf)</translation>
+        <source>PDF document (*.pdf)</source>
+        <translation>Documento PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
-        <translation>Valores (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>Archivo CSV (*.csv)</translation>
     </message>
     <message>
         <source>Recording options</source>
@@ -7706,12 +7699,12 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>exportar a %1</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>exportar: no hay muestras en este intervalo</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>No hay muestras en este intervalo. Seleccione otro intervalo y exporte de nuevo.</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>use la extensión .png, .svg o .pdf para una imagen, o .csv para valores</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>Use la extensión .png, .svg o .pdf para una imagen, o .csv para valores.</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7774,10 +7767,6 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Memoria para el historial</translation>
     </message>
     <message>
-        <source>save the layout to %1</source>
-        <translation>guardar la disposición en %1</translation>
-    </message>
-    <message>
         <source>Opened the recording %1</source>
         <translation>Grabación %1 abierta</translation>
     </message>
@@ -7806,7 +7795,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>%1 y más</translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation>Lista de señales</translation>
     </message>
     <message>
@@ -7838,8 +7827,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>leer una disposición de gráficos</translation>
+        <source>not a plot layout</source>
+        <translation>no es una disposición de gráficos</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>
@@ -7866,7 +7855,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Hora del día</translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Se alcanzó el número máximo de páginas de gráficos: quite primero una.</translation>
     </message>
     <message>
@@ -7874,8 +7863,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Grabar en un archivo MCAP</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
-        <translation>Grabar los datos del robot en un archivo MCAP. Use la flecha para elegir señales y carpeta</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Grabar los datos del robot en un archivo MCAP. Use la flecha para elegir señales y carpeta.</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7901,8 +7890,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>El intervalo entre los cursores A y B se exportó a %1</translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
-        <translation>Valores entre los cursores A y B (*%1)</translation>
+        <source>Cursor A to cursor B (*%1)</source>
+        <translation>Del cursor A al cursor B (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -7913,8 +7902,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Las señales en vivo solo se pueden exportar como .csv. Para otros formatos, grábelas primero.</translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
-        <translation>El intervalo tiene demasiados valores para exportarlo desde la ventana. Exporte un intervalo más corto o use tiller-cli export.</translation>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation>El intervalo tiene demasiados valores para exportarlo desde esta ventana. Exporte un intervalo más corto o ejecute «tiller-cli export».</translation>
     </message>
 </context>
 <context>
@@ -7935,7 +7924,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Páginas de gráficos</translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation>Nombre de la página</translation>
     </message>
     <message>
@@ -8061,8 +8050,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Gráficos en el tiempo</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A y B colocan los cursores, izquierda y derecha los mueven, arriba y abajo eligen la señal que leen. H oculta su curva, Ctrl+Supr la quita. Más y menos cambian el intervalo de tiempo, con Ctrl la escala de valores; Ctrl+0 la ajusta automáticamente. N añade una nota, F muestra todos los datos, Fin vuelve a las muestras más recientes</translation>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
+        <translation>A y B colocan los cursores. Izquierda y Derecha mueven el cursor activo. Arriba y Abajo eligen la señal que leen. H oculta la curva de esta señal; Ctrl+Supr la quita. Más y Menos cambian el intervalo de tiempo, con Ctrl la escala de valores; Ctrl+0 la ajusta automáticamente. N añade una nota, F muestra todos los datos y Fin vuelve a las muestras más recientes.</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -8123,15 +8112,15 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Pose del TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
-        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic para mostrar el desplazamiento desde el inicio del último movimiento</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic para mostrar el desplazamiento desde el inicio del último movimiento.</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
-        <translation>orientación como en Ajustes. Δ: desplazamiento desde el inicio del último movimiento. Clic para poner aquí el cero</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <translation>orientación como en Ajustes. Δ: desplazamiento desde el inicio del último movimiento. Clic para poner aquí el cero.</translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation>TCP en el sistema de la brida: %1</translation>
     </message>
 </context>
@@ -8163,16 +8152,16 @@ Pulse Medir… para medir la carga con el brazo.</translation>
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation>Aún no hay posiciones.
-Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí».</translation>
+Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posición».</translation>
     </message>
     <message>
         <source>Safe height</source>
         <translation>Altura segura</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Pulse Intro para aplicar. Solo cambia la posición guardada; el robot no se mueve.</translation>
     </message>
     <message>
@@ -8192,8 +8181,8 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>Fijar inicio aquí</translation>
     </message>
     <message>
-        <source>Add here</source>
-        <translation>Añadir aquí</translation>
+        <source>Add position</source>
+        <translation>Añadir posición</translation>
     </message>
     <message>
         <source>Store the current position of the arm</source>
@@ -8323,11 +8312,11 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>El sistema de seguridad detuvo el brazo. Recupérelo primero.</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>Hecho. Pulse Iniciar para repetir la tarea.</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>Pulse Iniciar.</translation>
     </message>
 </context>
@@ -8350,7 +8339,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir aquí�
         <translation>Fuerza Fz en newtons</translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation>Introduzca el valor, pulse Intro</translation>
     </message>
     <message>
@@ -8892,7 +8881,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El proyecto usa el TCP «%1». El TCP activo del robot difiere en %2.</translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation>El proyecto es compatible con el robot conectado.</translation>
     </message>
     <message>
@@ -8991,15 +8980,15 @@ Suelte el botón para detener el brazo.</translation>
         <translation>%1 — guardado</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>ningún archivo elegido</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>No hay ningún archivo elegido para el proyecto. Guarde primero el proyecto en un archivo.</translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation>%1 — abierto en otra ventana, los cambios de aquí no se guardan</translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation>%1 — cambiado por otro programa, los cambios de aquí no se guardan</translation>
     </message>
     <message>
@@ -9007,20 +8996,16 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Proyecto sin guardar</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>guardar %1</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>está abierto en otra ventana (%1)</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 está abierto en otra ventana (%2). Ciérrelo allí o guarde con otro nombre.</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>otro programa</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>otro programa lo ha cambiado</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>Otro programa ha cambiado %1. Vuelva a cargarlo o guarde con otro nombre.</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9081,16 +9066,16 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Entero %1</translation>
     </message>
     <message>
-        <source>Number %1</source>
-        <translation>Número %1</translation>
+        <source>Float %1</source>
+        <translation>Real %1</translation>
     </message>
     <message>
         <source>Int</source>
         <translation>Entero</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>Número</translation>
+        <source>Float</source>
+        <translation>Real</translation>
     </message>
     <message>
         <source>Bit</source>
@@ -9124,8 +9109,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Volver a lo actual</translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>Mostrar el estado actual del robot. La grabación sigue abierta en los gráficos</translation>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
+        <translation>Mostrar el estado actual del robot. La grabación sigue abierta en los gráficos.</translation>
     </message>
 </context>
 <context>
@@ -9225,7 +9210,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Programa: %1</translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation>Error de programa en línea %1, columna %2: %3</translation>
     </message>
     <message>
@@ -9265,8 +9250,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Solo supervisión: esta ventana no cambia nada en el robot. STOP sigue funcionando.</translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
-        <translation>Solo supervisión está desactivado</translation>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
+        <translation>«Solo supervisión» está desactivado. Se permiten órdenes al robot.</translation>
     </message>
     <message>
         <source>%1: refused. %2</source>
@@ -9308,7 +9293,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Un programa de otro cliente se ha hecho con el robot. Tomar el control lo termina.</translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation>Se detiene el programa del otro cliente para tomar el control.</translation>
     </message>
     <message>
@@ -9347,7 +9332,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La pinza está activa</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>La pinza no se activó. Compruebe que nada bloquea sus dedos y pulse Activar de nuevo.</translation>
     </message>
     <message>
@@ -9367,19 +9352,19 @@ Suelte el botón para detener el brazo.</translation>
         <translation>%1 falló. %2</translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation>Ningún servicio de pinza responde en %1:%2. Instale el URCap de Robotiq en el robot y seleccione la pinza en su Instalación.</translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>La pinza no responde. Compruebe su cable en la muñeca y su página en la Instalación del robot; si el problema continúa, reinicie el robot.</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
+        <translation>La pinza no responde. Compruebe el cable en la muñeca y la página de la pinza en la instalación del robot. Si el problema continúa, reinicie el robot.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>El robot cerró la conexión con la pinza y puede estar reiniciándose. Tiller se reconecta automáticamente; la pinza mantiene el agarre.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>La pinza no aceptó la orden. Actívela; si está activa, compruebe su página en la Instalación del robot.</translation>
     </message>
     <message>
@@ -9387,43 +9372,43 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La pinza se está activando; la orden se ejecuta después.</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>La pinza recibió una orden de movimiento antes de estar activa. Pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>La pinza está demasiado caliente. Déjela enfriar y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>La pinza no recibió ninguna orden durante un segundo. Compruebe su cable en la muñeca y pulse Activar.</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>La tensión de alimentación de la pinza es demasiado baja. Ajuste la tensión de la herramienta a 24 V y pulse Activar.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>La liberación automática de la pinza está en curso. Espere a que termine y pulse Activar.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>La liberación automática de la pinza ha terminado. Pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>La pinza tiene un fallo interno. Pulse Activar; si el fallo vuelve, contacte con Robotiq.</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>La activación falló. Compruebe que nada bloquea los dedos y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>La pinza consume demasiada corriente. Compruebe que nada bloquea los dedos y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>La pinza comunica el fallo %1. Pulse Activar; si el fallo vuelve, consulte su manual.</translation>
     </message>
 </context>
@@ -9610,7 +9595,7 @@ Suelte el botón para detener el brazo.</translation>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation>Vista del brazo</translation>
     </message>
     <message>
@@ -9688,12 +9673,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El robot no puede enviar tantas señales a la vez: quite primero otras señales.</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>abrir %1</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>La grabación está vacía.</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>La grabación %1 no contiene muestras. Abra otra grabación.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9715,7 +9696,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Buscar señales</translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation>Señales del robot</translation>
     </message>
     <message>
@@ -9723,8 +9704,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Nueva: |F| [N] = norm(…)</translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
-        <translation>Señal calculada a partir de otras</translation>
+        <source>Derived signal</source>
+        <translation>Señal derivada</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
@@ -9757,7 +9738,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Deslizador de velocidad</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>Deslizador de velocidad del robot, 2 a 100 %</translation>
     </message>
     <message>
@@ -9883,7 +9864,7 @@ Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>Aún no hay TCP.
 Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar uno con el brazo.</translation>
     </message>
@@ -9892,7 +9873,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>TCP</translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation>Relativo a la brida. Intro lo aplica al proyecto. El TCP del robot no cambia.</translation>
     </message>
     <message>
@@ -10039,24 +10020,24 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Enseñar el TCP</translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
-        <translation>Tomar pose para el giro</translation>
+        <source>Record pose for the tool orientation</source>
+        <translation>Tomar pose para la orientación</translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
-        <translation>Rotación de la herramienta</translation>
+        <source>Tool orientation</source>
+        <translation>Orientación de la herramienta</translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
-        <translation>Conservar la rotación</translation>
+        <source>Keep current orientation</source>
+        <translation>Conservar la orientación</translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
-        <translation>Rotación con una pose: herramienta recta hacia abajo</translation>
+        <source>Orientation from one pose: tool straight down</source>
+        <translation>Orientación con una pose: herramienta recta hacia abajo</translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
-        <translation>Rotación con tres poses: por +Z, hacia +X</translation>
+        <source>Orientation from three poses: along +Z, towards +X</source>
+        <translation>Orientación con tres poses: por +Z, hacia +X</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10086,16 +10067,16 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
-        <translation>La herramienta conserva su rotación actual.</translation>
+        <source>The tool keeps the current orientation.</source>
+        <translation>La herramienta conserva la orientación actual.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Gire la herramienta hasta que apunte recta hacia abajo y su eje X sea paralelo al eje X de la base; después tome la pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>Rotación tomada. Tómela de nuevo para sustituirla.</translation>
+        <source>Orientation recorded. Record it again to replace it.</source>
+        <translation>Orientación tomada. Tómela de nuevo para sustituirla.</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
@@ -10110,8 +10091,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Ahora mueva la herramienta en su dirección +X al menos %1 y tome la pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Rotación tomada: %1 en +Z, %2 en +X; giro máximo de la brida %3 en la pose %4.</translation>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>Orientación tomada: %1 en +Z, %2 en +X; giro máximo de la brida %3 en la pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
@@ -10199,7 +10180,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1. Pulse Intro para aplicar. El robot no se mueve.</translation>
     </message>
 </context>
@@ -10229,7 +10210,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>En el sistema del punto de paso. Pulse Intro para aplicar. Solo cambia el punto de paso; el robot no se mueve.</translation>
     </message>
     <message>
@@ -10237,7 +10218,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Punto de paso seleccionado</translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation>Sistema del punto de paso</translation>
     </message>
     <message>
@@ -10373,8 +10354,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Exportar puntos de paso</translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
-        <translation>Separado por comas (*.csv);;JSON (*.json)</translation>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
+        <translation>Archivo CSV (*.csv);;Archivo JSON (*.json)</translation>
     </message>
     <message>
         <source>Import failed</source>
@@ -10522,11 +10503,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Tipo: MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation>Velocidad de MoveJ: %1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation>Velocidad de MoveL: %1 → %2</translation>
     </message>
     <message>
@@ -10562,8 +10543,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>La versión anterior a este cambio es idéntica a la actual.</translation>
     </message>
     <message>
-        <source>Before this change:</source>
-        <translation>Antes de este cambio:</translation>
+        <source>Changes from the version before this change to the current version:</source>
+        <translation>Cambios de la versión anterior a este cambio a la versión actual:</translation>
     </message>
 </context>
 <context>
@@ -10736,8 +10717,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
-        <translation>✕ brazo</translation>
+        <source>✕ model</source>
+        <translation>✕ modelo</translation>
     </message>
     <message>
         <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
@@ -10810,11 +10791,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Movimiento</translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation>Velocidad de MoveJ</translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation>Velocidad de MoveL</translation>
     </message>
     <message>
@@ -10910,16 +10891,16 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Desplazamiento %1</translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
-        <translation>Eje de giro o de reflexión</translation>
+        <source>Rotation axis or mirror normal</source>
+        <translation>Eje de giro o normal del plano de reflexión</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Ángulo</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
-        <translation>El brazo no puede alcanzar estas poses: %1. No se moverá ningún punto de paso.</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <translation>El brazo no puede alcanzar estos puntos de paso después del desplazamiento: %1. Elija un desplazamiento o giro menor. No se moverá ningún punto de paso.</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another frame.</source>
@@ -10976,7 +10957,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Aún no hay puntos de paso.
 Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     </message>
@@ -11183,7 +11164,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Conectar</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Antes de mover un brazo real: mantenga a todos fuera de su alcance, tenga a mano la parada de emergencia, compruebe la carga útil y el TCP, y empiece despacio. STOP en esta ventana no es una parada de emergencia.</translation>
     </message>
     <message>
@@ -11246,8 +11227,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>crear la carpeta %1: elija una carpeta en la que tenga permiso para escribir</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>No se puede crear la carpeta %1. Elija una carpeta en la que tenga permiso para escribir.</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11306,8 +11287,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>tomar las capturas de pantalla</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>escribir las capturas de pantalla en %1</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>No se pueden escribir las capturas de pantalla en %1. Compruebe los permisos de la carpeta y el espacio libre en disco.</translation>
     </message>
     <message>
         <source>stop recording</source>
@@ -11395,7 +11376,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>Zona muerta: %1</translation>
     </message>
     <message>
@@ -11407,7 +11388,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Desviación por debajo de la cual el dispositivo no mueve el brazo.</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>Curva: %1</translation>
     </message>
     <message>
@@ -11481,12 +11462,12 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Índice</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;El manual no está instalado en este ordenador&lt;/h2&gt;&lt;p&gt;El paquete Debian de Tiller lo contiene. Para añadirlo a su propia compilación, instale el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. También puede leer las páginas como texto en la carpeta packaging/manual del código fuente. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras mantiene pulsado un botón de movimiento y se detiene al soltarlo. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero sale del botón, se pulsa un segundo botón del ratón o se usa un segundo dispositivo de entrada;&lt;/li&gt;&lt;li&gt;se pulsa un modificador o la tecla contraria mientras se mantiene una tecla del teclado;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, se abre un diálogo o menú, o cambia el sistema de coordenadas, la velocidad, el paso o la pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa no responde o el robot sale de «En marcha», de su modo de seguridad o del control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo de entrada se desconecta o deja de enviar datos;&lt;/li&gt;&lt;li&gt;falla la comprobación de teclas: en X11, Tiller comprueba cada 10 ms en el servidor gráfico que el botón o la tecla sigue pulsado. Si no lo está, o si el servidor no responde durante 100 ms, el movimiento termina. Si la comprobación no está disponible, lo indican la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se alcanza el tiempo máximo de pulsación: %1 s para el movimiento manual (Ajustes), cinco minutos para el movimiento libre, la duración del movimiento más 5 s para ir a una posición. Se muestra una cuenta atrás de los últimos 3 s.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Después de una parada hay que pulsar de nuevo. Mientras Tiller tiene el control, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen el brazo desde cualquier ventana, diálogo y campo de texto. Cuando Tiller no tiene el control, actúan sobre el elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace el movimiento diez veces más fino y &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápido, pero nunca por encima del límite. En un teclado sin letras latinas, las letras siguientes se refieren a su posición en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras mantiene pulsado un botón de movimiento y se detiene al soltarlo. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero sale del botón, se pulsa otro botón del ratón o se usa un segundo dispositivo de entrada;&lt;/li&gt;&lt;li&gt;se pulsa un modificador o la tecla contraria mientras se mantiene una tecla del teclado;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, se abre un diálogo o menú, o cambia el sistema de coordenadas, la velocidad, el paso o la pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa no responde o el robot sale de «En marcha», de su modo de seguridad o del control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo de entrada se desconecta o deja de enviar datos;&lt;/li&gt;&lt;li&gt;falla la comprobación de teclas: en X11, Tiller comprueba cada 10 ms en el servidor gráfico que el botón o la tecla sigue pulsado. Si no lo está, o si el servidor no responde durante 100 ms, el movimiento termina. Si la comprobación no está disponible, lo indican la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se alcanza el tiempo máximo de pulsación: %1 s para el movimiento manual (Ajustes), cinco minutos para el movimiento libre, la duración del movimiento más 5 s para ir a una posición. Se muestra una cuenta atrás de los últimos 3 s.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Después de una parada hay que pulsar de nuevo. Mientras Tiller tiene el control, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen el brazo desde cualquier ventana, diálogo y campo de texto. Cuando Tiller no tiene el control, actúan sobre el elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace el movimiento diez veces más fino y &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápido, pero nunca por encima del límite. En un teclado sin letras latinas, las letras siguientes se refieren a su posición en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>
@@ -11771,19 +11752,19 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Mueve este panel a este lado de la ventana principal.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>Mover %1 a la izquierda</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>Mover %1 a la derecha</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>Mover %1 arriba</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>Mover %1 abajo</translation>
     </message>
     <message>
@@ -11799,8 +11780,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Nombre del programa en el robot, p. ej. pick.urp</translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
-        <translation>Límite de velocidad %1</translation>
+        <source>Speed cap set to %1</source>
+        <translation>Límite de velocidad ajustado a %1</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
@@ -11954,8 +11935,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Change during a program</source>
-        <translation>Cambio durante un programa</translation>
+        <source>Change while a program is active</source>
+        <translation>Cambio con un programa activo</translation>
     </message>
 </context>
 <context>
@@ -12048,7 +12029,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Perspectiva %1. Seleccione una disposición de paneles o guarde la actual.</translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation>Nombre de la perspectiva</translation>
     </message>
     <message>
@@ -12123,7 +12104,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>El nombre es demasiado largo.</translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>Se alcanzó el número máximo de perspectivas. Elimine primero una.</translation>
     </message>
     <message>
@@ -12190,10 +12171,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Nombre de archivo</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>Una fila cada</translation>
-    </message>
-    <message>
         <source>Signals</source>
         <translation>Señales</translation>
     </message>
@@ -12256,7 +12233,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>¿Qué hizo? ¿Qué esperaba? ¿Qué ocurrió?</translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation>Archivos del informe</translation>
     </message>
     <message>

@@ -4,19 +4,19 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>Aucune pince n’est configurée pour ce robot. Sélectionnez-la dans E/S, Pince.</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>Aucune pince n’est configurée pour ce robot. Sélectionnez-la sous E/S &gt; Pince.</translation>
     </message>
     <message>
         <source>Run route</source>
         <translation>Itinéraire</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation>%1 ne s’est pas activée en %2 s. Vérifiez l’appareil raccordé, puis réessayez.</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation>%1 ne s’est pas désactivée en %2 s. Vérifiez l’appareil raccordé, puis réessayez.</translation>
     </message>
     <message>
@@ -24,8 +24,8 @@
         <translation>%1 n’a pas été terminé. %2</translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
-        <translation>La pince ne s’est pas arrêtée en %1 s.</translation>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
+        <translation>La pince ne s’est pas arrêtée en %1 s. Vérifiez la pince, puis réessayez.</translation>
     </message>
 </context>
 <context>
@@ -444,19 +444,19 @@
         <translation>Trop d’arrêts de protection</translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
-        <translation>Une articulation a eu plus de cinquante arrêts de protection en huit heures.</translation>
+        <source>One joint had fifty protective stops within eight hours.</source>
+        <translation>Une articulation a eu cinquante arrêts de protection en huit heures.</translation>
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>Trouvez la cause des arrêts avant de continuer, puis redémarrez le contrôleur.</translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation>Saut soudain de la position cible</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation>Un programme a commandé un saut de position.</translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation>Démarrez le programme à la position actuelle du bras et gardez de petits pas d’asservissement.</translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation>Saut soudain de la vitesse cible</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation>Un programme a commandé un saut de vitesse.</translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation>%1 dans %2</translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation>Axes du périphérique</translation>
     </message>
 </context>
@@ -577,7 +577,7 @@
         <translation>Des valeurs et les registres de commande manquent. Mettez le logiciel du robot à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Inspectez le bras, éliminez la cause, puis rétablissez : appuyez sur « Rétablir… » dans l’en-tête ou utilisez le pupitre.</translation>
     </message>
     <message>
@@ -673,8 +673,8 @@
         <translation>TCP à %1 mm de la bride, charge utile %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>Si un outil est monté, réglez TCP et charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et laisse le bras s’affaisser en Freedrive.</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>Si un outil est monté, réglez le TCP et la charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et fait dériver le bras en Freedrive.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -729,8 +729,8 @@
         <translation>le port %1 ne répond pas</translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>Activez cette interface sur le robot : Réglages, Sécurité, Services.</translation>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
+        <translation>Activez cette interface sur le robot sous Réglages &gt; Sécurité &gt; Services.</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
@@ -773,8 +773,8 @@
         <translation>ni le Dashboard (port %1) ni la Robot API (port %2) ne sont disponibles</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>Activez le serveur Dashboard sur le robot : Réglages, Sécurité, Services. PolyScope X nécessite la version 10.11 ou plus récente pour la Robot API.</translation>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <translation>Activez le serveur Dashboard sur le robot sous Réglages &gt; Sécurité &gt; Services. PolyScope X nécessite la version 10.11 ou plus récente pour la Robot API.</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
@@ -900,7 +900,7 @@
         <translation>Attendez l’arrêt du bras avant de démarrer Freedrive.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>Le bras dériverait : il mesure %1 avec une charge utile de %2 kg. Lâchez l’outil, ou corrigez la charge utile et le TCP.</translation>
     </message>
 </context>
@@ -1093,12 +1093,12 @@
         <translation>allez en %1 ou pliez le coude</translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
-        <translation>Poignet au-dessus de l’axe de la base</translation>
+        <source>Wrist near the base axis</source>
+        <translation>Poignet près de l’axe de la base</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
-        <translation>Poignet au-dessus de l’axe de la base : %1 de la vitesse</translation>
+        <source>Wrist near the base axis: %1 speed</source>
+        <translation>Poignet près de l’axe de la base : %1 de la vitesse</translation>
     </message>
     <message>
         <source>move outwards</source>
@@ -1137,24 +1137,24 @@
         <translation>allez en %1 ou tournez %2 %3</translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
-        <translation>TCP au plafond de vitesse de %1</translation>
+        <source>TCP at the speed cap: %1 speed</source>
+        <translation>TCP au plafond de vitesse : %1 de la vitesse</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
         <translation>modifiez le plafond dans les réglages</translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
-        <translation>Coude au plafond de vitesse de %1</translation>
+        <source>Elbow at the speed cap: %1 speed</source>
+        <translation>Coude au plafond de vitesse : %1 de la vitesse</translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
-        <translation>Rotation au plafond de %1</translation>
+        <source>Rotation at the speed cap: %1 speed</source>
+        <translation>Rotation au plafond de vitesse : %1 de la vitesse</translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
-        <translation>%1 à sa vitesse maximale de %2</translation>
+        <source>%1 at its maximum speed: %2 speed</source>
+        <translation>%1 à sa vitesse maximale : %2 de la vitesse</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
@@ -1506,8 +1506,8 @@
         <translation>Arrêt d’urgence</translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
-        <translation>L’arrêt d’urgence du robot est enfoncé. Tirez le bouton, puis mettez sous tension et desserrez les freins.</translation>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
+        <translation>Le bouton d’arrêt d’urgence du robot est enfoncé. Tournez-le dans le sens horaire pour le déverrouiller, puis mettez sous tension et desserrez les freins.</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1546,7 +1546,7 @@
         <translation>Arrêt de sauvegarde automatique</translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation>La protection du mode automatique est ouverte. Fermez-la ou passez en mode manuel.</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>Arrêt automatique PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation>Le contrôleur PROFIsafe demande l’arrêt de sauvegarde du mode automatique. Annulez la demande sur ce contrôleur.</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>Programme en pause</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>Appuyez sur Lecture pour poursuivre le mouvement interrompu, ou arrêtez le programme pour l’abandonner.</translation>
     </message>
     <message>
@@ -1740,8 +1740,8 @@
         <translation>Enregistrer</translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>Écrit chaque paquet du robot dans un fichier CSV jusqu’à l’arrêt de l’enregistrement.</translation>
+        <source>Records the robot data to a file until you stop the recording.</source>
+        <translation>Enregistre les données du robot dans un fichier jusqu’à l’arrêt de l’enregistrement.</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -1974,7 +1974,7 @@
         <translation>En attente de l’arrêt.</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>Le bras est en arrêt de protection. Appuyez sur « Rétablir… » dans l’en-tête.</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>« %1 » n’a pas été appris avec le bras : le TCP n’a jamais été à son origine.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>Le point de passage a été supprimé. Appuyez sur Démarrer pour en ajouter un nouveau.</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>Cet enregistrement est trop court. Recommencez.</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>Pas encore d’enregistrement. Appuyez sur « Enregistrer » au-dessus des tracés.</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>Enregistrer et mesurer</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>Appuyez sur Démarrer pour simuler une collision qui provoque un arrêt de protection. Trouvez ce qui a arrêté le bras, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Apprenez un repère à partir de trois points dans l’onglet Repères. Son axe X doit pointer selon Y+ de la base et son axe Z vers le haut : prenez l’origine, puis un point plus loin selon Y+, puis un point plus loin selon X−.</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>Appuyez sur Démarrer pour ajouter un point de passage « pièce » à la position actuelle du bras. La pièce se déplace ensuite de %1 selon X+ de la base. Allez-y, sélectionnez le point et retouchez-le (U).</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>Déplacez vers l’extérieur, loin de la base, jusqu’à ce qu’une limite réduise la vitesse de moitié. La ligne sous le pavé nomme la limite et la façon d’en sortir. Revenez ensuite de %1.</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>Appuyez sur Démarrer pour simuler une main qui appuie sur l’outil par le haut. Enregistrez au moins trois secondes, puis arrêtez. Lisez la force Fz dans les tracés et saisissez-la.</translation>
     </message>
     <message>
         <source>part</source>
         <translation>pièce</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>écrire %1</translation>
     </message>
 </context>
 <context>
@@ -3020,8 +3013,8 @@
         <translation>La cause a été éliminée et personne n’est à portée du bras.</translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>Rien à faire ici : cet état prend fin quand sa cause est éliminée.</translation>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <translation>Aucune action n’est nécessaire dans Tiller. L’état prend fin quand la cause est éliminée.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -3063,8 +3056,8 @@
         <translation>historique à %1 s</translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
-        <translation>à %1 s de %2</translation>
+        <source>at %1 s in %2</source>
+        <translation>à %1 s dans %2</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>Sortie analogique %1 : %2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>Registre d’entrée %1 : %2</translation>
+        <source>Input int register %1</source>
+        <translation>Registre d’entrée entier %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,12 @@
         <translation>Le robot n’a pas terminé l’impulsion de %1 parce que son programme a été arrêté ou mis en pause. Tiller désactive la sortie.</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>Registre d’entrée %1</translation>
+        <source>Input float register %1</source>
+        <translation>Registre d’entrée réel %1</translation>
+    </message>
+    <message>
+        <source>Input bit register %1</source>
+        <translation>Registre d’entrée bit %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -3868,12 +3865,12 @@
         <translation>Bit %1</translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
-        <translation>Registres de sortie, nombres</translation>
+        <source>Output registers, floats</source>
+        <translation>Registres de sortie, réels</translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
-        <translation>Registres d’entrée, nombres</translation>
+        <source>Input registers, floats</source>
+        <translation>Registres d’entrée, réels</translation>
     </message>
     <message>
         <source>Output registers, integers</source>
@@ -4031,12 +4028,12 @@
         <translation>Vérifiez que le robot est allumé, que le câble est branché et que ce PC est sur le même réseau.</translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>Activez l’interface sur le robot : Réglages, Sécurité, Services. Un robot qui vient de démarrer peut avoir besoin d’une minute de plus.</translation>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
+        <translation>Activez l’interface sur le robot sous Réglages &gt; Sécurité &gt; Services. Un robot qui vient de démarrer peut avoir besoin d’une minute de plus.</translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
-        <translation>Le robot a fermé la connexion : il redémarre peut-être, ou il a été commuté entre Local et À distance.</translation>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <translation>Il redémarre peut-être, ou il passe entre Local et À distance. Attendez une minute, puis reconnectez-vous.</translation>
     </message>
     <message>
         <source>The robot does not respond. Check the cable and the address.</source>
@@ -4215,8 +4212,8 @@
         <translation>terminé</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>touche lâchée</translation>
+        <source>button or key released</source>
+        <translation>bouton ou touche relâché</translation>
     </message>
     <message>
         <source>pointer left the button</source>
@@ -4227,8 +4224,8 @@
         <translation>focus perdu</translation>
     </message>
     <message>
-        <source>window lost activation</source>
-        <translation>fenêtre plus active</translation>
+        <source>another window became active</source>
+        <translation>autre fenêtre devenue active</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -4239,8 +4236,8 @@
         <translation>un dialogue ou menu s’est ouvert</translation>
     </message>
     <message>
-        <source>second button</source>
-        <translation>second bouton</translation>
+        <source>another button or key pressed</source>
+        <translation>autre bouton ou touche enfoncé</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -4303,8 +4300,8 @@
         <translation>cible trop loin pour un pas</translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
-        <translation>pas de confirmation que la touche est encore maintenue</translation>
+        <source>could not verify that the button or key is still pressed</source>
+        <translation>impossible de vérifier que le bouton ou la touche est encore enfoncé</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4503,8 +4500,8 @@
         <translation>Délai maximal en secondes</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
-        <translation>Après ce délai, l’attente échoue avec un message. 0 : attend tant que le bouton est maintenu, une heure au plus</translation>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <translation>Après ce délai, l’attente échoue avec un message. 0 : attend tant que le bouton est maintenu, une heure au plus.</translation>
     </message>
 </context>
 <context>
@@ -4535,9 +4532,9 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1 : %2
-Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
+F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4623,20 +4620,20 @@ Clic droit ou F2 pour renommer et mettre à l’échelle.</translation>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>Pas encore de boîtes ni de plans.
-Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
+Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</translation>
     </message>
     <message>
-        <source>Checked</source>
-        <translation>Vérifié</translation>
+        <source>Check for collisions</source>
+        <translation>Vérifier les collisions</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>Centre</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>Centre de la boîte. Entrée pour appliquer. Seule la boîte change ; le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -4676,8 +4673,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Premier coin pris.</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
-        <translation>Amenez le TCP au coin opposé et appuyez sur Autre coin.</translation>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
+        <translation>Amenez le TCP au coin opposé et appuyez sur « Autre coin ».</translation>
     </message>
     <message>
         <source>Discard</source>
@@ -4720,11 +4717,11 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Modifier la distance de sécurité</translation>
     </message>
     <message>
-        <source>Other corner</source>
+        <source>Teach corner 2</source>
         <translation>Autre coin</translation>
     </message>
     <message>
-        <source>Corner here</source>
+        <source>Teach corner</source>
         <translation>Coin ici</translation>
     </message>
     <message>
@@ -4776,15 +4773,15 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Sol</translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
-        <translation>Désactivé, le sol n’est ni affiché ni vérifié contre les collisions.</translation>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
+        <translation>Désactivé, la boîte ou le plan n’est ni affiché ni vérifié contre les collisions.</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
         <translation>Plan horizontal dans le repère de base, au-dessus duquel le bras doit rester.</translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation>Hauteur du sol</translation>
     </message>
     <message>
@@ -4812,7 +4809,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur Coin ici.</translation>
         <translation>Placer un coin de boîte au TCP</translation>
     </message>
     <message>
-        <source>Plane here</source>
+        <source>Teach plane</source>
         <translation>Plan ici</translation>
     </message>
     <message>
@@ -5055,7 +5052,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Desserrer les freins (en-tête)</translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation>Prendre le contrôle, tenir un bouton</translation>
     </message>
     <message>
@@ -5063,7 +5060,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Apprendre ici (T)</translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation>S’éloigner, tenir Aller à (G)</translation>
     </message>
     <message>
@@ -5105,7 +5102,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Origine</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>Dans le repère de base. Appuyez sur Entrée pour appliquer. Seul le repère change ; le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -5416,7 +5413,7 @@ Videz la recherche pour tout voir.</translation>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation>Pas encore de repères.
 Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP », ou sur « 3 points » pour prendre l’origine, +X et +Y.</translation>
     </message>
@@ -5548,7 +5545,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Va au point de passage suivant tant que le bouton est maintenu, et s’y arrête</translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation>Points de l’itinéraire</translation>
     </message>
     <message>
@@ -5893,8 +5890,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>La vitesse ou la force est hors plage.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
-        <translation>La pince n’a pas accepté la commande.</translation>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
+        <translation>La pince n’a pas exécuté la commande. Vérifiez qu’aucun autre programme ne commande la pince, puis réessayez.</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5928,7 +5925,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>DERNIER ARRÊT</translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation>État du robot</translation>
     </message>
     <message>
@@ -5999,8 +5996,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Un autre bouton ou une autre touche est déjà maintenu.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
-        <translation>Le serveur d’affichage ne répond pas : le relâchement d’une touche ne peut pas être détecté.</translation>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <translation>Le serveur d’affichage ne répond pas : le relâchement d’un bouton ou d’une touche ne peut pas être détecté. Relâchez-le et réessayez.</translation>
     </message>
 </context>
 <context>
@@ -6283,8 +6280,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Dernier arrêt : %1, immobile après %2 ms, %3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
-        <translation>Déplacez le bras à la main tant que ce bouton est maintenu : %1. Clic droit pour choisir les axes</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
+        <translation>Déplacez le bras à la main tant que ce bouton est maintenu : %1. Clic droit pour choisir les axes.</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6295,8 +6292,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Freedrive…</translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
-        <translation>Vérifier la charge utile avant Freedrive (jusqu’à la prochaine connexion)</translation>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
+        <translation>Vérifier la charge utile avant Freedrive (réinitialisé à la reconnexion)</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6380,28 +6377,28 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Aucun repère appris. Apprenez-en un dans l’onglet Repères.</translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
-        <translation>Un pas par appui : %1</translation>
+        <source>Moves by %1 per press.</source>
+        <translation>Déplace de %1 par appui.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
-        <translation>Un pas de rotation par appui, outil ou articulation : %1</translation>
+        <source>Rotates the tool or joint by %1 per press.</source>
+        <translation>Tourne l’outil ou l’articulation de %1 par appui.</translation>
     </message>
     <message>
         <source>≤ %1</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>Déplace lentement tant que maintenu, jusqu’à une force de contact de %1 N. Cliquez de nouveau pour d’autres pas</translation>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <translation>Déplace lentement tant que le bouton est maintenu, jusqu’à une force de contact de %1 N. Cliquez de nouveau pour choisir un autre pas.</translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
-        <translation>Un pas par appui : %1. Cliquez de nouveau pour d’autres pas</translation>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
+        <translation>Déplace de %1 par appui. Cliquez de nouveau pour choisir un autre pas.</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>Un pas de rotation par appui, outil ou articulation : %1. Cliquez de nouveau pour d’autres angles</translation>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
+        <translation>Tourne l’outil ou l’articulation de %1 par appui. Cliquez de nouveau pour choisir un autre angle.</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -6602,16 +6599,12 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Détails de l’entrée sélectionnée</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>écrire %1</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>Exporter le journal</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>Texte (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>Fichier texte (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6725,8 +6718,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>« %1 »</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>La position de « %1 » est inconnue car son repère %2 n’est pas dans le projet. Saisissez la position, excluez l’objet ou supprimez-le sur la page Cellule</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>La position de « %1 » est inconnue car son repère n’est pas dans le projet. Saisissez la position, excluez l’objet ou supprimez-le sur la page Cellule</translation>
     </message>
 </context>
 <context>
@@ -6748,11 +6741,11 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation>Action de l’avis</translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation>Seconde action de l’avis</translation>
     </message>
 </context>
@@ -6773,8 +6766,8 @@ Clic droit ou F2 pour renommer.</translation>
 <context>
     <name>tiller::PathControls</name>
     <message>
-        <source>Tolerance of recorded paths</source>
-        <translation>Tolérance des trajectoires enregistrées</translation>
+        <source>Path tolerance</source>
+        <translation>Tolérance de trajectoire</translation>
     </message>
     <message>
         <source>Record path</source>
@@ -6785,8 +6778,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Exporter la trajectoire en CSV…</translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
-        <translation>Importer une démonstration (CSV)…</translation>
+        <source>Import path from CSV…</source>
+        <translation>Importer une trajectoire CSV…</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
@@ -6825,8 +6818,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Exporter la trajectoire</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tableaux (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>Fichier CSV (*.csv)</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
@@ -6840,15 +6833,15 @@ Clic droit ou F2 pour renommer.</translation>
         </translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
-        <translation>Importer une démonstration</translation>
+        <source>Import path</source>
+        <translation>Importer une trajectoire</translation>
     </message>
     <message>
         <source>○ Path</source>
         <translation>○ Trajet</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>La trajectoire du bras est enregistrée. Sélectionnez la même commande pour terminer.</translation>
     </message>
 </context>
@@ -6867,8 +6860,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Importation refusée : une trajectoire est en cours d’enregistrement. Arrêtez d’abord cet enregistrement.</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>La démonstration n’a pas pu être importée.</translation>
+        <source>The path could not be imported.</source>
+        <translation>La trajectoire n’a pas pu être importée.</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6993,7 +6986,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Apprenez d’abord les trois coins, puis sélectionnez un point de passage pour chacun.</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>Deux coins sont identiques. Sélectionnez un autre point pour l’un d’eux.</translation>
     </message>
     <message>
@@ -7035,14 +7028,14 @@ Clic droit ou F2 pour renommer.</translation>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>Les trois coins sont alignés. Sélectionnez un autre point de passage pour l&apos;un d&apos;eux.</translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation>Emplacements du motif</translation>
     </message>
     <message>
@@ -7219,7 +7212,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>CZ</translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation>Masse de la charge utile</translation>
     </message>
     <message>
@@ -7235,7 +7228,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Centre de gravité Z</translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation>Appuyez sur Entrée pour appliquer au projet. La charge utile du robot ne change pas.</translation>
     </message>
     <message>
@@ -7388,7 +7381,7 @@ Clic droit ou F2 pour renommer.</translation>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>Aucune charge.
 Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     </message>
@@ -7564,8 +7557,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Enregistrer dans un fichier CSV</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
-        <translation>Enregistrer les données du robot dans un fichier CSV. Utilisez la flèche pour choisir signaux et dossier</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Enregistrer les données du robot dans un fichier CSV. Utilisez la flèche pour choisir signaux et dossier.</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7640,20 +7633,20 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Plage visible exportée vers %1</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>Image (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>Image PNG (*.png)</translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
-        <translation>Dessin (*.svg)</translation>
+        <source>SVG image (*.svg)</source>
+        <translation>Image SVG (*.svg)</translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
-        <translation>Page (*.pdf)</translation>
+        <source>PDF document (*.pdf)</source>
+        <translation>Document PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
-        <translation>Valeurs (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>Fichier CSV (*.csv)</translation>
     </message>
     <message>
         <source>Recording options</source>
@@ -7706,12 +7699,12 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>exporter vers %1</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>exporter : il n’y a pas de valeurs dans cette plage</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>Il n’y a pas d’échantillons dans cette plage. Sélectionnez une autre plage, puis exportez de nouveau.</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>utilisez le suffixe .png, .svg ou .pdf pour une image, ou .csv pour des valeurs</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>Utilisez le suffixe .png, .svg ou .pdf pour une image, ou .csv pour des valeurs.</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7774,10 +7767,6 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Mémoire pour l’historique</translation>
     </message>
     <message>
-        <source>save the layout to %1</source>
-        <translation>enregistrer la disposition dans %1</translation>
-    </message>
-    <message>
         <source>Opened the recording %1</source>
         <translation>Enregistrement %1 ouvert</translation>
     </message>
@@ -7806,7 +7795,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>%1 et d’autres</translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation>Liste des signaux</translation>
     </message>
     <message>
@@ -7838,8 +7827,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Layout ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>lire une disposition de tracés</translation>
+        <source>not a plot layout</source>
+        <translation>ce n’est pas une disposition de tracés</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>
@@ -7866,7 +7855,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Heure du jour</translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>Le nombre maximal de pages de tracés est atteint : retirez d’abord une page.</translation>
     </message>
     <message>
@@ -7874,8 +7863,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Enregistrer dans un fichier MCAP</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
-        <translation>Enregistrer les données du robot dans un fichier MCAP. Utilisez la flèche pour choisir signaux et dossier</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
+        <translation>Enregistrer les données du robot dans un fichier MCAP. Utilisez la flèche pour choisir signaux et dossier.</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7901,8 +7890,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Plage entre les curseurs A et B exportée vers %1</translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
-        <translation>Valeurs entre les curseurs A et B (*%1)</translation>
+        <source>Cursor A to cursor B (*%1)</source>
+        <translation>Du curseur A au curseur B (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -7913,8 +7902,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Les signaux en direct ne peuvent être exportés qu’en .csv. Pour d’autres formats, enregistrez-les d’abord.</translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
-        <translation>La plage contient trop de valeurs pour un export depuis la fenêtre. Exportez une plage plus courte ou utilisez tiller-cli export.</translation>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation>La plage contient trop de valeurs pour être exportée depuis cette fenêtre. Exportez une plage plus courte ou exécutez « tiller-cli export ».</translation>
     </message>
 </context>
 <context>
@@ -7935,7 +7924,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Pages de tracés</translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation>Nom de la page</translation>
     </message>
     <message>
@@ -8061,8 +8050,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Tracés dans le temps</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A et B placent les curseurs, gauche et droite les déplacent, haut et bas choisissent le signal lu. H masque sa courbe, Ctrl+Suppr la retire. Plus et moins changent la plage de temps, avec Ctrl l’échelle des valeurs ; Ctrl+0 pour l’échelle automatique. N ajoute une note, F affiche toutes les données, Fin revient aux derniers échantillons</translation>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
+        <translation>A et B placent les curseurs. Gauche et Droite déplacent le curseur actif. Haut et Bas choisissent le signal lu. H masque la courbe de ce signal ; Ctrl+Suppr la retire. Plus et Moins changent la plage de temps, avec Ctrl l’échelle des valeurs ; Ctrl+0 pour l’échelle automatique. N ajoute une note, F affiche toutes les données et Fin revient aux derniers échantillons.</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -8123,15 +8112,15 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Pose du TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
-        <translation>orientation selon les réglages. Δ₀ : déplacement depuis zéro. Cliquez pour afficher le déplacement depuis le début du dernier mouvement</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <translation>orientation selon les réglages. Δ₀ : déplacement depuis zéro. Cliquez pour afficher le déplacement depuis le début du dernier mouvement.</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
-        <translation>orientation selon les réglages. Δ : déplacement depuis le début du dernier mouvement. Cliquez pour mettre à zéro ici</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <translation>orientation selon les réglages. Δ : déplacement depuis le début du dernier mouvement. Cliquez pour mettre à zéro ici.</translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation>TCP dans le repère de la bride : %1</translation>
     </message>
 </context>
@@ -8163,16 +8152,16 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation>Pas encore de positions.
-Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ici ».</translation>
+Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter position ».</translation>
     </message>
     <message>
         <source>Safe height</source>
         <translation>Hauteur sûre</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1. Appuyez sur Entrée pour appliquer. Seule la position enregistrée change ; le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -8192,8 +8181,8 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
         <translation>Origine ici</translation>
     </message>
     <message>
-        <source>Add here</source>
-        <translation>Ajouter ici</translation>
+        <source>Add position</source>
+        <translation>Ajouter position</translation>
     </message>
     <message>
         <source>Store the current position of the arm</source>
@@ -8323,11 +8312,11 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
         <translation>Le système de sécurité a arrêté le bras. Rétablissez-le d’abord.</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>Terminé. Appuyez sur Démarrer pour répéter l’exercice.</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>Appuyez sur Démarrer.</translation>
     </message>
 </context>
@@ -8350,7 +8339,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter ic
         <translation>Force Fz en newtons</translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation>Saisissez la valeur, appuyez sur Entrée</translation>
     </message>
     <message>
@@ -8892,7 +8881,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le projet utilise le TCP « %1 ». Le TCP actif du robot en diffère de %2.</translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation>Le projet convient au robot connecté.</translation>
     </message>
     <message>
@@ -8991,15 +8980,15 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>%1 — enregistré</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>aucun fichier choisi</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>Aucun fichier n’est choisi pour le projet. Enregistrez d’abord le projet dans un fichier.</translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation>%1 — ouvert dans une autre fenêtre, modifications non enregistrées ici</translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation>%1 — modifié par un autre programme, modifications non enregistrées ici</translation>
     </message>
     <message>
@@ -9007,20 +8996,16 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Projet non enregistré</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>enregistrer %1</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>il est ouvert dans une autre fenêtre (%1)</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 est ouvert dans une autre fenêtre (%2). Fermez-le dans cette fenêtre ou enregistrez sous un autre nom.</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>un autre programme</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>un autre programme l’a modifié</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>%1 a été modifié par un autre programme. Rechargez-le ou enregistrez sous un autre nom.</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9081,16 +9066,16 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Entier %1</translation>
     </message>
     <message>
-        <source>Number %1</source>
-        <translation>Nombre %1</translation>
+        <source>Float %1</source>
+        <translation>Réel %1</translation>
     </message>
     <message>
         <source>Int</source>
         <translation>Entier</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>Nombre</translation>
+        <source>Float</source>
+        <translation>Réel</translation>
     </message>
     <message>
         <source>Bit</source>
@@ -9124,8 +9109,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Revenir au direct</translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>Afficher l’état actuel du robot. L’enregistrement reste ouvert dans les tracés</translation>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
+        <translation>Afficher l’état actuel du robot. L’enregistrement reste ouvert dans les tracés.</translation>
     </message>
 </context>
 <context>
@@ -9225,7 +9210,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Programme : %1</translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation>Erreur de programme ligne %1, colonne %2 : %3</translation>
     </message>
     <message>
@@ -9265,8 +9250,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. STOP reste actif.</translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
-        <translation>Surveillance seule désactivée</translation>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
+        <translation>« Surveillance seule » est désactivée. Les commandes au robot sont possibles.</translation>
     </message>
     <message>
         <source>%1: refused. %2</source>
@@ -9308,7 +9293,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Un programme d&apos;un autre client a pris le robot. Prendre le contrôle y met fin.</translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation>Le programme de l&apos;autre client est arrêté pour prendre le contrôle.</translation>
     </message>
     <message>
@@ -9347,7 +9332,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>La pince est active</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>La pince n’a pas été activée. Vérifiez que rien ne bloque ses doigts, puis appuyez de nouveau sur Activer.</translation>
     </message>
     <message>
@@ -9367,19 +9352,19 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Échec : %1. %2</translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation>Aucun service de pince ne répond à %1:%2. Installez l’URCap de Robotiq sur le robot et sélectionnez la pince dans son installation.</translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>La pince ne répond pas. Vérifiez son câble au poignet et sa page dans l’installation du robot ; si le problème persiste, redémarrez le robot.</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
+        <translation>La pince ne répond pas. Vérifiez le câble au poignet et la page de la pince dans l’installation du robot. Si le problème persiste, redémarrez le robot.</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>Le robot a fermé la connexion à la pince et redémarre peut-être. Tiller se reconnecte automatiquement ; la pince maintient sa prise.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>La pince n’a pas accepté la commande. Activez-la ; si elle est active, vérifiez sa page dans l’installation du robot.</translation>
     </message>
     <message>
@@ -9387,43 +9372,43 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>La pince s’active ; la commande est exécutée ensuite.</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>La pince a reçu une commande de mouvement avant d’être active. Appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>La pince est trop chaude. Laissez-la refroidir, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>La pince n’a reçu aucune commande pendant une seconde. Vérifiez son câble au poignet, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>La tension d’alimentation de la pince est trop basse. Réglez la tension de l’outil à 24 V, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>L’ouverture automatique de la pince est en cours. Attendez la fin, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>L’ouverture automatique de la pince est terminée. Appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>La pince a un défaut interne. Appuyez sur Activer ; si le défaut revient, contactez Robotiq.</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>L’activation a échoué. Vérifiez que rien ne bloque les doigts, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>La pince consomme trop de courant. Vérifiez que rien ne bloque les doigts, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>La pince signale le défaut %1. Appuyez sur Activer ; si le défaut revient, consultez son manuel.</translation>
     </message>
 </context>
@@ -9610,7 +9595,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation>Vue du bras</translation>
     </message>
     <message>
@@ -9688,12 +9673,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le robot ne peut pas envoyer autant de signaux à la fois : retirez d’abord d’autres signaux.</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>ouvrir %1</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>L’enregistrement est vide.</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>L’enregistrement %1 ne contient aucun échantillon. Ouvrez un autre enregistrement.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9715,7 +9696,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Chercher des signaux</translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation>Signaux du robot</translation>
     </message>
     <message>
@@ -9723,8 +9704,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Nouveau : |F| [N] = norm(…)</translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
-        <translation>Signal calculé à partir d’autres</translation>
+        <source>Derived signal</source>
+        <translation>Signal dérivé</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
@@ -9757,7 +9738,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Curseur de vitesse</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>Curseur de vitesse du robot, 2 à 100 %</translation>
     </message>
     <message>
@@ -9883,7 +9864,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>Pas encore de TCP.
 Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre… » pour en apprendre un avec le bras.</translation>
     </message>
@@ -9892,7 +9873,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>TCP</translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation>Par rapport à la bride. Entrée l’applique au projet. Le TCP du robot ne change pas.</translation>
     </message>
     <message>
@@ -10039,24 +10020,24 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Apprendre le TCP</translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
-        <translation>Prendre la pose pour la rotation</translation>
+        <source>Record pose for the tool orientation</source>
+        <translation>Prendre la pose d’orientation</translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
-        <translation>Rotation de l’outil</translation>
+        <source>Tool orientation</source>
+        <translation>Orientation de l’outil</translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
-        <translation>Rotation inchangée</translation>
+        <source>Keep current orientation</source>
+        <translation>Orientation inchangée</translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
-        <translation>Rotation par une pose : outil droit vers le bas</translation>
+        <source>Orientation from one pose: tool straight down</source>
+        <translation>Orientation par une pose : outil droit vers le bas</translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
-        <translation>Rotation par trois poses : selon +Z, vers +X</translation>
+        <source>Orientation from three poses: along +Z, towards +X</source>
+        <translation>Orientation par trois poses : selon +Z, vers +X</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10086,16 +10067,16 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
-        <translation>L’outil garde sa rotation actuelle.</translation>
+        <source>The tool keeps the current orientation.</source>
+        <translation>L’outil garde l’orientation actuelle.</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son axe X soit parallèle à l’axe X de la base, puis prenez la pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>Rotation prise. Reprenez-la pour la remplacer.</translation>
+        <source>Orientation recorded. Record it again to replace it.</source>
+        <translation>Orientation prise. Reprenez-la pour la remplacer.</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
@@ -10110,8 +10091,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Déplacez maintenant l’outil dans sa direction +X d’au moins %1 et prenez la pose.</translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>Rotation prise : %1 selon +Z, %2 selon +X ; rotation maximale de la bride %3 à la pose %4.</translation>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>Orientation prise : %1 selon +Z, %2 selon +X ; rotation maximale de la bride %3 à la pose %4.</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
@@ -10199,7 +10180,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1. Entrée pour appliquer. Le robot ne bouge pas.</translation>
     </message>
 </context>
@@ -10229,7 +10210,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>Dans le repère du point. Appuyez sur Entrée pour appliquer. Seul le point de passage change ; le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -10237,7 +10218,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Point de passage choisi</translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation>Repère du point de passage</translation>
     </message>
     <message>
@@ -10373,8 +10354,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Exporter des points de passage</translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
-        <translation>Séparé par virgules (*.csv);;JSON (*.json)</translation>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
+        <translation>Fichier CSV (*.csv);;Fichier JSON (*.json)</translation>
     </message>
     <message>
         <source>Import failed</source>
@@ -10522,11 +10503,11 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Type : MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation>Vitesse de MoveJ : %1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation>Vitesse de MoveL : %1 → %2</translation>
     </message>
     <message>
@@ -10562,8 +10543,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>La version d’avant cette modification est identique à l’actuelle.</translation>
     </message>
     <message>
-        <source>Before this change:</source>
-        <translation>Avant cette modification :</translation>
+        <source>Changes from the version before this change to the current version:</source>
+        <translation>Différences entre la version avant cette modification et la version actuelle :</translation>
     </message>
 </context>
 <context>
@@ -10736,8 +10717,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
-        <translation>✕ bras</translation>
+        <source>✕ model</source>
+        <translation>✕ modèle</translation>
     </message>
     <message>
         <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
@@ -10810,11 +10791,11 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Mouvement</translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation>Vitesse de MoveJ</translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation>Vitesse de MoveL</translation>
     </message>
     <message>
@@ -10910,16 +10891,16 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Décalage %1</translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
-        <translation>Axe de rotation ou de symétrie</translation>
+        <source>Rotation axis or mirror normal</source>
+        <translation>Axe de rotation ou normale du miroir</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Angle</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
-        <translation>Le bras ne peut pas atteindre ces poses : %1. Aucun point de passage ne sera déplacé.</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <translation>Le bras ne peut pas atteindre ces points de passage après le déplacement : %1. Choisissez un déplacement ou une rotation plus petits. Aucun point de passage ne sera déplacé.</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another frame.</source>
@@ -10976,7 +10957,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Pas encore de points de passage.
 Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translation>
     </message>
@@ -11183,7 +11164,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Connecter</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>Avant de déplacer un bras réel : tenez tout le monde hors de sa portée, gardez l’arrêt d’urgence à portée de main, vérifiez la charge utile et le TCP, et commencez lentement. STOP dans cette fenêtre n’est pas un arrêt d’urgence.</translation>
     </message>
     <message>
@@ -11246,8 +11227,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>créer le dossier %1 : choisissez un dossier où vous avez le droit d’écrire</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>Impossible de créer le dossier %1. Choisissez un dossier où vous avez le droit d’écrire.</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11306,8 +11287,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>prendre les captures d’écran</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>écrire les captures d’écran dans %1</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>Impossible d’écrire les captures d’écran dans %1. Vérifiez les droits du dossier et l’espace disque libre.</translation>
     </message>
     <message>
         <source>stop recording</source>
@@ -11395,7 +11376,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>Zone morte : %1</translation>
     </message>
     <message>
@@ -11407,7 +11388,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Déviation en dessous de laquelle l’appareil ne déplace pas le bras.</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>Courbe : %1</translation>
     </message>
     <message>
@@ -11481,12 +11462,12 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Sommaire</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Le manuel n’est pas installé sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Le paquet Debian de Tiller le contient. Pour l’ajouter à votre propre compilation, installez le paquet python3-sphinx :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. Vous pouvez aussi lire ses pages comme du texte dans le dossier packaging/manual du code source. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
-        <translation>&lt;h2&gt;Déplacer le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant que vous maintenez un bouton de déplacement, et s’arrête quand vous le relâchez. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte le bouton, un second bouton de souris est pressé ou un second périphérique est utilisé ;&lt;/li&gt;&lt;li&gt;un modificateur ou la touche contraire est enfoncé pendant qu’une touche du clavier est maintenue ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, un dialogue ou un menu s’ouvre, ou le repère, la vitesse, le pas ou l’onglet change ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme ne répond plus, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou n’envoie plus de données ;&lt;/li&gt;&lt;li&gt;le contrôle de touche échoue : sous X11, Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé. Si ce n’est pas le cas, ou si le serveur ne répond pas pendant 100 ms, le mouvement se termine. Si ce contrôle n’est pas disponible, l’en-tête et les réglages l’indiquent ;&lt;/li&gt;&lt;li&gt;la durée maximale d’appui est atteinte : %1 s pour un déplacement manuel (réglages), cinq minutes pour Freedrive, la durée du mouvement plus 5 s pour aller à une position. Les 3 dernières secondes sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Après un arrêt, un nouvel appui est nécessaire. Tant que Tiller a le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent le bras depuis chaque fenêtre, dialogue et champ de texte. Quand Tiller n’a pas le contrôle, ils agissent sur l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée de main.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend le mouvement dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, mais jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa position sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <translation>&lt;h2&gt;Déplacer le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant que vous maintenez un bouton de déplacement, et s’arrête quand vous le relâchez. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte le bouton, un autre bouton de souris est pressé ou un second périphérique est utilisé ;&lt;/li&gt;&lt;li&gt;un modificateur ou la touche contraire est enfoncé pendant qu’une touche du clavier est maintenue ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, un dialogue ou un menu s’ouvre, ou le repère, la vitesse, le pas ou l’onglet change ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme ne répond plus, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou n’envoie plus de données ;&lt;/li&gt;&lt;li&gt;le contrôle de touche échoue : sous X11, Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé. Si ce n’est pas le cas, ou si le serveur ne répond pas pendant 100 ms, le mouvement se termine. Si ce contrôle n’est pas disponible, l’en-tête et les réglages l’indiquent ;&lt;/li&gt;&lt;li&gt;la durée maximale d’appui est atteinte : %1 s pour un déplacement manuel (réglages), cinq minutes pour Freedrive, la durée du mouvement plus 5 s pour aller à une position. Les 3 dernières secondes sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Après un arrêt, un nouvel appui est nécessaire. Tant que Tiller a le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent le bras depuis chaque fenêtre, dialogue et champ de texte. Quand Tiller n’a pas le contrôle, ils agissent sur l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée de main.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend le mouvement dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, mais jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa position sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
     </message>
 </context>
 <context>
@@ -11771,19 +11752,19 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Déplace ce panneau de ce côté de la fenêtre principale.</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>Placer %1 à gauche</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>Placer %1 à droite</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>Placer %1 en haut</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>Placer %1 en bas</translation>
     </message>
     <message>
@@ -11799,8 +11780,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Nom du programme sur le robot, p. ex. pick.urp</translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
-        <translation>Plafond de vitesse %1</translation>
+        <source>Speed cap set to %1</source>
+        <translation>Plafond de vitesse réglé à %1</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
@@ -11954,8 +11935,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Change during a program</source>
-        <translation>Changement pendant un programme</translation>
+        <source>Change while a program is active</source>
+        <translation>Modification avec un programme actif</translation>
     </message>
 </context>
 <context>
@@ -12048,7 +12029,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Perspective %1. Sélectionnez une disposition de panneaux ou enregistrez l’actuelle.</translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation>Nom de la perspective</translation>
     </message>
     <message>
@@ -12123,7 +12104,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Le nom est trop long.</translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>Le nombre maximal de perspectives est atteint. Supprimez-en d’abord une.</translation>
     </message>
     <message>
@@ -12190,10 +12171,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Nom de fichier</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>Une ligne tous les</translation>
-    </message>
-    <message>
         <source>Signals</source>
         <translation>Signaux</translation>
     </message>
@@ -12256,7 +12233,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Qu’avez-vous fait ? Qu’attendiez-vous ? Que s’est-il passé ?</translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation>Fichiers du rapport</translation>
     </message>
     <message>

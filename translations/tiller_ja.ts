@@ -4,19 +4,19 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>このロボットにはグリッパーがありません。I/Oのグリッパーで選んでください。</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>このロボットにはグリッパーが設定されていません。「I/O &gt; グリッパー」で選択してください。</translation>
     </message>
     <message>
         <source>Run route</source>
         <translation>ルート</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation>%1が%2 s以内にオンになりませんでした。接続されている機器を確認し、もう一度試してください。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation>%1が%2 s以内にオフになりませんでした。接続されている機器を確認し、もう一度試してください。</translation>
     </message>
     <message>
@@ -24,8 +24,8 @@
         <translation>%1は完了しませんでした。%2</translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
-        <translation>グリッパーが%1 s以内に停止しませんでした。</translation>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
+        <translation>グリッパーが %1 s 以内に停止しませんでした。グリッパーを確認し、もう一度試してください。</translation>
     </message>
 </context>
 <context>
@@ -444,19 +444,19 @@
         <translation>保護停止が多すぎます</translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
-        <translation>一つの関節で 8 時間に 50 回を超える保護停止がありました。</translation>
+        <source>One joint had fifty protective stops within eight hours.</source>
+        <translation>一つの関節で 8 時間に 50 回の保護停止がありました。</translation>
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>続ける前に停止の原因を見つけ、その後コントローラーを再起動してください。</translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation>目標位置の急変</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation>プログラムが不連続な位置を指令しました。</translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation>プログラムをアームの現在位置から始め、サーボの刻みを小さくしてください。</translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation>目標速度の急変</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation>プログラムが不連続な速度を指令しました。</translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation>%2 の %1</translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation>デバイスの軸</translation>
     </message>
 </context>
@@ -577,7 +577,7 @@
         <translation>いくつかの値と制御用レジスターがありません。ロボットを %1.%2 以降に更新してください。</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>アームを点検して原因を取り除き、復旧してください：ヘッダーの「復旧…」を押すか、ティーチペンダントを使います。</translation>
     </message>
     <message>
@@ -673,8 +673,8 @@
         <translation>TCP はフランジから %1 mm、ペイロード %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが下がります。</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが勝手に動きます。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -729,8 +729,8 @@
         <translation>ポート %1 は応答しません</translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>ロボットでこのインターフェースを有効にしてください：設定、セキュリティ、サービス。</translation>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
+        <translation>ロボットの「設定 &gt; セキュリティ &gt; サービス」でこのインターフェースを有効にしてください。</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
@@ -773,8 +773,8 @@
         <translation>ダッシュボード（ポート %1）も Robot API（ポート %2）もありません</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>ロボットで Dashboard Server を有効にしてください：設定、セキュリティ、サービス。PolyScope X の Robot API は 10.11 以降が必要です。</translation>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <translation>ロボットの「設定 &gt; セキュリティ &gt; サービス」で Dashboard Server を有効にしてください。PolyScope X の Robot API は 10.11 以降が必要です。</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
@@ -900,7 +900,7 @@
         <translation>静止を待ってからフリードライブを開始してください。</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>ペイロード %2 kg でアームは %1 を検出しており、勝手に動くおそれがあります。ツールから手を離すか、ペイロードと TCP を修正してください。</translation>
     </message>
 </context>
@@ -1093,12 +1093,12 @@
         <translation>%1 へジョグするか肘を曲げる</translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
-        <translation>手首がベース軸の上</translation>
+        <source>Wrist near the base axis</source>
+        <translation>手首がベース軸の近く</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
-        <translation>手首がベース軸の上：速度の %1</translation>
+        <source>Wrist near the base axis: %1 speed</source>
+        <translation>手首がベース軸の近く：速度の %1</translation>
     </message>
     <message>
         <source>move outwards</source>
@@ -1137,24 +1137,24 @@
         <translation>%1 へジョグするか %2 を %3 に回す</translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
-        <translation>TCP が速度上限：%1</translation>
+        <source>TCP at the speed cap: %1 speed</source>
+        <translation>TCP が速度上限：速度の %1</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
         <translation>設定で上限を変更</translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
-        <translation>肘が速度上限：%1</translation>
+        <source>Elbow at the speed cap: %1 speed</source>
+        <translation>肘が速度上限：速度の %1</translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
-        <translation>回転が上限：%1</translation>
+        <source>Rotation at the speed cap: %1 speed</source>
+        <translation>回転が速度上限：速度の %1</translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
-        <translation>%1 が最高速度：%2</translation>
+        <source>%1 at its maximum speed: %2 speed</source>
+        <translation>%1 が最高速度：速度の %2</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
@@ -1506,8 +1506,8 @@
         <translation>非常停止</translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
-        <translation>ロボットの非常停止が押されています。ボタンを引き出してから電源を入れ、ブレーキを解除してください。</translation>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
+        <translation>ロボットの非常停止ボタンが押されています。時計回りに回して解除してから電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1546,7 +1546,7 @@
         <translation>自動安全防護停止</translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation>自動モードの安全防護が開いています。閉じるか手動モードに切り替えてください。</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>PROFIsafe 自動停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation>PROFIsafe コントローラーが自動モードの安全防護停止を要求しています。PROFIsafe コントローラー側で解除してください。</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>プログラム一時停止</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>再生すると中断した動作を続けます。破棄するにはプログラムを停止してください。</translation>
     </message>
     <message>
@@ -1740,8 +1740,8 @@
         <translation>記録</translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>停止するまで、ロボットの全パケットを CSV ファイルに書きます。</translation>
+        <source>Records the robot data to a file until you stop the recording.</source>
+        <translation>停止するまで、ロボットのデータをファイルに記録します。</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -1974,7 +1974,7 @@
         <translation>停止を待っています。</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>アームは保護停止中です。ヘッダーの「復旧」を押してください。</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>「%1」はアームで教示されていません：TCP が原点に位置したことがありません。</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>ウェイポイントは削除されました。「開始」を押すと新しく追加します。</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>その記録は短すぎます。もう一度記録してください。</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>まだ記録がありません。グラフの上の「記録」を押してください。</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>記録と計測</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>「開始」を押すと、保護停止を起こす衝突をシミュレートします。アームが停止した原因を調べ、5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を記録します。</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>「開始」を押すと、アームの現在位置にウェイポイント「部品」を追加します。その後、部品はベースの X+ 方向に %1 動きます。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>限界で速度が半分になるまで、ベースから外側へジョグしてください。パッドの下の行に限界と抜け出し方が表示されます。その後 %1 戻ってください。</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>「開始」を押すと、ツールを上から押す手をシミュレートします。3 秒以上記録して停止してください。グラフで力 Fz を読み取り、入力してください。</translation>
     </message>
     <message>
         <source>part</source>
         <translation>部品</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>%1 を書き込む</translation>
     </message>
 </context>
 <context>
@@ -3020,8 +3013,8 @@
         <translation>原因を取り除き、アームの届く範囲に誰もいない。</translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>ここでの操作は不要です：原因が取り除かれると、この状態は終わります。</translation>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <translation>Tiller での操作は不要です。原因が取り除かれると、この状態は終わります。</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -3063,8 +3056,8 @@
         <translation>履歴の%1 s</translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
-        <translation>%2の%1 s</translation>
+        <source>at %1 s in %2</source>
+        <translation>%2 の %1 s</translation>
     </message>
 </context>
 <context>
@@ -3260,8 +3253,8 @@
         <translation>アナログ出力 %1：%2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>入力レジスター %1：%2</translation>
+        <source>Input int register %1</source>
+        <translation>整数入力レジスター %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,12 @@
         <translation>プログラムが停止または一時停止されたため、ロボットは%1のパルスを終了しませんでした。Tillerが出力をオフにします。</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>入力レジスター %1</translation>
+        <source>Input float register %1</source>
+        <translation>実数入力レジスター %1</translation>
+    </message>
+    <message>
+        <source>Input bit register %1</source>
+        <translation>ビット入力レジスター %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -3867,12 +3864,12 @@
         <translation>ビット %1</translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
-        <translation>出力レジスター、数値</translation>
+        <source>Output registers, floats</source>
+        <translation>出力レジスター、実数</translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
-        <translation>入力レジスター、数値</translation>
+        <source>Input registers, floats</source>
+        <translation>入力レジスター、実数</translation>
     </message>
     <message>
         <source>Output registers, integers</source>
@@ -4030,12 +4027,12 @@
         <translation>ロボットの電源、ケーブル、この PC が同じネットワークにあることを確認してください。</translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>ロボットでインターフェースを有効にしてください：設定、セキュリティ、サービス。起動直後のロボットはもう 1 分かかることがあります。</translation>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
+        <translation>ロボットの「設定 &gt; セキュリティ &gt; サービス」でインターフェースを有効にしてください。起動直後のロボットはもう 1 分かかることがあります。</translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
-        <translation>ロボットが接続を終えました：再起動中か、ローカルとリモートが切り替えられた可能性があります。</translation>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <translation>再起動中か、ローカルとリモートを切り替えている可能性があります。1 分待ってから、もう一度接続してください。</translation>
     </message>
     <message>
         <source>The robot does not respond. Check the cable and the address.</source>
@@ -4214,8 +4211,8 @@
         <translation>終了</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>離した</translation>
+        <source>button or key released</source>
+        <translation>ボタンまたはキーを離した</translation>
     </message>
     <message>
         <source>pointer left the button</source>
@@ -4226,8 +4223,8 @@
         <translation>フォーカスを失った</translation>
     </message>
     <message>
-        <source>window lost activation</source>
-        <translation>ウィンドウが非アクティブ</translation>
+        <source>another window became active</source>
+        <translation>別のウィンドウがアクティブになった</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -4238,8 +4235,8 @@
         <translation>ダイアログかメニューが開いた</translation>
     </message>
     <message>
-        <source>second button</source>
-        <translation>第二ボタン</translation>
+        <source>another button or key pressed</source>
+        <translation>別のボタンまたはキーが押された</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -4302,8 +4299,8 @@
         <translation>一度のステップには目標が遠い</translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
-        <translation>キーが押されていることを確認できない</translation>
+        <source>could not verify that the button or key is still pressed</source>
+        <translation>ボタンまたはキーが押されていることを確認できない</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4501,8 +4498,8 @@
         <translation>タイムアウト（秒）</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
-        <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：ボタンを押している間、最大 1 時間待ちます</translation>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：ボタンを押している間、最大 1 時間待ちます。</translation>
     </message>
 </context>
 <context>
@@ -4533,9 +4530,9 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1：%2
-右クリックか F2 で名前変更とスケール。</translation>
+F2 で名前変更、Shift+F2 でスケール、または右クリック。</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4621,20 +4618,20 @@ Right-click or press F2 to rename or scale.</source>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>箱も平面もまだありません。
 TCPを障害物の角に移動し、「角をここに」を押してください。</translation>
     </message>
     <message>
-        <source>Checked</source>
-        <translation>確認対象</translation>
+        <source>Check for collisions</source>
+        <translation>衝突を確認</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>中心</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>箱の中心です。Enterで適用します。変わるのは箱だけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -4674,7 +4671,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>最初の角を記録しました。</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
         <translation>TCPを反対側の角に移動し、「もう一つの角」を押してください。</translation>
     </message>
     <message>
@@ -4718,11 +4715,11 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>安全距離を変更</translation>
     </message>
     <message>
-        <source>Other corner</source>
+        <source>Teach corner 2</source>
         <translation>もう一つの角</translation>
     </message>
     <message>
-        <source>Corner here</source>
+        <source>Teach corner</source>
         <translation>角をここに</translation>
     </message>
     <message>
@@ -4774,15 +4771,15 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>床</translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
-        <translation>オフの場合、床は表示も衝突確認もされません。</translation>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
+        <translation>オフの場合、箱または平面は表示も衝突確認もされません。</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
         <translation>アームがその上に留まるべきベース座標系の水平面です。</translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation>床の高さ</translation>
     </message>
     <message>
@@ -4810,7 +4807,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>箱の角をTCPに設定</translation>
     </message>
     <message>
-        <source>Plane here</source>
+        <source>Teach plane</source>
         <translation>平面をここに</translation>
     </message>
     <message>
@@ -5053,7 +5050,7 @@ Clear the search to see everything.</source>
         <translation>ブレーキ解除（ヘッダー）</translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation>制御を取得、ジョグボタンを押す</translation>
     </message>
     <message>
@@ -5061,7 +5058,7 @@ Clear the search to see everything.</source>
         <translation>ここを教示 (T)</translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation>離れて、移動を押し続ける (G)</translation>
     </message>
     <message>
@@ -5103,7 +5100,7 @@ Clear the search to see everything.</source>
         <translation>原点</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>ベース座標系での値。Return で適用します。変わるのは座標系だけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -5409,7 +5406,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation>座標系はまだありません。
 先端をトレーやテーブルの角へジョグし、「TCP から」、または「3 点」で原点、+X、+Y を記録してください。</translation>
     </message>
@@ -5541,7 +5538,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>押している間、次のウェイポイントへ動き、そこで止まります</translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation>ルートのウェイポイント</translation>
     </message>
     <message>
@@ -5885,8 +5882,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>速度または力が範囲外です。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
-        <translation>グリッパーが指令を受け付けませんでした。</translation>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
+        <translation>グリッパーが指令を実行しませんでした。別のプログラムがグリッパーを制御していないことを確認し、もう一度試してください。</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5920,7 +5917,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>最後の停止</translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation>ロボットの状態</translation>
     </message>
     <message>
@@ -5991,8 +5988,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>別のボタンまたはキーが押されています。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
-        <translation>ディスプレイサーバーが応答しません：キーを離したことを検出できません。</translation>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <translation>ディスプレイサーバーが応答しません：ボタンやキーを離したことを検出できません。離してから、もう一度試してください。</translation>
     </message>
 </context>
 <context>
@@ -6275,8 +6272,8 @@ Right-click or press F2 to rename it.</source>
         <translation>最後の停止：%1、%2 ms 後に静止、%3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
-        <translation>このボタンを押している間、アームを手で動かせます：%1。右クリックで軸を選択</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
+        <translation>このボタンを押している間、アームを手で動かせます：%1。右クリックで軸を選択します。</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6287,8 +6284,8 @@ Right-click or press F2 to rename it.</source>
         <translation>フリードライブ…</translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
-        <translation>フリードライブ前にペイロードを確認（次の接続まで）</translation>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
+        <translation>フリードライブ前にペイロードを確認（再接続でリセット）</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6372,28 +6369,28 @@ Right-click or press F2 to rename it.</source>
         <translation>座標系がまだありません。座標系タブで教示してください。</translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
-        <translation>押すたびに1ステップ：%1</translation>
+        <source>Moves by %1 per press.</source>
+        <translation>押すたびに %1 動きます。</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
-        <translation>押すたびにツールか関節を一回転量：%1</translation>
+        <source>Rotates the tool or joint by %1 per press.</source>
+        <translation>押すたびにツールか関節を %1 回転します。</translation>
     </message>
     <message>
         <source>≤ %1</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>押している間、接触力が %1 N に達するまでゆっくり動きます。もう一度クリックで他のステップ</translation>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <translation>押している間、接触力が %1 N に達するまでゆっくり動きます。もう一度クリックすると別のステップを選べます。</translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
-        <translation>押すたびに一ステップ：%1。もう一度クリックで他のステップ</translation>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
+        <translation>押すたびに %1 動きます。もう一度クリックすると別のステップを選べます。</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>押すたびにツールか関節を一回転量：%1。もう一度クリックで他の回転</translation>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
+        <translation>押すたびにツールか関節を %1 回転します。もう一度クリックすると別の角度を選べます。</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -6594,16 +6591,12 @@ Right-click or press F2 to rename it.</source>
         <translation>選択した項目の詳細</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>%1 を書き込む</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>ログをエクスポート</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>テキスト (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>テキストファイル (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6717,8 +6710,8 @@ Right-click or press F2 to rename it.</source>
         <translation>「%1」</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>「%1」の座標系 %2 がプロジェクトにないため、位置が不明です。セルページで位置を入力するか、対象外にするか、削除してください</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>「%1」の座標系がプロジェクトにないため、位置が不明です。セルページで位置を入力するか、対象外にするか、削除してください</translation>
     </message>
 </context>
 <context>
@@ -6740,11 +6733,11 @@ Right-click or press F2 to rename it.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation>通知の操作</translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation>通知の 2 番目の操作</translation>
     </message>
 </context>
@@ -6765,8 +6758,8 @@ Right-click or press F2 to rename it.</source>
 <context>
     <name>tiller::PathControls</name>
     <message>
-        <source>Tolerance of recorded paths</source>
-        <translation>記録した経路の許容差</translation>
+        <source>Path tolerance</source>
+        <translation>経路の許容差</translation>
     </message>
     <message>
         <source>Record path</source>
@@ -6777,8 +6770,8 @@ Right-click or press F2 to rename it.</source>
         <translation>経路を CSV でエクスポート…</translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
-        <translation>実演を取り込む (CSV)…</translation>
+        <source>Import path from CSV…</source>
+        <translation>CSV から経路を取り込む…</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
@@ -6817,8 +6810,8 @@ Right-click or press F2 to rename it.</source>
         <translation>経路をエクスポート</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>表 (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV ファイル (*.csv)</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
@@ -6831,15 +6824,15 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
-        <translation>実演を取り込む</translation>
+        <source>Import path</source>
+        <translation>経路を取り込む</translation>
     </message>
     <message>
         <source>○ Path</source>
         <translation>○ 経路</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>アームの経路を記録しています。終了するには経路記録の停止を選択してください。</translation>
     </message>
 </context>
@@ -6858,8 +6851,8 @@ Right-click or press F2 to rename it.</source>
         <translation>読み込みませんでした：経路を記録中です。先に記録を停止してください。</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>デモンストレーションをインポートできませんでした。</translation>
+        <source>The path could not be imported.</source>
+        <translation>経路を取り込めませんでした。</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6983,7 +6976,7 @@ Right-click or press F2 to rename it.</source>
         <translation>先に三隅を教示し、次に各隅のウェイポイントを選んでください。</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>二つの隅が同じ位置です。一方に別のウェイポイントを選んでください。</translation>
     </message>
     <message>
@@ -7023,14 +7016,14 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>3 つの角が一直線上にあります。いずれかに別のウェイポイントを選択してください。</translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation>パターンのセル</translation>
     </message>
     <message>
@@ -7206,7 +7199,7 @@ Right-click or press F2 to rename it.</source>
         <translation>CZ</translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation>ペイロードの質量</translation>
     </message>
     <message>
@@ -7222,7 +7215,7 @@ Right-click or press F2 to rename it.</source>
         <translation>重心 Z</translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation>Return でプロジェクトに適用します。ロボットのペイロードは変わりません。</translation>
     </message>
     <message>
@@ -7375,7 +7368,7 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>ペイロードはまだありません。
 「測定…」を押すと、アームでペイロードを測定します。</translation>
     </message>
@@ -7549,8 +7542,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>CSV ファイルに記録</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
-        <translation>ロボットのデータを CSV ファイルに記録します。信号とフォルダーは隣の矢印ボタンで選びます</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
+        <translation>ロボットのデータを CSV ファイルに記録します。信号とフォルダーは隣の矢印ボタンで選びます。</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7625,20 +7618,20 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>表示範囲を %1 にエクスポートしました</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>画像 (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>PNG 画像 (*.png)</translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
-        <translation>図面 (*.svg)</translation>
+        <source>SVG image (*.svg)</source>
+        <translation>SVG 画像 (*.svg)</translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
-        <translation>ページ (*.pdf)</translation>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF 文書 (*.pdf)</translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
-        <translation>値 (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV ファイル (*.csv)</translation>
     </message>
     <message>
         <source>Recording options</source>
@@ -7689,12 +7682,12 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>%1 にエクスポート</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>エクスポート：この範囲にサンプルがありません</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>この範囲にサンプルがありません。別の範囲を選んでから、もう一度エクスポートしてください。</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>画像は .png、.svg、.pdf、値は .csv の名前にしてください</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>画像は .png、.svg、.pdf、値は .csv の名前にしてください。</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7757,10 +7750,6 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>履歴用メモリー</translation>
     </message>
     <message>
-        <source>save the layout to %1</source>
-        <translation>配置を %1 に保存する</translation>
-    </message>
-    <message>
         <source>Opened the recording %1</source>
         <translation>記録 %1 を開きました</translation>
     </message>
@@ -7789,7 +7778,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>%1 ほか</translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation>信号の一覧</translation>
     </message>
     <message>
@@ -7821,8 +7810,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>配置 ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>グラフの配置を読む</translation>
+        <source>not a plot layout</source>
+        <translation>グラフの配置ではありません</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>
@@ -7849,7 +7838,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>時刻</translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>グラフのページが上限に達しています。まず1つ取り除いてください。</translation>
     </message>
     <message>
@@ -7857,8 +7846,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>MCAPファイルに記録</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
-        <translation>ロボットのデータを MCAP ファイルに記録します。信号とフォルダーは隣の矢印ボタンで選びます</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
+        <translation>ロボットのデータを MCAP ファイルに記録します。信号とフォルダーは隣の矢印ボタンで選びます。</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7883,8 +7872,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>カーソルAとBの間の範囲を%1へエクスポートしました</translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
-        <translation>カーソルAとBの間の値 (*%1)</translation>
+        <source>Cursor A to cursor B (*%1)</source>
+        <translation>カーソル A から B まで (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -7895,8 +7884,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>ライブ信号は.csvとしてのみエクスポートできます。他の形式の場合は、先に記録してください。</translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
-        <translation>範囲の値が多すぎるため、ウィンドウからエクスポートできません。範囲を短くするか、tiller-cli export を使用してください。</translation>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation>範囲の値が多すぎるため、このウィンドウからエクスポートできません。範囲を短くするか、「tiller-cli export」を実行してください。</translation>
     </message>
 </context>
 <context>
@@ -7917,7 +7906,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>グラフページ</translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation>ページの名前</translation>
     </message>
     <message>
@@ -8043,8 +8032,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>時間に対するグラフ</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A と B でカーソルを置き、左右で動かし、上下でカーソルが読む信号を選びます。H で曲線を隠し、Ctrl+Delete で削除します。プラスとマイナスで時間範囲、Ctrl 併用で値の目盛りを変えます。Ctrl+0 で自動スケール。N でメモを追加、F で全データを表示、End で最新のサンプルに戻ります</translation>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
+        <translation>A と B でカーソルを置きます。左右で有効なカーソルを動かし、上下でカーソルが読む信号を選びます。H でその信号の曲線を隠し、Ctrl+Delete で削除します。プラスとマイナスで時間範囲、Ctrl 併用で値の目盛りを変えます。Ctrl+0 で自動スケール。N でメモを追加、F で全データを表示、End で最新のサンプルに戻ります。</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -8105,15 +8094,15 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>%1 での TCP 姿勢</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
-        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリックすると最後の動作の開始からの移動を表示</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリックすると最後の動作の開始からの移動を表示します。</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
-        <translation>姿勢の表記は設定どおり。Δ：最後の動作の開始からの移動。クリックでここをゼロに</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <translation>姿勢の表記は設定どおり。Δ：最後の動作の開始からの移動。クリックでここをゼロにします。</translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation>フランジ座標系での TCP：%1</translation>
     </message>
 </context>
@@ -8145,16 +8134,16 @@ Press Measure… to measure the payload with the arm.</source>
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation>位置はまだありません。
-アームをジョグし、「ここをホームに」か「ここを追加」を押してください。</translation>
+アームをジョグし、「ここをホームに」か「位置を追加」を押してください。</translation>
     </message>
     <message>
         <source>Safe height</source>
         <translation>安全高さ</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1。Return で適用します。変わるのは保存された位置だけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -8174,8 +8163,8 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>ここをホームに</translation>
     </message>
     <message>
-        <source>Add here</source>
-        <translation>ここを追加</translation>
+        <source>Add position</source>
+        <translation>位置を追加</translation>
     </message>
     <message>
         <source>Store the current position of the arm</source>
@@ -8305,11 +8294,11 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>アームは安全システムにより停止しています。先に復旧してください。</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>完了。「開始」を押すと課題を繰り返せます。</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>開始を押してください。</translation>
     </message>
 </context>
@@ -8332,7 +8321,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>力 Fz（ニュートン）</translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation>値を入力して Return</translation>
     </message>
     <message>
@@ -8870,7 +8859,7 @@ Release the button to stop the arm.</source>
         <translation>プロジェクトはTCP「%1」を使います。ロボットの有効なTCPは%2ずれています。</translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation>プロジェクトは接続中のロボットに適合しています。</translation>
     </message>
     <message>
@@ -8969,15 +8958,15 @@ Release the button to stop the arm.</source>
         <translation>%1 — 保存済み</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>ファイル未選択</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>プロジェクトのファイルが選択されていません。先にプロジェクトをファイルに保存してください。</translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation>%1 — 別のウィンドウで開かれているため、ここでの変更は保存されません</translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation>%1 — 別のプログラムが変更したため、ここでの変更は保存されません</translation>
     </message>
     <message>
@@ -8985,20 +8974,16 @@ Release the button to stop the arm.</source>
         <translation>未保存のプロジェクト</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>%1を保存</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>別のウィンドウで開かれています（%1）</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 は別のウィンドウで開かれています（%2）。そこで閉じるか、別の名前で保存してください。</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>別のプログラム</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>別のプログラムが変更しました</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>%1 は別のプログラムによって変更されました。再読み込みするか、別の名前で保存してください。</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9059,16 +9044,16 @@ Release the button to stop the arm.</source>
         <translation>整数 %1</translation>
     </message>
     <message>
-        <source>Number %1</source>
-        <translation>数値 %1</translation>
+        <source>Float %1</source>
+        <translation>実数 %1</translation>
     </message>
     <message>
         <source>Int</source>
         <translation>整数</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>数値</translation>
+        <source>Float</source>
+        <translation>実数</translation>
     </message>
     <message>
         <source>Bit</source>
@@ -9102,8 +9087,8 @@ Release the button to stop the arm.</source>
         <translation>ライブに戻る</translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>ロボットの現在の動きを表示します。記録はグラフに開いたまま残ります</translation>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
+        <translation>ロボットの現在の動きを表示します。記録はグラフに開いたまま残ります。</translation>
     </message>
 </context>
 <context>
@@ -9202,7 +9187,7 @@ Release the button to stop the arm.</source>
         <translation>プログラム：%1</translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation>プログラムエラー 行 %1、列 %2：%3</translation>
     </message>
     <message>
@@ -9242,8 +9227,8 @@ Release the button to stop the arm.</source>
         <translation>監視のみ：このウィンドウはロボットを変更しません。STOPは使えます。</translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
-        <translation>監視のみはオフです</translation>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
+        <translation>「監視のみ」はオフです。ロボットへの指令が可能です。</translation>
     </message>
     <message>
         <source>%1: refused. %2</source>
@@ -9284,7 +9269,7 @@ Release the button to stop the arm.</source>
         <translation>別のクライアントのプログラムがロボットを制御しています。制御を取得すると、そのプログラムは終了します。</translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation>制御を取得するため、別のクライアントのプログラムを停止します。</translation>
     </message>
     <message>
@@ -9323,7 +9308,7 @@ Release the button to stop the arm.</source>
         <translation>グリッパーは有効です</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>グリッパーが有効になりませんでした。指を妨げるものがないか見て、もう一度「有効化」を押してください。</translation>
     </message>
     <message>
@@ -9343,11 +9328,11 @@ Release the button to stop the arm.</source>
         <translation>%1 に失敗しました。%2</translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation>%1:%2 でグリッパーの応答がありません。ロボットに Robotiq の URCap を入れ、インストールでグリッパーを選んでください。</translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
         <translation>グリッパーが応答しません。手首のケーブルとロボットのインストールのページを確認してください。直らなければロボットを再起動してください。</translation>
     </message>
     <message>
@@ -9355,7 +9340,7 @@ Release the button to stop the arm.</source>
         <translation>ロボットがグリッパーとの接続を終えました。再起動中かもしれません。自動で戻ります。グリッパーはつかみ続けます。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>グリッパーが受け付けませんでした。有効化してください。有効なら、ロボットのインストールのページを見てください。</translation>
     </message>
     <message>
@@ -9363,43 +9348,43 @@ Release the button to stop the arm.</source>
         <translation>グリッパーを有効化中です。指令はその後に実行されます。</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>グリッパーは有効になる前に動作指令を受けました。「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>グリッパーが熱すぎます。冷ましてから「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>グリッパーに 1 秒間指令が届きませんでした。手首のケーブルを確認し、「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>グリッパーの電圧が低すぎます。ツール電圧を 24 V にして「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>グリッパーの自動解放中です。終わるのを待って「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>グリッパーの自動解放が終わりました。「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>グリッパーの内部故障です。「有効化」を押してください。再発したら Robotiq に問い合わせてください。</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>有効化に失敗しました。指を妨げるものがないか見て「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>グリッパーの電流が大きすぎます。指を妨げるものがないか見て「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>グリッパーが故障 %1 を報告しています。「有効化」を押してください。再発したら説明書を見てください。</translation>
     </message>
 </context>
@@ -9586,7 +9571,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation>アームのビュー</translation>
     </message>
     <message>
@@ -9663,12 +9648,8 @@ Release the button to stop the arm.</source>
         <translation>ロボットが一度に送れる信号を超えます：先に他を外してください。</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>%1 を開く</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>記録は空です。</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>記録 %1 にサンプルがありません。別の記録を開いてください。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9690,7 +9671,7 @@ Release the button to stop the arm.</source>
         <translation>信号を検索</translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation>ロボットの信号</translation>
     </message>
     <message>
@@ -9698,8 +9679,8 @@ Release the button to stop the arm.</source>
         <translation>新規：|F| [N] = norm(…)</translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
-        <translation>他から計算した信号</translation>
+        <source>Derived signal</source>
+        <translation>派生信号</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
@@ -9732,7 +9713,7 @@ Release the button to stop the arm.</source>
         <translation>速度スライダー</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>ロボットの速度スライダー、2〜100 %</translation>
     </message>
     <message>
@@ -9858,7 +9839,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>TCP はまだありません。
 「ロボットから」で現在のものを採用するか、「教示…」でアームで求めてください。</translation>
     </message>
@@ -9867,7 +9848,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP</translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation>フランジに対する値。Return でプロジェクトに適用します。ロボットの TCP は変わりません。</translation>
     </message>
     <message>
@@ -10014,24 +9995,24 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP を教示</translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
-        <translation>回転用の姿勢を記録</translation>
+        <source>Record pose for the tool orientation</source>
+        <translation>ツール方向用の姿勢を記録</translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
-        <translation>ツールの回転</translation>
+        <source>Tool orientation</source>
+        <translation>ツールの方向</translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
-        <translation>現在の回転を保持</translation>
+        <source>Keep current orientation</source>
+        <translation>現在の方向を保持</translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
-        <translation>一姿勢から回転：ツール真下</translation>
+        <source>Orientation from one pose: tool straight down</source>
+        <translation>一姿勢から方向：ツール真下</translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
-        <translation>三姿勢から回転：+Z に沿い、+X 側へ</translation>
+        <source>Orientation from three poses: along +Z, towards +X</source>
+        <translation>三姿勢から方向：+Z に沿い、+X 側へ</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10060,16 +10041,16 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
-        <translation>ツールは現在の回転を保ちます。</translation>
+        <source>The tool keeps the current orientation.</source>
+        <translation>ツールは現在の方向を保ちます。</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、記録してください。</translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>回転を記録しました。記録し直すと置き換わります。</translation>
+        <source>Orientation recorded. Record it again to replace it.</source>
+        <translation>方向を記録しました。記録し直すと置き換わります。</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
@@ -10084,8 +10065,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>次に +X 側へ %1 以上動かし、記録してください。</translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>回転を記録しました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>方向を記録しました：+Z に %1、+X に %2。フランジの最大回転は姿勢 %4 で %3。</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
@@ -10173,7 +10154,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1。Enterで適用します。ロボットは動きません。</translation>
     </message>
 </context>
@@ -10203,7 +10184,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>ウェイポイントの座標系での値。Return で適用します。変わるのはウェイポイントだけで、ロボットは動きません。</translation>
     </message>
     <message>
@@ -10211,7 +10192,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>選んだウェイポイント</translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation>ウェイポイントの座標系</translation>
     </message>
     <message>
@@ -10344,8 +10325,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>ウェイポイントをエクスポート</translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
-        <translation>コンマ区切り (*.csv);;JSON (*.json)</translation>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
+        <translation>CSV ファイル (*.csv);;JSON ファイル (*.json)</translation>
     </message>
     <message>
         <source>Import failed</source>
@@ -10488,11 +10469,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>動作：MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation>MoveJ の速度：%1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation>MoveL の速度：%1 → %2</translation>
     </message>
     <message>
@@ -10528,8 +10509,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>この変更前の版は現在の版と同じです。</translation>
     </message>
     <message>
-        <source>Before this change:</source>
-        <translation>それ以前は：</translation>
+        <source>Changes from the version before this change to the current version:</source>
+        <translation>この変更前の版から現在の版への変更：</translation>
     </message>
 </context>
 <context>
@@ -10701,8 +10682,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
-        <translation>✕ アーム</translation>
+        <source>✕ model</source>
+        <translation>✕ モデル</translation>
     </message>
     <message>
         <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
@@ -10774,11 +10755,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>移動</translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation>MoveJ の速度</translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation>MoveL の速度</translation>
     </message>
     <message>
@@ -10872,16 +10853,16 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>オフセット %1</translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
-        <translation>周りまたは沿う軸</translation>
+        <source>Rotation axis or mirror normal</source>
+        <translation>回転軸またはミラー面の法線</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
-        <translation>アームは次の姿勢に到達できません：%1。ウェイポイントは移動しません。</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <translation>移動後、アームは次のウェイポイントに到達できません：%1。移動量または回転を小さくしてください。ウェイポイントは移動しません。</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another frame.</source>
@@ -10937,7 +10918,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation>ウェイポイントはまだありません。
 アームをジョグし、「ここを教示」(T) を押してください。</translation>
     </message>
@@ -11144,7 +11125,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>接続</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>実機を動かす前に：届く範囲に人を入れず、非常停止を手元に置き、ペイロードと TCP を確認し、ゆっくり始めてください。このウィンドウの STOP は非常停止ではありません。</translation>
     </message>
     <message>
@@ -11207,8 +11188,8 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>フォルダー %1 の作成：書き込み権限のあるフォルダーを選んでください</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>フォルダー %1 を作成できません。書き込み権限のあるフォルダーを選んでください。</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11267,8 +11248,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>画面写真を撮る</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>画面写真を %1 に書く</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>スクリーンショットを %1 に書き込めません。フォルダーの権限とディスクの空き容量を確認してください。</translation>
     </message>
     <message>
         <source>stop recording</source>
@@ -11356,7 +11337,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>%1 の不感帯</translation>
     </message>
     <message>
@@ -11368,7 +11349,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>これ以下の傾きではアームは動きません。</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>%1 の曲線</translation>
     </message>
     <message>
@@ -11442,11 +11423,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>目次</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;このコンピューターにはマニュアルがインストールされていません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドする場合は、パッケージ python3-sphinx をインストールしてください。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。ソースコードのフォルダー packaging/manual でテキストとして読むこともできます。ジョグの規則とすべてのキーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;ジョグボタンを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがボタンから外れる、マウスの別のボタンが押される、または別の入力デバイスが使われる；&lt;/li&gt;&lt;li&gt;キーボードのキーを押している間に、修飾キーや反対方向のキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、ダイアログやメニューが開く、または座標系、速度、ステップ、タブが変わる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが応答しない、またはロボットが「稼働中」、現在の安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、または入力デバイスが取り外されるかデータを送らなくなる；&lt;/li&gt;&lt;li&gt;キー状態の確認に失敗する：X11 では、ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。押されていない場合、またはサーバーが 100 ms 応答しない場合、動作は終わります。この確認が使えない場合は、ヘッダーと設定に表示されます；&lt;/li&gt;&lt;li&gt;最大保持時間に達する：ジョグは %1 s（設定）、フリードライブは 5 分、ある位置への移動は所要時間と 5 s。最後の 3 s はカウントダウンされます。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止後は、もう一度押す必要があります。Tiller が制御している間は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでもアームが停止します。制御していないときは、フォーカスのある要素に働きます。他のクライアントのプログラムを停止するには &lt;b&gt;STOP&lt;/b&gt; をクリックしてください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; を押すと動作は 10 倍細かく、&lt;b&gt;Shift&lt;/b&gt; を押すと 3 倍速くなりますが、上限は超えません。ラテン文字のないキーボードでは、下の文字は US 配列での位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11732,19 +11713,19 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>パネルをメインウィンドウのこの側へ移動します。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>%1 を左へ移動</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>%1 を右へ移動</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>%1 を上へ移動</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>%1 を下へ移動</translation>
     </message>
     <message>
@@ -11760,8 +11741,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ロボットのプログラム名（例：pick.urp）</translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
-        <translation>速度上限 %1</translation>
+        <source>Speed cap set to %1</source>
+        <translation>速度上限を %1 に設定しました</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
@@ -11914,8 +11895,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>キャンセル</translation>
     </message>
     <message>
-        <source>Change during a program</source>
-        <translation>プログラム実行中の変更</translation>
+        <source>Change while a program is active</source>
+        <translation>プログラム有効中の変更</translation>
     </message>
 </context>
 <context>
@@ -12008,7 +11989,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>パースペクティブ %1。パネルの配置を選ぶか、今の配置を保存します。</translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation>パースペクティブの名前</translation>
     </message>
     <message>
@@ -12083,7 +12064,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>名前が長すぎます。</translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>これ以上のパースペクティブは保存できません。先に一つ削除してください。</translation>
     </message>
     <message>
@@ -12150,10 +12131,6 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>ファイル名</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>一行の間隔</translation>
-    </message>
-    <message>
         <source>Signals</source>
         <translation>信号</translation>
     </message>
@@ -12215,7 +12192,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>何をしましたか？何を期待しましたか？何が起きましたか？</translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation>レポートのファイル</translation>
     </message>
     <message>

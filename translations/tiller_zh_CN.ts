@@ -4,19 +4,19 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it in I/O, Gripper.</source>
-        <translation>此机器人未配置夹爪。请在 I/O 的“夹爪”页中选择。</translation>
+        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <translation>此机器人未配置夹爪。请在“I/O &gt; 夹爪”中选择。</translation>
     </message>
     <message>
         <source>Run route</source>
         <translation>运行路线</translation>
     </message>
     <message>
-        <source>%1 did not switch on within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn on within %2 s. Check the connected device, then try again.</source>
         <translation>%1 未在 %2 s 内接通。请检查所连接的设备，然后重试。</translation>
     </message>
     <message>
-        <source>%1 did not switch off within %2 s. Check the connected device, then try again.</source>
+        <source>%1 did not turn off within %2 s. Check the connected device, then try again.</source>
         <translation>%1 未在 %2 s 内断开。请检查所连接的设备，然后重试。</translation>
     </message>
     <message>
@@ -24,8 +24,8 @@
         <translation>未执行 %1。%2</translation>
     </message>
     <message>
-        <source>The gripper did not stop moving within %1 s.</source>
-        <translation>夹爪未在 %1 s 内停下。</translation>
+        <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
+        <translation>夹爪未在 %1 s 内停下。请检查夹爪，然后重试。</translation>
     </message>
 </context>
 <context>
@@ -444,19 +444,19 @@
         <translation>保护性停止过多</translation>
     </message>
     <message>
-        <source>One joint had more than fifty protective stops in eight hours.</source>
-        <translation>一个关节在八小时内发生了五十次以上的保护性停止。</translation>
+        <source>One joint had fifty protective stops within eight hours.</source>
+        <translation>一个关节在八小时内发生了五十次保护性停止。</translation>
     </message>
     <message>
         <source>Find the cause of the stops before you continue; then restart the controller.</source>
         <translation>继续之前先找出停止的原因，然后重启控制器。</translation>
     </message>
     <message>
-        <source>Sudden change of target position</source>
+        <source>Sudden change in target position</source>
         <translation>目标位置突变</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of position.</source>
+        <source>A program commanded an abrupt change in position.</source>
         <translation>程序指令了位置跳变。</translation>
     </message>
     <message>
@@ -464,11 +464,11 @@
         <translation>请从机械臂的当前位置启动程序，并保持较小的伺服步长。</translation>
     </message>
     <message>
-        <source>Sudden change of target speed</source>
+        <source>Sudden change in target speed</source>
         <translation>目标速度突变</translation>
     </message>
     <message>
-        <source>A program commanded an abrupt change of speed.</source>
+        <source>A program commanded an abrupt change in speed.</source>
         <translation>程序指令了速度跳变。</translation>
     </message>
     <message>
@@ -558,7 +558,7 @@
         <translation>%2 中的 %1</translation>
     </message>
     <message>
-        <source>Axes of the device</source>
+        <source>Device axes</source>
         <translation>设备的轴</translation>
     </message>
 </context>
@@ -577,7 +577,7 @@
         <translation>缺少一些数值和用于控制的寄存器。请将机器人更新到 %1.%2 或更新版本。</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press Recover… in the header, or use the teach pendant.</source>
+        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
         <translation>检查机械臂，消除原因，然后恢复：按页眉中的“恢复…”，或使用示教器。</translation>
     </message>
     <message>
@@ -673,8 +673,8 @@
         <translation>TCP 距法兰 %1 mm，有效负载 %2 kg</translation>
     </message>
     <message>
-        <source>If a tool is mounted, set TCP and payload in the robot&apos;s installation: a wrong payload causes protective stops and lets the arm sag in Freedrive.</source>
-        <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时下沉。</translation>
+        <source>If a tool is mounted, set the TCP and the payload in the robot&apos;s installation: a wrong payload causes protective stops and makes the arm drift in Freedrive.</source>
+        <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时漂移。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
@@ -729,8 +729,8 @@
         <translation>端口 %1 不应答</translation>
     </message>
     <message>
-        <source>Enable this interface on the robot: Settings, Security, Services.</source>
-        <translation>在机器人上打开此接口：设置、安全、服务。</translation>
+        <source>Enable this interface on the robot under Settings &gt; Security &gt; Services.</source>
+        <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开此接口。</translation>
     </message>
     <message>
         <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
@@ -773,8 +773,8 @@
         <translation>仪表板（端口 %1）和 Robot API（端口 %2）均不可用</translation>
     </message>
     <message>
-        <source>Enable the Dashboard Server on the robot: Settings, Security, Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
-        <translation>在机器人上打开 Dashboard Server：设置、安全、服务。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
+        <source>Enable the dashboard server on the robot under Settings &gt; Security &gt; Services. PolyScope X requires 10.11 or newer for the Robot API.</source>
+        <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开 Dashboard Server。PolyScope X 的 Robot API 需要 10.11 或更新版本。</translation>
     </message>
     <message>
         <source>Robot API %1, port %2; popups must be closed on the teach pendant</source>
@@ -900,7 +900,7 @@
         <translation>请等待静止后再启动自由驱动。</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct payload and TCP.</source>
+        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
         <translation>机械臂会漂移：有效负载为 %2 kg 时测得 %1。请松开工具，或更正有效负载和 TCP。</translation>
     </message>
 </context>
@@ -1093,12 +1093,12 @@
         <translation>点动 %1 或弯曲肘部</translation>
     </message>
     <message>
-        <source>Wrist above the base axis</source>
-        <translation>手腕位于基座轴上方</translation>
+        <source>Wrist near the base axis</source>
+        <translation>手腕靠近基座轴</translation>
     </message>
     <message>
-        <source>Wrist above the base axis: %1 speed</source>
-        <translation>手腕位于基座轴上方：速度的 %1</translation>
+        <source>Wrist near the base axis: %1 speed</source>
+        <translation>手腕靠近基座轴：速度的 %1</translation>
     </message>
     <message>
         <source>move outwards</source>
@@ -1137,24 +1137,24 @@
         <translation>点动 %1 或转动 %2 %3</translation>
     </message>
     <message>
-        <source>TCP at the speed cap of %1</source>
-        <translation>TCP 达到速度上限：%1</translation>
+        <source>TCP at the speed cap: %1 speed</source>
+        <translation>TCP 达到速度上限：速度的 %1</translation>
     </message>
     <message>
         <source>change the cap in Settings</source>
         <translation>请在设置中更改上限</translation>
     </message>
     <message>
-        <source>Elbow at the speed cap of %1</source>
-        <translation>肘部达到速度上限：%1</translation>
+        <source>Elbow at the speed cap: %1 speed</source>
+        <translation>肘部达到速度上限：速度的 %1</translation>
     </message>
     <message>
-        <source>Rotation at the speed cap of %1</source>
-        <translation>旋转达到上限：%1</translation>
+        <source>Rotation at the speed cap: %1 speed</source>
+        <translation>旋转达到速度上限：速度的 %1</translation>
     </message>
     <message>
-        <source>%1 at its maximum speed of %2</source>
-        <translation>%1 达到最高速度：%2</translation>
+        <source>%1 at its maximum speed: %2 speed</source>
+        <translation>%1 达到最高速度：速度的 %2</translation>
     </message>
     <message>
         <source>choose a lower speed</source>
@@ -1506,8 +1506,8 @@
         <translation>紧急停止</translation>
     </message>
     <message>
-        <source>The robot&apos;s emergency stop is pressed. Pull the button out, then power on and release the brakes.</source>
-        <translation>机器人的紧急停止被按下。拔出按钮，然后上电并松开制动器。</translation>
+        <source>The emergency stop button of the robot is pressed. Twist it clockwise to release it, then power on and release the brakes.</source>
+        <translation>机器人的紧急停止按钮被按下。顺时针旋转以松开，然后上电并松开制动器。</translation>
     </message>
     <message>
         <source>Safety violation</source>
@@ -1546,7 +1546,7 @@
         <translation>自动防护停止</translation>
     </message>
     <message>
-        <source>The safeguard of automatic mode is open. Close it, or change to manual mode.</source>
+        <source>The automatic mode safeguard is open. Close it, or switch to manual mode.</source>
         <translation>自动模式的防护装置打开。请关闭，或切换到手动模式。</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation>PROFIsafe 自动停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
         <translation>PROFIsafe 控制器请求自动模式的防护停止。请在该控制器上解除请求。</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@
         <translation>程序已暂停</translation>
     </message>
     <message>
-        <source>Press Play to continue the interrupted motion, or stop the program to discard it.</source>
+        <source>Press “Play” to continue the interrupted motion, or stop the program to discard it.</source>
         <translation>按“播放”继续被中断的动作，或停止程序以放弃它。</translation>
     </message>
     <message>
@@ -1740,8 +1740,8 @@
         <translation>录制</translation>
     </message>
     <message>
-        <source>Writes every packet from the robot to a CSV file until you stop the recording.</source>
-        <translation>将机器人的每个数据包写入 CSV 文件，直到停止录制。</translation>
+        <source>Records the robot data to a file until you stop the recording.</source>
+        <translation>将机器人数据录制到文件，直到停止录制。</translation>
     </message>
     <message>
         <source>A recording is already running.</source>
@@ -1974,7 +1974,7 @@
         <translation>等待停止。</translation>
     </message>
     <message>
-        <source>The arm is in a protective stop. Press Recover… in the header.</source>
+        <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
         <translation>机械臂处于保护性停止。请按页眉中的“恢复…”。</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@
         <translation>“%1”不是用机械臂示教的：TCP 从未到过其原点。</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press Start to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
         <translation>路点已删除。按“开始”添加一个新的。</translation>
     </message>
     <message>
@@ -2058,7 +2058,7 @@
         <translation>该录制太短。请重新录制。</translation>
     </message>
     <message>
-        <source>No recording yet. Press Record above the plots.</source>
+        <source>No recording yet. Press “Record” above the plots.</source>
         <translation>还没有录制。请按曲线图上方的“录制”。</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation>录制并测量</translation>
     </message>
     <message>
-        <source>Press Start to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
         <translation>按“开始”模拟一次引发保护性停止的碰撞。查明机械臂停止的原因，等待五秒，解锁并再次获取控制。</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>在坐标系选项卡中用三点示教坐标系。其 X 轴须沿基座的 Y+ 方向，Z 轴向上：先取原点，再取沿 Y+ 方向的点，然后取沿 X− 方向的点。</translation>
     </message>
     <message>
-        <source>Press Start to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
         <translation>按“开始”在机械臂的当前位置添加路点“工件”。随后工件沿基座 X+ 方向移动 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
     </message>
     <message>
@@ -2110,19 +2110,12 @@
         <translation>从基座向外点动，直到某个极限将速度降到一半。操作盘下方的行显示该极限和退出方法。然后点动返回 %1。</translation>
     </message>
     <message>
-        <source>Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
         <translation>按“开始”模拟一只手从上方按压工具。至少录制三秒后停止。在曲线图中读取力 Fz 并输入。</translation>
     </message>
     <message>
         <source>part</source>
         <translation>工件</translation>
-    </message>
-</context>
-<context>
-    <name>ProblemReport</name>
-    <message>
-        <source>write %1</source>
-        <translation>写入 %1</translation>
     </message>
 </context>
 <context>
@@ -3020,8 +3013,8 @@
         <translation>原因已消除，机械臂可达范围内没有人。</translation>
     </message>
     <message>
-        <source>No action needed here: this state ends when its cause is removed.</source>
-        <translation>此处无需操作：原因消除后此状态即结束。</translation>
+        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <translation>无需在 Tiller 中操作。原因消除后此状态即结束。</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -3063,7 +3056,7 @@
         <translation>历史记录 %1 s 处</translation>
     </message>
     <message>
-        <source>at %1 s of %2</source>
+        <source>at %1 s in %2</source>
         <translation>%2 的 %1 s 处</translation>
     </message>
 </context>
@@ -3260,8 +3253,8 @@
         <translation>模拟输出 %1：%2 %3</translation>
     </message>
     <message>
-        <source>Input register %1: %2</source>
-        <translation>输入寄存器 %1：%2</translation>
+        <source>Input int register %1</source>
+        <translation>整数输入寄存器 %1</translation>
     </message>
     <message>
         <source>Speed slider: %1 %</source>
@@ -3284,8 +3277,12 @@
         <translation>由于程序被停止或暂停，机器人未结束 %1 的脉冲。Tiller 将关闭该输出。</translation>
     </message>
     <message>
-        <source>Input register %1</source>
-        <translation>输入寄存器 %1</translation>
+        <source>Input float register %1</source>
+        <translation>浮点输入寄存器 %1</translation>
+    </message>
+    <message>
+        <source>Input bit register %1</source>
+        <translation>位输入寄存器 %1</translation>
     </message>
     <message>
         <source>Speed slider</source>
@@ -3867,12 +3864,12 @@
         <translation>位 %1</translation>
     </message>
     <message>
-        <source>Output registers, numbers</source>
-        <translation>输出寄存器，数值</translation>
+        <source>Output registers, floats</source>
+        <translation>输出寄存器，浮点</translation>
     </message>
     <message>
-        <source>Input registers, numbers</source>
-        <translation>输入寄存器，数值</translation>
+        <source>Input registers, floats</source>
+        <translation>输入寄存器，浮点</translation>
     </message>
     <message>
         <source>Output registers, integers</source>
@@ -4030,12 +4027,12 @@
         <translation>检查机器人已开机、网线已插好、本 PC 在同一网络中。</translation>
     </message>
     <message>
-        <source>Enable the interface on the robot: Settings, Security, Services. A robot that has just been started may need another minute.</source>
-        <translation>在机器人上打开接口：设置、安全、服务。刚启动的机器人可能还需要一分钟。</translation>
+        <source>Enable the interface on the robot under Settings &gt; Security &gt; Services. A robot that has just started may need another minute.</source>
+        <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开接口。刚启动的机器人可能还需要一分钟。</translation>
     </message>
     <message>
-        <source>The robot closed the connection. It may be restarting or switching between Local and Remote.</source>
-        <translation>机器人结束了连接：可能正在重启，或在本地与远程之间切换。</translation>
+        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <translation>机器人可能正在重启，或在本地与远程之间切换。请等待一分钟后重新连接。</translation>
     </message>
     <message>
         <source>The robot does not respond. Check the cable and the address.</source>
@@ -4214,8 +4211,8 @@
         <translation>已结束</translation>
     </message>
     <message>
-        <source>released</source>
-        <translation>已松开</translation>
+        <source>button or key released</source>
+        <translation>已松开按钮或按键</translation>
     </message>
     <message>
         <source>pointer left the button</source>
@@ -4226,8 +4223,8 @@
         <translation>失去焦点</translation>
     </message>
     <message>
-        <source>window lost activation</source>
-        <translation>窗口不再活动</translation>
+        <source>another window became active</source>
+        <translation>另一个窗口变为活动窗口</translation>
     </message>
     <message>
         <source>window closed</source>
@@ -4238,8 +4235,8 @@
         <translation>打开了对话框或菜单</translation>
     </message>
     <message>
-        <source>second button</source>
-        <translation>第二个按钮</translation>
+        <source>another button or key pressed</source>
+        <translation>按下了另一个按钮或按键</translation>
     </message>
     <message>
         <source>Esc</source>
@@ -4302,8 +4299,8 @@
         <translation>目标对一步来说太远</translation>
     </message>
     <message>
-        <source>no confirmation that the key is still held</source>
-        <translation>无法确认按键仍被按住</translation>
+        <source>could not verify that the button or key is still pressed</source>
+        <translation>无法确认按钮或按键仍被按下</translation>
     </message>
     <message>
         <source>maximum hold time reached; press again</source>
@@ -4501,8 +4498,8 @@
         <translation>超时（秒）</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour</source>
-        <translation>超过此时间则等待失败并显示消息。0：按住按钮期间等待，最长一小时</translation>
+        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <translation>超过此时间则等待失败并显示消息。0：按住按钮期间等待，最长一小时。</translation>
     </message>
 </context>
 <context>
@@ -4533,9 +4530,9 @@
     </message>
     <message>
         <source>%1: %2
-Right-click or press F2 to rename or scale.</source>
+Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1：%2
-右键或 F2 可重命名和缩放。</translation>
+按 F2 重命名，Shift+F2 缩放，或右键单击。</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -4621,20 +4618,20 @@ Right-click or press F2 to rename or scale.</source>
     </message>
     <message>
         <source>No boxes or planes yet.
-Move the TCP to a corner of an obstacle and press Corner here.</source>
+Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>还没有长方体或平面。
 将 TCP 移到障碍物的一个角，然后按“此处为角”。</translation>
     </message>
     <message>
-        <source>Checked</source>
-        <translation>检查</translation>
+        <source>Check for collisions</source>
+        <translation>检查碰撞</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>中心</translation>
     </message>
     <message>
-        <source>Centre of the box. Press Return to apply. Only the box changes; the robot does not move.</source>
+        <source>Centre of the box. Press Return to apply the values. Only the box changes; the robot does not move.</source>
         <translation>长方体的中心。按回车应用。只有长方体改变；机器人不移动。</translation>
     </message>
     <message>
@@ -4674,7 +4671,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>已记录第一个角。</translation>
     </message>
     <message>
-        <source>Move the TCP to the opposite corner and press Other corner.</source>
+        <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
         <translation>将 TCP 移到对角，然后按“另一个角”。</translation>
     </message>
     <message>
@@ -4718,11 +4715,11 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>更改安全距离</translation>
     </message>
     <message>
-        <source>Other corner</source>
+        <source>Teach corner 2</source>
         <translation>另一个角</translation>
     </message>
     <message>
-        <source>Corner here</source>
+        <source>Teach corner</source>
         <translation>此处为角</translation>
     </message>
     <message>
@@ -4774,15 +4771,15 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>地面</translation>
     </message>
     <message>
-        <source>When off, the floor is neither shown nor checked for collisions.</source>
-        <translation>关闭时不显示地面，也不进行碰撞检查。</translation>
+        <source>When off, the box or plane is neither shown nor checked for collisions.</source>
+        <translation>关闭时不显示该长方体或平面，也不进行碰撞检查。</translation>
     </message>
     <message>
         <source>Horizontal plane in the base frame that the arm must stay above.</source>
         <translation>基座坐标系中机械臂必须保持在其上方的水平面。</translation>
     </message>
     <message>
-        <source>Height of the floor</source>
+        <source>Floor height</source>
         <translation>地面高度</translation>
     </message>
     <message>
@@ -4810,7 +4807,7 @@ Move the TCP to a corner of an obstacle and press Corner here.</source>
         <translation>将长方体的角设在 TCP</translation>
     </message>
     <message>
-        <source>Plane here</source>
+        <source>Teach plane</source>
         <translation>此处为平面</translation>
     </message>
     <message>
@@ -5053,7 +5050,7 @@ Clear the search to see everything.</source>
         <translation>松开制动器（页眉）</translation>
     </message>
     <message>
-        <source>Take control, hold a jog button</source>
+        <source>Take control and hold a jog button</source>
         <translation>获取控制，按住点动按钮</translation>
     </message>
     <message>
@@ -5061,7 +5058,7 @@ Clear the search to see everything.</source>
         <translation>在此示教 (T)</translation>
     </message>
     <message>
-        <source>Jog away, hold Go to (G)</source>
+        <source>Jog away and hold Go to (G)</source>
         <translation>点动离开，按住“前往” (G)</translation>
     </message>
     <message>
@@ -5103,7 +5100,7 @@ Clear the search to see everything.</source>
         <translation>原点</translation>
     </message>
     <message>
-        <source>In the base frame. Press Return to apply. Only the frame changes; the robot does not move.</source>
+        <source>In the base frame. Press Return to apply the values. Only the frame changes; the robot does not move.</source>
         <translation>基座坐标系中的值。按回车应用。只有坐标系改变；机器人不移动。</translation>
     </message>
     <message>
@@ -5409,7 +5406,7 @@ Clear the search to see everything.</source>
     </message>
     <message>
         <source>No frames yet.
-Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points to record the origin, +X and +Y.</source>
+Jog the tip to a corner of the tray or table. Press “From TCP”, or press “3 points” to record the origin, +X and +Y.</source>
         <translation>还没有坐标系。
 把尖端点动到托盘或桌子的一角。按“从 TCP”，或按“三点”取原点、+X 和 +Y。</translation>
     </message>
@@ -5541,7 +5538,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>按住时前往下一个路点，并停在那里</translation>
     </message>
     <message>
-        <source>Waypoints of the route</source>
+        <source>Route waypoints</source>
         <translation>路线的路点</translation>
     </message>
     <message>
@@ -5885,8 +5882,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>速度或力超出范围。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command.</source>
-        <translation>夹爪未接受命令。</translation>
+        <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
+        <translation>夹爪未执行命令。请确认没有其他程序控制夹爪，然后重试。</translation>
     </message>
     <message>
         <source>Gripper: stop</source>
@@ -5920,7 +5917,7 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>上次停止</translation>
     </message>
     <message>
-        <source>State of the robot</source>
+        <source>Robot state</source>
         <translation>机器人状态</translation>
     </message>
     <message>
@@ -5991,8 +5988,8 @@ Jog the tip to a corner of the tray or table. Press From TCP, or press 3 points 
         <translation>已按住另一个按钮或按键。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a key cannot be detected.</source>
-        <translation>显示服务器不响应：无法检测按键是否松开。</translation>
+        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <translation>显示服务器不响应：无法检测按钮或按键是否松开。请松开后重试。</translation>
     </message>
 </context>
 <context>
@@ -6275,8 +6272,8 @@ Right-click or press F2 to rename it.</source>
         <translation>上次停止：%1，%2 ms 后静止，%3</translation>
     </message>
     <message>
-        <source>Move the arm by hand while this button is held: %1. Right-click to select axes</source>
-        <translation>按住此按钮时可用手移动机械臂：%1。右键选择轴</translation>
+        <source>Move the arm by hand while this button is held: %1. Right-click to select axes.</source>
+        <translation>按住此按钮时可用手移动机械臂：%1。右键选择轴。</translation>
     </message>
     <message>
         <source>Freedrive, %1</source>
@@ -6287,8 +6284,8 @@ Right-click or press F2 to rename it.</source>
         <translation>自由驱动…</translation>
     </message>
     <message>
-        <source>Check the payload before Freedrive (until the next connection)</source>
-        <translation>自由驱动前检查有效负载（直到下次连接）</translation>
+        <source>Check payload before Freedrive (resets on reconnect)</source>
+        <translation>自由驱动前检查有效负载（重新连接后重置）</translation>
     </message>
     <message>
         <source>Last stop: not measured (data lost)</source>
@@ -6372,28 +6369,28 @@ Right-click or press F2 to rename it.</source>
         <translation>还没有示教坐标系。请在坐标系选项卡中示教。</translation>
     </message>
     <message>
-        <source>One step per press: %1</source>
-        <translation>每次按下一步：%1</translation>
+        <source>Moves by %1 per press.</source>
+        <translation>每按一次移动 %1。</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1</source>
-        <translation>每按一次转动工具或关节：%1</translation>
+        <source>Rotates the tool or joint by %1 per press.</source>
+        <translation>每按一次，工具或关节转动 %1。</translation>
     </message>
     <message>
         <source>≤ %1</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again for other steps</source>
-        <translation>按住时缓慢移动，直到接触力达到 %1 N。再点击可选其他步长</translation>
+        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <translation>按住时缓慢移动，直到接触力达到 %1 N。再次点击可选择其他步长。</translation>
     </message>
     <message>
-        <source>One step per press: %1. Click again for other steps</source>
-        <translation>每按一次一步：%1。再点击可选其他步长</translation>
+        <source>Moves by %1 per press. Click again to select a different step.</source>
+        <translation>每按一次移动 %1。再次点击可选择其他步长。</translation>
     </message>
     <message>
-        <source>One rotation step per press, tool or joint: %1. Click again for other angles</source>
-        <translation>每按一次转动工具或关节：%1。再点击可选其他角度</translation>
+        <source>Rotates the tool or joint by %1 per press. Click again to select a different angle.</source>
+        <translation>每按一次，工具或关节转动 %1。再次点击可选择其他角度。</translation>
     </message>
     <message>
         <source>%1 · rotation %2 · joints %3 · Ctrl × 0.1, Shift × 3</source>
@@ -6594,16 +6591,12 @@ Right-click or press F2 to rename it.</source>
         <translation>所选条目的详情</translation>
     </message>
     <message>
-        <source>write %1</source>
-        <translation>写入 %1</translation>
-    </message>
-    <message>
         <source>Export the log</source>
         <translation>导出日志</translation>
     </message>
     <message>
-        <source>Text (*.txt)</source>
-        <translation>文本 (*.txt)</translation>
+        <source>Text file (*.txt)</source>
+        <translation>文本文件 (*.txt)</translation>
     </message>
     <message>
         <source>Log written to %1</source>
@@ -6717,8 +6710,8 @@ Right-click or press F2 to rename it.</source>
         <translation>“%1”</translation>
     </message>
     <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
-        <translation>“%1”的位置未知，因为其坐标系 %2 不在项目中。请在单元页面上输入位置、将其排除或删除</translation>
+        <source>The position of “%1” is unknown because its frame is not in the project. Enter its position, exclude it, or delete it on the Cell page</source>
+        <translation>“%1”的位置未知，因为其坐标系不在项目中。请在单元页面上输入位置、将其排除或删除</translation>
     </message>
 </context>
 <context>
@@ -6740,11 +6733,11 @@ Right-click or press F2 to rename it.</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Action of the notice</source>
+        <source>Notice action</source>
         <translation>通知的操作</translation>
     </message>
     <message>
-        <source>Second action of the notice</source>
+        <source>Second notice action</source>
         <translation>通知的第二个操作</translation>
     </message>
 </context>
@@ -6765,8 +6758,8 @@ Right-click or press F2 to rename it.</source>
 <context>
     <name>tiller::PathControls</name>
     <message>
-        <source>Tolerance of recorded paths</source>
-        <translation>录制路径的公差</translation>
+        <source>Path tolerance</source>
+        <translation>路径公差</translation>
     </message>
     <message>
         <source>Record path</source>
@@ -6777,8 +6770,8 @@ Right-click or press F2 to rename it.</source>
         <translation>将路径导出为 CSV…</translation>
     </message>
     <message>
-        <source>Import demonstration (CSV)…</source>
-        <translation>导入演示 (CSV)…</translation>
+        <source>Import path from CSV…</source>
+        <translation>从 CSV 导入路径…</translation>
     </message>
     <message>
         <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
@@ -6817,8 +6810,8 @@ Right-click or press F2 to rename it.</source>
         <translation>导出路径</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV 文件 (*.csv)</translation>
     </message>
     <message>
         <source>The path was not exported.</source>
@@ -6831,15 +6824,15 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>Import a demonstration</source>
-        <translation>导入演示</translation>
+        <source>Import path</source>
+        <translation>导入路径</translation>
     </message>
     <message>
         <source>○ Path</source>
         <translation>○ 路径</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Select Stop recording path to end it.</source>
+        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
         <translation>正在记录机械臂的路径。选择停止记录路径以结束。</translation>
     </message>
 </context>
@@ -6858,8 +6851,8 @@ Right-click or press F2 to rename it.</source>
         <translation>拒绝导入：正在录制路径。请先停止录制。</translation>
     </message>
     <message>
-        <source>The demonstration could not be imported.</source>
-        <translation>无法导入演示。</translation>
+        <source>The path could not be imported.</source>
+        <translation>无法导入路径。</translation>
     </message>
     <message>
         <source>path %1</source>
@@ -6983,7 +6976,7 @@ Right-click or press F2 to rename it.</source>
         <translation>请先示教三个角，然后为每个角选择路点。</translation>
     </message>
     <message>
-        <source>Two corners are identical. Select another waypoint for one of them.</source>
+        <source>Two corners are identical. Select a different waypoint for one of them.</source>
         <translation>两个角是同一位置。请为其中一个选择另一路点。</translation>
     </message>
     <message>
@@ -7023,14 +7016,14 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>The three corners are on one line. Select another waypoint for one of them.</source>
+        <source>The three corners are on a straight line. Select a different waypoint for one of them.</source>
         <translation>三个角点在一条直线上。请为其中一个选择其他路点。</translation>
     </message>
 </context>
 <context>
     <name>tiller::PatternGrid</name>
     <message>
-        <source>Cells of the pattern</source>
+        <source>Pattern cells</source>
         <translation>阵列的格位</translation>
     </message>
     <message>
@@ -7206,7 +7199,7 @@ Right-click or press F2 to rename it.</source>
         <translation>CZ</translation>
     </message>
     <message>
-        <source>Mass of the payload</source>
+        <source>Payload mass</source>
         <translation>有效负载的质量</translation>
     </message>
     <message>
@@ -7222,7 +7215,7 @@ Right-click or press F2 to rename it.</source>
         <translation>重心 Z</translation>
     </message>
     <message>
-        <source>Press Return to apply to the project. The robot&apos;s payload does not change.</source>
+        <source>Press Return to apply the value to the project. The robot&apos;s payload does not change.</source>
         <translation>按回车应用到项目。机器人的有效负载不变。</translation>
     </message>
     <message>
@@ -7375,7 +7368,7 @@ Right-click or press F2 to rename it.</source>
     </message>
     <message>
         <source>No payloads yet.
-Press Measure… to measure the payload with the arm.</source>
+Press “Measure…” to measure the payload with the arm.</source>
         <translation>尚无负载。
 按“测量…”用机械臂测量负载。</translation>
     </message>
@@ -7549,8 +7542,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>录制到 CSV 文件</translation>
     </message>
     <message>
-        <source>Record robot data to a CSV file. Use the arrow button to select signals and folder</source>
-        <translation>将机器人数据录制到 CSV 文件。使用旁边的箭头按钮选择信号和文件夹</translation>
+        <source>Record robot data to a CSV file. Use the arrow button to select the signals and the folder.</source>
+        <translation>将机器人数据录制到 CSV 文件。使用旁边的箭头按钮选择信号和文件夹。</translation>
     </message>
     <message>
         <source>Cannot zero the force: the plots show no samples. Connect to a robot, or scroll to a time with samples.</source>
@@ -7625,20 +7618,20 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>可见范围已导出到 %1</translation>
     </message>
     <message>
-        <source>Image (*.png)</source>
-        <translation>图片 (*.png)</translation>
+        <source>PNG image (*.png)</source>
+        <translation>PNG 图像 (*.png)</translation>
     </message>
     <message>
-        <source>Drawing (*.svg)</source>
-        <translation>矢量图 (*.svg)</translation>
+        <source>SVG image (*.svg)</source>
+        <translation>SVG 图像 (*.svg)</translation>
     </message>
     <message>
-        <source>Page (*.pdf)</source>
-        <translation>页面 (*.pdf)</translation>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF 文档 (*.pdf)</translation>
     </message>
     <message>
-        <source>Values (*.csv)</source>
-        <translation>数值 (*.csv)</translation>
+        <source>CSV file (*.csv)</source>
+        <translation>CSV 文件 (*.csv)</translation>
     </message>
     <message>
         <source>Recording options</source>
@@ -7689,12 +7682,12 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>导出到 %1</translation>
     </message>
     <message>
-        <source>export: there are no samples in this range</source>
-        <translation>导出：此范围内没有样本</translation>
+        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <translation>此范围内没有样本。请选择其他范围，然后重新导出。</translation>
     </message>
     <message>
-        <source>use the suffix .png, .svg or .pdf for an image, or .csv for values</source>
-        <translation>图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名</translation>
+        <source>Use the suffix .png, .svg or .pdf for an image, or .csv for values.</source>
+        <translation>图片请用 .png、.svg 或 .pdf，数值请用 .csv 命名。</translation>
     </message>
     <message>
         <source>%1, at %2 s on the time axis</source>
@@ -7757,10 +7750,6 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>历史内存</translation>
     </message>
     <message>
-        <source>save the layout to %1</source>
-        <translation>将布局保存到 %1</translation>
-    </message>
-    <message>
         <source>Opened the recording %1</source>
         <translation>已打开录制 %1</translation>
     </message>
@@ -7789,7 +7778,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>%1 等</translation>
     </message>
     <message>
-        <source>List of signals</source>
+        <source>Signal list</source>
         <translation>信号列表</translation>
     </message>
     <message>
@@ -7821,8 +7810,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>布局 ▾</translation>
     </message>
     <message>
-        <source>read a plot layout</source>
-        <translation>读取曲线图布局</translation>
+        <source>not a plot layout</source>
+        <translation>不是曲线图布局</translation>
     </message>
     <message>
         <source>Spectrum and XY</source>
@@ -7849,7 +7838,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>时刻</translation>
     </message>
     <message>
-        <source>The maximum number of plot pages is reached: remove a page first.</source>
+        <source>The maximum number of plot pages has been reached. Remove a page first.</source>
         <translation>曲线图页数已达上限：请先移除一页。</translation>
     </message>
     <message>
@@ -7857,8 +7846,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>录制到 MCAP 文件</translation>
     </message>
     <message>
-        <source>Record robot data to an MCAP file. Use the arrow button to select signals and folder</source>
-        <translation>将机器人数据录制到 MCAP 文件。使用旁边的箭头按钮选择信号和文件夹</translation>
+        <source>Record robot data to an MCAP file. Use the arrow button to select the signals and the folder.</source>
+        <translation>将机器人数据录制到 MCAP 文件。使用旁边的箭头按钮选择信号和文件夹。</translation>
     </message>
     <message numerus="yes">
         <source>%1 · %2 per second · %3 free · %n packet(s) lost</source>
@@ -7883,8 +7872,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>已将游标 A 和 B 之间的范围导出到 %1</translation>
     </message>
     <message>
-        <source>Values between the cursors A and B (*%1)</source>
-        <translation>游标 A 和 B 之间的值 (*%1)</translation>
+        <source>Cursor A to cursor B (*%1)</source>
+        <translation>游标 A 到游标 B (*%1)</translation>
     </message>
     <message>
         <source>The page shows several recordings, or a recording and live signals. Show only one of them on the page, then export again.</source>
@@ -7895,8 +7884,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>实时信号只能导出为 .csv。如需其他格式，请先录制。</translation>
     </message>
     <message>
-        <source>The range has too many values for an export from the window. Export a shorter range, or use tiller-cli export.</source>
-        <translation>该范围的值过多，无法从窗口导出。请导出较短的范围，或使用 tiller-cli export。</translation>
+        <source>The range contains too many values to export from this window. Export a shorter range, or run “tiller-cli export”.</source>
+        <translation>该范围的值过多，无法从此窗口导出。请导出较短的范围，或运行“tiller-cli export”。</translation>
     </message>
 </context>
 <context>
@@ -7917,7 +7906,7 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>曲线图页</translation>
     </message>
     <message>
-        <source>Name of the page</source>
+        <source>Page name</source>
         <translation>页的名称</translation>
     </message>
     <message>
@@ -8043,8 +8032,8 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>随时间的曲线图</translation>
     </message>
     <message>
-        <source>A and B place the cursors, left and right move them, up and down select the signal at the cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns to the newest samples</source>
-        <translation>A 和 B 放置游标，左右键移动游标，上下键选择游标读取的信号。H 隐藏其曲线，Ctrl+Delete 移除曲线。加号和减号改变时间范围，按住 Ctrl 改变数值刻度；Ctrl+0 自动缩放。N 添加备注，F 显示全部数据，End 返回最新样本</translation>
+        <source>A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, and End returns to the newest samples.</source>
+        <translation>A 和 B 放置游标。左右键移动当前游标，上下键选择游标读取的信号。H 隐藏该信号的曲线；Ctrl+Delete 移除曲线。加号和减号改变时间范围，按住 Ctrl 改变数值刻度；Ctrl+0 自动缩放。N 添加备注，F 显示全部数据，End 返回最新样本。</translation>
     </message>
     <message>
         <source>A–B Δt %1 s</source>
@@ -8105,15 +8094,15 @@ Press Measure… to measure the payload with the arm.</source>
         <translation>%1中的 TCP 位姿</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion</source>
-        <translation>方向按设置显示。Δ₀：自归零起的位移。点击显示自上次运动开始起的位移</translation>
+        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <translation>方向按设置显示。Δ₀：自归零起的位移。点击显示自上次运动开始起的位移。</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here</source>
-        <translation>方向按设置显示。Δ：自上次运动开始起的位移。点击在此处归零</translation>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <translation>方向按设置显示。Δ：自上次运动开始起的位移。点击在此处归零。</translation>
     </message>
     <message>
-        <source>TCP in the frame of the flange: %1</source>
+        <source>TCP in the flange frame: %1</source>
         <translation>法兰坐标系中的 TCP：%1</translation>
     </message>
 </context>
@@ -8145,16 +8134,16 @@ Press Measure… to measure the payload with the arm.</source>
     </message>
     <message>
         <source>No positions yet.
-Jog the arm to a position and press Set home here, or Add here.</source>
+Jog the arm to a position and press “Set home here” or “Add position”.</source>
         <translation>还没有位置。
-把机械臂点动到某处，按“此处设为原位”或“在此添加”。</translation>
+把机械臂点动到某处，按“此处设为原位”或“添加位置”。</translation>
     </message>
     <message>
         <source>Safe height</source>
         <translation>安全高度</translation>
     </message>
     <message>
-        <source>%1. Press Return to apply. Only the stored position changes; the robot does not move.</source>
+        <source>%1. Press Return to apply the values. Only the stored position changes; the robot does not move.</source>
         <translation>%1。按回车应用。只有保存的位置改变；机器人不移动。</translation>
     </message>
     <message>
@@ -8174,8 +8163,8 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>此处设为原位</translation>
     </message>
     <message>
-        <source>Add here</source>
-        <translation>在此添加</translation>
+        <source>Add position</source>
+        <translation>添加位置</translation>
     </message>
     <message>
         <source>Store the current position of the arm</source>
@@ -8305,11 +8294,11 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>机械臂已被安全系统停止。请先恢复。</translation>
     </message>
     <message>
-        <source>Done. Press Start to repeat the task.</source>
+        <source>Done. Press “Start” to repeat the task.</source>
         <translation>完成。按“开始”可重复此任务。</translation>
     </message>
     <message>
-        <source>Press Start.</source>
+        <source>Press “Start”.</source>
         <translation>请按“开始”。</translation>
     </message>
 </context>
@@ -8332,7 +8321,7 @@ Jog the arm to a position and press Set home here, or Add here.</source>
         <translation>力 Fz（牛顿）</translation>
     </message>
     <message>
-        <source>Enter value, press Return</source>
+        <source>Enter a value and press Return</source>
         <translation>输入数值，按回车</translation>
     </message>
     <message>
@@ -8870,7 +8859,7 @@ Release the button to stop the arm.</source>
         <translation>项目使用 TCP“%1”。机器人当前的 TCP 相差 %2。</translation>
     </message>
     <message>
-        <source>The project fits the connected robot.</source>
+        <source>The project matches the connected robot.</source>
         <translation>项目与已连接的机器人相符。</translation>
     </message>
     <message>
@@ -8969,15 +8958,15 @@ Release the button to stop the arm.</source>
         <translation>%1 — 已保存</translation>
     </message>
     <message>
-        <source>no file chosen</source>
-        <translation>未选择文件</translation>
+        <source>No file is selected for the project. Save the project to a file first.</source>
+        <translation>未为项目选择文件。请先将项目保存到文件。</translation>
     </message>
     <message>
-        <source>%1 — open in another window, changes here are not saved</source>
+        <source>%1 — open in another window; changes here are not saved</source>
         <translation>%1 — 已在另一个窗口中打开，此处的更改不会保存</translation>
     </message>
     <message>
-        <source>%1 — changed by another program, changes here are not saved</source>
+        <source>%1 — changed by another program; changes here are not saved</source>
         <translation>%1 — 已被其他程序更改，此处的更改不会保存</translation>
     </message>
     <message>
@@ -8985,20 +8974,16 @@ Release the button to stop the arm.</source>
         <translation>未保存的项目</translation>
     </message>
     <message>
-        <source>save %1</source>
-        <translation>保存 %1</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>已在另一个窗口中打开（%1）</translation>
+        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <translation>%1 已在另一个窗口中打开（%2）。请在那里关闭，或以其他名称保存。</translation>
     </message>
     <message>
         <source>another program</source>
         <translation>其他程序</translation>
     </message>
     <message>
-        <source>another program has changed it</source>
-        <translation>其他程序已更改它</translation>
+        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <translation>%1 已被其他程序更改。请重新加载，或以其他名称保存。</translation>
     </message>
     <message>
         <source>%1 — new</source>
@@ -9059,16 +9044,16 @@ Release the button to stop the arm.</source>
         <translation>整数 %1</translation>
     </message>
     <message>
-        <source>Number %1</source>
-        <translation>数值 %1</translation>
+        <source>Float %1</source>
+        <translation>浮点 %1</translation>
     </message>
     <message>
         <source>Int</source>
         <translation>整数</translation>
     </message>
     <message>
-        <source>Number</source>
-        <translation>数值</translation>
+        <source>Float</source>
+        <translation>浮点</translation>
     </message>
     <message>
         <source>Bit</source>
@@ -9102,8 +9087,8 @@ Release the button to stop the arm.</source>
         <translation>返回实时</translation>
     </message>
     <message>
-        <source>Show the current state of the robot. The recording stays open in the plots</source>
-        <translation>显示机器人的当前状态。录制仍在曲线图中打开</translation>
+        <source>Show the current state of the robot. The recording stays open in the plots.</source>
+        <translation>显示机器人的当前状态。录制仍在曲线图中打开。</translation>
     </message>
 </context>
 <context>
@@ -9202,7 +9187,7 @@ Release the button to stop the arm.</source>
         <translation>程序：%1</translation>
     </message>
     <message>
-        <source>Program error in line %1, column %2: %3</source>
+        <source>Program error on line %1, column %2: %3</source>
         <translation>程序错误，第 %1 行第 %2 列：%3</translation>
     </message>
     <message>
@@ -9242,8 +9227,8 @@ Release the button to stop the arm.</source>
         <translation>仅监视：此窗口不更改机器人的任何状态。STOP 仍然有效。</translation>
     </message>
     <message>
-        <source>Monitor only is off</source>
-        <translation>仅监视已关闭</translation>
+        <source>“Monitor only” is off. Commands to the robot are enabled.</source>
+        <translation>“仅监视”已关闭。可以向机器人发送命令。</translation>
     </message>
     <message>
         <source>%1: refused. %2</source>
@@ -9284,7 +9269,7 @@ Release the button to stop the arm.</source>
         <translation>其他客户端的程序已接管机器人。获取控制权会结束该程序。</translation>
     </message>
     <message>
-        <source>The program of the other client is stopped to take control.</source>
+        <source>Stopping the other client&apos;s program to take control.</source>
         <translation>为获取控制权，正在停止其他客户端的程序。</translation>
     </message>
     <message>
@@ -9323,7 +9308,7 @@ Release the button to stop the arm.</source>
         <translation>夹爪已激活</translation>
     </message>
     <message>
-        <source>The gripper was not activated. Check that nothing blocks its fingers, then press Activate again.</source>
+        <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>夹爪没有激活。确认手指没有受阻，然后再按“激活”。</translation>
     </message>
     <message>
@@ -9343,19 +9328,19 @@ Release the button to stop the arm.</source>
         <translation>%1 失败。%2</translation>
     </message>
     <message>
-        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in its Installation.</source>
+        <source>No gripper service responds at %1:%2. Install Robotiq&apos;s URCap on the robot and select the gripper in the robot&apos;s installation.</source>
         <translation>%1:%2 处没有夹爪应答。请在机器人上安装 Robotiq 的 URCap，并在其安装设置中选择夹爪。</translation>
     </message>
     <message>
-        <source>The gripper does not respond. Check its cable at the wrist and its page in the robot&apos;s Installation; restart the robot if the problem persists.</source>
-        <translation>夹爪不应答。检查手腕处的电缆和机器人安装设置中的页面；若仍如此，重启机器人。</translation>
+        <source>The gripper is not responding. Check the cable at the wrist and the gripper&apos;s page in the robot&apos;s installation. If the problem persists, restart the robot.</source>
+        <translation>夹爪不应答。检查手腕处的电缆和机器人安装设置中夹爪的页面。若问题仍存在，请重启机器人。</translation>
     </message>
     <message>
         <source>The robot closed the connection to the gripper and may be restarting. Tiller reconnects automatically; the gripper keeps its grip.</source>
         <translation>机器人结束了与夹爪的连接，可能正在重启。会自行恢复；夹爪继续夹持。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it; if it is active, check its page in the robot&apos;s Installation.</source>
+        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>夹爪没有接受命令。请激活它；若已激活，请检查机器人安装设置中的页面。</translation>
     </message>
     <message>
@@ -9363,43 +9348,43 @@ Release the button to stop the arm.</source>
         <translation>夹爪正在激活；随后执行命令。</translation>
     </message>
     <message>
-        <source>The gripper received a motion command before it was active. Press Activate.</source>
+        <source>The gripper received a motion command before it was active. Press “Activate”.</source>
         <translation>夹爪在激活前被指令移动。请按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper is too hot. Let it cool down, then press Activate.</source>
+        <source>The gripper is too hot. Let it cool down, then press “Activate”.</source>
         <translation>夹爪过热。待其冷却后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper received no command for one second. Check its cable at the wrist, then press Activate.</source>
+        <source>The gripper received no command for one second. Check its cable at the wrist, then press “Activate”.</source>
         <translation>夹爪一秒内没有收到命令。检查手腕处的电缆，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press Activate.</source>
+        <source>The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press “Activate”.</source>
         <translation>夹爪电压不足。把工具电压设为 24 V，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press Activate.</source>
+        <source>The automatic release of the gripper is in progress. Wait until it is complete, then press “Activate”.</source>
         <translation>夹爪正在自动释放。等其结束后按“激活”。</translation>
     </message>
     <message>
-        <source>The automatic release of the gripper is complete. Press Activate.</source>
+        <source>The automatic release of the gripper is complete. Press “Activate”.</source>
         <translation>夹爪的自动释放已结束。请按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
         <translation>夹爪有内部故障。请按“激活”；若再次出现，请咨询 Robotiq。</translation>
     </message>
     <message>
-        <source>Activation failed. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>Activation failed. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>激活失败。确认手指没有受阻，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press Activate.</source>
+        <source>The gripper draws too much current. Check that nothing blocks the fingers, then press “Activate”.</source>
         <translation>夹爪电流过大。确认手指没有受阻，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press Activate; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
         <translation>夹爪报告故障 %1。请按“激活”；若再次出现，查看其手册。</translation>
     </message>
 </context>
@@ -9586,7 +9571,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::SceneView</name>
     <message>
-        <source>View of the arm</source>
+        <source>Arm view</source>
         <translation>机械臂视图</translation>
     </message>
     <message>
@@ -9663,12 +9648,8 @@ Release the button to stop the arm.</source>
         <translation>这些信号超过机器人一次发送的数量：请先去除其他信号。</translation>
     </message>
     <message>
-        <source>open %1</source>
-        <translation>打开 %1</translation>
-    </message>
-    <message>
-        <source>The recording is empty.</source>
-        <translation>此录制中没有行。</translation>
+        <source>The recording %1 contains no samples. Open another recording.</source>
+        <translation>录制 %1 不包含样本。请打开其他录制。</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -9690,7 +9671,7 @@ Release the button to stop the arm.</source>
         <translation>搜索信号</translation>
     </message>
     <message>
-        <source>Signals of the robot</source>
+        <source>Robot signals</source>
         <translation>机器人的信号</translation>
     </message>
     <message>
@@ -9698,8 +9679,8 @@ Release the button to stop the arm.</source>
         <translation>新建：|F| [N] = norm(…)</translation>
     </message>
     <message>
-        <source>Signal computed from others</source>
-        <translation>由其他信号计算的信号</translation>
+        <source>Derived signal</source>
+        <translation>派生信号</translation>
     </message>
     <message>
         <source>Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and standard functions. Press Return to create the signal.</source>
@@ -9732,7 +9713,7 @@ Release the button to stop the arm.</source>
         <translation>速度滑块</translation>
     </message>
     <message>
-        <source>Speed slider of the robot, 2 to 100 %</source>
+        <source>Robot speed slider, 2 to 100 %</source>
         <translation>机器人的速度滑块，2 至 100 %</translation>
     </message>
     <message>
@@ -9858,7 +9839,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press From robot to store the active TCP, or Teach… to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
         <translation>还没有 TCP。
 按“取自机器人”保存当前 TCP，或按“示教…”用机械臂示教。</translation>
     </message>
@@ -9867,7 +9848,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP</translation>
     </message>
     <message>
-        <source>Relative to the flange. Press Return to apply to the project. The robot&apos;s TCP does not change.</source>
+        <source>Relative to the flange. Press Return to apply the value to the project. The robot&apos;s TCP does not change.</source>
         <translation>相对于法兰。按回车应用到项目。机器人的 TCP 不变。</translation>
     </message>
     <message>
@@ -10014,24 +9995,24 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>示教 TCP</translation>
     </message>
     <message>
-        <source>Record pose for the rotation</source>
-        <translation>取一个用于旋转的位姿</translation>
+        <source>Record pose for the tool orientation</source>
+        <translation>取一个用于方向的位姿</translation>
     </message>
     <message>
-        <source>Rotation of the tool</source>
-        <translation>工具的旋转</translation>
+        <source>Tool orientation</source>
+        <translation>工具方向</translation>
     </message>
     <message>
-        <source>Keep current rotation</source>
-        <translation>保持当前旋转</translation>
+        <source>Keep current orientation</source>
+        <translation>保持当前方向</translation>
     </message>
     <message>
-        <source>Rotation from one pose: tool straight down</source>
-        <translation>由一个位姿定旋转：工具竖直向下</translation>
+        <source>Orientation from one pose: tool straight down</source>
+        <translation>由一个位姿定方向：工具竖直向下</translation>
     </message>
     <message>
-        <source>Rotation from three poses: along +Z, towards +X</source>
-        <translation>由三个位姿定旋转：沿 +Z，朝 +X</translation>
+        <source>Orientation from three poses: along +Z, towards +X</source>
+        <translation>由三个位姿定方向：沿 +Z，朝 +X</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10060,16 +10041,16 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>The tool keeps its current rotation.</source>
-        <translation>工具保持当前旋转。</translation>
+        <source>The tool keeps the current orientation.</source>
+        <translation>工具保持当前方向。</translation>
     </message>
     <message>
         <source>Rotate the tool until it points straight down and its X axis is parallel to the base X axis, then record the pose.</source>
         <translation>转动工具，使其竖直向下且 X 轴与基座 X 轴平行，然后取位姿。</translation>
     </message>
     <message>
-        <source>Rotation recorded. Record it again to replace it.</source>
-        <translation>已取旋转。再取一次即可替换。</translation>
+        <source>Orientation recorded. Record it again to replace it.</source>
+        <translation>已取方向。再取一次即可替换。</translation>
     </message>
     <message>
         <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
@@ -10084,8 +10065,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>现在沿工具的 +X 方向移动至少 %1，然后取位姿。</translation>
     </message>
     <message>
-        <source>Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
-        <translation>已取旋转：沿 +Z %1，沿 +X %2；法兰最大转动 %3（位姿 %4）。</translation>
+        <source>Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.</source>
+        <translation>已取方向：沿 +Z %1，沿 +X %2；法兰最大转动 %3（位姿 %4）。</translation>
     </message>
     <message>
         <source>The flange rotated by up to %1 (pose %2). Record the three poses again without rotating the tool.</source>
@@ -10173,7 +10154,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply. The robot does not move.</source>
+        <source>%1. Press Return to apply the values. The robot does not move.</source>
         <translation>%1。按回车应用。机器人不移动。</translation>
     </message>
 </context>
@@ -10203,7 +10184,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>TCP</translation>
     </message>
     <message>
-        <source>In the frame of the waypoint. Press Return to apply. Only the waypoint changes; the robot does not move.</source>
+        <source>In the waypoint frame. Press Return to apply the values. Only the waypoint changes; the robot does not move.</source>
         <translation>路点坐标系中的值。按回车应用。只有路点改变；机器人不移动。</translation>
     </message>
     <message>
@@ -10211,7 +10192,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>所选路点</translation>
     </message>
     <message>
-        <source>Frame of the waypoint</source>
+        <source>Waypoint frame</source>
         <translation>路点的坐标系</translation>
     </message>
     <message>
@@ -10344,8 +10325,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>导出路点</translation>
     </message>
     <message>
-        <source>Comma separated (*.csv);;JSON (*.json)</source>
-        <translation>逗号分隔 (*.csv);;JSON (*.json)</translation>
+        <source>CSV file (*.csv);;JSON file (*.json)</source>
+        <translation>CSV 文件 (*.csv);;JSON 文件 (*.json)</translation>
     </message>
     <message>
         <source>Import failed</source>
@@ -10488,11 +10469,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>动作：MoveJ → MoveL</translation>
     </message>
     <message>
-        <source>Speed of MoveJ: %1 → %2</source>
+        <source>MoveJ speed: %1 → %2</source>
         <translation>MoveJ 速度：%1 → %2</translation>
     </message>
     <message>
-        <source>Speed of MoveL: %1 → %2</source>
+        <source>MoveL speed: %1 → %2</source>
         <translation>MoveL 速度：%1 → %2</translation>
     </message>
     <message>
@@ -10528,8 +10509,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>此更改之前的版本与当前版本相同。</translation>
     </message>
     <message>
-        <source>Before this change:</source>
-        <translation>此前为：</translation>
+        <source>Changes from the version before this change to the current version:</source>
+        <translation>从此更改之前的版本到当前版本的变化：</translation>
     </message>
 </context>
 <context>
@@ -10701,8 +10682,8 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         </translation>
     </message>
     <message>
-        <source>✕ arm</source>
-        <translation>✕ 机械臂</translation>
+        <source>✕ model</source>
+        <translation>✕ 型号</translation>
     </message>
     <message>
         <source>The project was taught with another robot model. Use “Adapt project to this robot…” first.</source>
@@ -10774,11 +10755,11 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>移动</translation>
     </message>
     <message>
-        <source>Speed of MoveJ</source>
+        <source>MoveJ speed</source>
         <translation>MoveJ 速度</translation>
     </message>
     <message>
-        <source>Speed of MoveL</source>
+        <source>MoveL speed</source>
         <translation>MoveL 速度</translation>
     </message>
     <message>
@@ -10872,16 +10853,16 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
         <translation>偏移 %1</translation>
     </message>
     <message>
-        <source>Axis of rotation or mirroring</source>
-        <translation>绕或沿</translation>
+        <source>Rotation axis or mirror normal</source>
+        <translation>旋转轴或镜像法线</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot reach these poses: %1. No waypoint will be moved.</source>
-        <translation>机械臂无法到达这些位姿：%1。不会移动任何路点。</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <translation>移动后机械臂无法到达这些路点：%1。请选择较小的平移或旋转。不会移动任何路点。</translation>
     </message>
     <message>
         <source>A frame is missing. Choose another frame.</source>
@@ -10937,7 +10918,7 @@ Press From robot to store the active TCP, or Teach… to teach one with the arm.
     </message>
     <message>
         <source>No waypoints yet.
-Jog the arm to a position and press Teach here (T).</source>
+Jog the arm to a position and press “Teach here” (T).</source>
         <translation>还没有路点。
 把机械臂点动到某处，按“在此示教” (T)。</translation>
     </message>
@@ -11144,7 +11125,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>连接</translation>
     </message>
     <message>
-        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check payload and TCP, and start slowly. STOP in this window is not an emergency stop.</source>
+        <source>Before you move a real arm: keep everyone out of its reach, keep the emergency stop within reach, check the payload and the TCP, and start slowly. STOP in this window is not an emergency stop.</source>
         <translation>移动真实机械臂之前：不要让任何人进入可达范围，紧急停止在手边，检查有效负载和 TCP，慢速开始。此窗口的 STOP 不是紧急停止。</translation>
     </message>
     <message>
@@ -11207,8 +11188,8 @@ Jog the arm to a position and press Teach here (T).</source>
 <context>
     <name>tiller::app::Demonstration</name>
     <message>
-        <source>create the folder %1: choose a folder that you have permission to write to</source>
-        <translation>创建文件夹 %1：请选择可写入的文件夹</translation>
+        <source>Cannot create the folder %1. Choose a folder that you have permission to write to.</source>
+        <translation>无法创建文件夹 %1。请选择可写入的文件夹。</translation>
     </message>
     <message>
         <source>connect</source>
@@ -11267,8 +11248,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>截图</translation>
     </message>
     <message>
-        <source>write the screenshots to %1</source>
-        <translation>把截图写入 %1</translation>
+        <source>Cannot write the screenshots to %1. Check the permissions of the folder and the free disk space.</source>
+        <translation>无法将截图写入 %1。请检查文件夹权限和可用磁盘空间。</translation>
     </message>
     <message>
         <source>stop recording</source>
@@ -11356,7 +11337,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>SpaceMouse</translation>
     </message>
     <message>
-        <source>Dead zone of the %1</source>
+        <source>%1 dead zone</source>
         <translation>%1的死区</translation>
     </message>
     <message>
@@ -11368,7 +11349,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>偏转小于此值时设备不移动机械臂。</translation>
     </message>
     <message>
-        <source>Curve of the %1</source>
+        <source>%1 curve</source>
         <translation>%1的曲线</translation>
     </message>
     <message>
@@ -11442,11 +11423,11 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>目录</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this computer&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, a second mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住点动按钮时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按钮、按下鼠标的另一个键，或使用了另一个输入设备；&lt;/li&gt;&lt;li&gt;按住键盘按键时，按下了修饰键或相反方向的按键；&lt;/li&gt;&lt;li&gt;窗口失去焦点、打开了对话框或菜单，或坐标系、速度、步长或选项卡发生变化；&lt;/li&gt;&lt;li&gt;机器人的数据延迟、本程序没有响应，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 进入休眠，或输入设备被拔出或停止发送数据；&lt;/li&gt;&lt;li&gt;按键状态检查失败：在 X11 上，Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。如果没有按下，或服务器 100 ms 没有响应，运动即结束。如果无法进行此检查，页眉和设置会显示；&lt;/li&gt;&lt;li&gt;达到最长按住时间：点动为 %1 s（设置），自由驱动为五分钟，移动到某位置为运动时间加 5 s。最后 3 s 会倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止后需要重新按下。Tiller 拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止机械臂。Tiller 没有控制时，它们作用于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请使紧急停止在伸手可及之处。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使运动精细十倍，&lt;b&gt;Shift&lt;/b&gt; 使运动快三倍，但绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11732,19 +11713,19 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>将面板移到主窗口的这一侧。</translation>
     </message>
     <message>
-        <source>%1 to the left</source>
+        <source>Move %1 to the left</source>
         <translation>将 %1 移到左侧</translation>
     </message>
     <message>
-        <source>%1 to the right</source>
+        <source>Move %1 to the right</source>
         <translation>将 %1 移到右侧</translation>
     </message>
     <message>
-        <source>%1 to the top</source>
+        <source>Move %1 to the top</source>
         <translation>将 %1 移到顶部</translation>
     </message>
     <message>
-        <source>%1 to the bottom</source>
+        <source>Move %1 to the bottom</source>
         <translation>将 %1 移到底部</translation>
     </message>
     <message>
@@ -11760,8 +11741,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>机器人上程序的名称，例如 pick.urp</translation>
     </message>
     <message>
-        <source>Speed cap %1</source>
-        <translation>速度上限 %1</translation>
+        <source>Speed cap set to %1</source>
+        <translation>速度上限已设为 %1</translation>
     </message>
     <message>
         <source>A recording is running. Stop it first.</source>
@@ -11914,8 +11895,8 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>Change during a program</source>
-        <translation>程序运行期间的更改</translation>
+        <source>Change while a program is active</source>
+        <translation>程序处于活动状态时的更改</translation>
     </message>
 </context>
 <context>
@@ -12008,7 +11989,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>视角布局 %1。选择面板排列，或保存当前排列。</translation>
     </message>
     <message>
-        <source>Name of the perspective</source>
+        <source>Perspective name</source>
         <translation>视角布局的名称</translation>
     </message>
     <message>
@@ -12083,7 +12064,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>名称太长。</translation>
     </message>
     <message>
-        <source>The maximum number of perspectives is reached. Delete a perspective first.</source>
+        <source>The maximum number of perspectives has been reached. Delete a perspective first.</source>
         <translation>视角布局已达上限。请先删除一个。</translation>
     </message>
     <message>
@@ -12150,10 +12131,6 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>文件名</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>每几个一行</translation>
-    </message>
-    <message>
         <source>Signals</source>
         <translation>信号</translation>
     </message>
@@ -12215,7 +12192,7 @@ Jog the arm to a position and press Teach here (T).</source>
         <translation>您做了什么？期望什么？发生了什么？</translation>
     </message>
     <message>
-        <source>Files of the report</source>
+        <source>Report files</source>
         <translation>报告中的文件</translation>
     </message>
     <message>

@@ -105,7 +105,7 @@ public:
     /// Blocks   about 1 s at most, even if the robot does not respond, and until the event handler returns
     void disconnect();
 
-    /// As control::Controller::takeControl(), release(), stop() and status().
+    /// Like control::Controller::takeControl(), release(), stop() and status().
     Result<void> takeControl(const Deadline& deadline) { return controller_->takeControl(deadline); }
     void release() { controller_->release(); }  ///< Stops the arm and releases control.
     /// Ends the active motion and force mode. Threads: any. Blocks: never

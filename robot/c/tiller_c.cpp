@@ -119,7 +119,7 @@ int guarded(Call call) {
     return TILLER_INTERNAL;
 }
 
-/// As guarded(), for functions with a robot argument.
+/// Like guarded(), for functions with a robot argument.
 template <class Call>
 int guarded(tiller_robot* robot, const char* context, Call call) {
     return guarded(

@@ -18,8 +18,8 @@ namespace tiller::collision {
 
 /// A smaller distance counts as contact [m].
 inline constexpr double kTouching = 0.0003;
-/// A move that starts within the safety distance may come closer by this amount, because the joints of an arm at
-/// rest vary slightly [m].
+/// A move that starts within the safety distance may come closer by this amount, because the joint positions of an
+/// arm at rest vary slightly [m].
 inline constexpr double kSafetyTolerance = 0.0005;
 
 /// Two bodies in contact.
@@ -32,7 +32,7 @@ struct Contact {
     /// fourth. 0 for a single position.
     double at = 0;
     JointPositions q;     ///< joint positions at the contact
-    double distance = 0;  ///< distance at the contact; negative for a penetration [m]
+    double distance = 0;  ///< distance between the bodies [m]; negative if they penetrate
 };
 
 inline constexpr int kToolLink = 7;
@@ -101,8 +101,8 @@ public:
     /// The capsules at the joint positions `q`.
     /// Real-time: yes (less than a microsecond)
     Placement place(const JointPositions& q) const;
-    /// Distance of a pair; negative for a penetration [m]. Beyond `enough` the result may be a lower bound,
-    /// which is cheaper to compute.
+    /// Distance between the bodies of a pair [m]; negative if they penetrate. Beyond `enough` the result may be a
+    /// lower bound, which is cheaper to compute.
     /// Real-time: yes (tens of nanoseconds; a few hundred for a box)
     double distance(const Pair& pair, const Placement& placement, double enough = 1e9) const;
 

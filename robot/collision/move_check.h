@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Examines a complete move before it is executed: path, duration, joint rotations and the first limitation.
+// Examines a complete move before it is executed: path, duration, joint rotations and the first limit.
 
 #include <optional>
 #include <span>
@@ -20,7 +20,7 @@ struct Move {
     double acceleration = 1.4;  ///< [rad/s2], or [m/s2]
 };
 
-/// The first limitation of the move.
+/// The first limit of the move.
 struct MoveLimit {
     enum class Kind {
         OutOfReach,       ///< the line leaves the workspace
@@ -39,7 +39,7 @@ struct MoveLimit {
     double share = 0;           ///< position along the path, 0 ... 1
     Pose tcp;                   ///< pose at this position, base frame
 
-    /// True if the move ends at the limitation. Near a singularity the move only slows down.
+    /// True if the move ends at this limit. Near a singularity, the move only slows down.
     bool ends() const { return kind != Kind::NearSingularity; }
 };
 

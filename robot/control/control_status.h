@@ -76,7 +76,7 @@ struct ControllerStatus {
     MotionId motion = kNoMotion;  ///< the active motion
     bool moving = false;          ///< measured from the received data
     bool executing = false;       ///< control.script has confirmed the execution of `motion`
-    Limiter limiter;              ///< limit of the active motion; after a motion ended at a limit, this limit
+    Limiter limiter;              ///< limit of the active motion, or the limit at which the last motion ended
     MotionId lastMotion = kNoMotion;        ///< the last motion that ended
     StopCause lastCause = StopCause::None;  ///< why it ended
     StopMeasurement lastStop;

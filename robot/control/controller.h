@@ -57,7 +57,7 @@ struct ControllerOptions {
     /// only the CPU of the receiver thread, because waking up on another CPU takes longer.
     std::vector<int> cpus = {};
     MotionLimits limits = {};
-    /// Model used by the limiter until the controller has reported its own dimensions.
+    /// Model used by the limiter until the controller has reported the dimensions of the arm.
     RobotModelId model = RobotModelId::UR5e;
     /// Maximum age of the data and maximum response time. If either is exceeded, the active motion ends; a
     /// move with a longer timeout (MoveParameters::silence) ends after its own timeout. While the data are

@@ -53,7 +53,7 @@ struct MoveParameters {
     std::chrono::milliseconds silence = kHoldTime;
 };
 
-/// Which contacts end moveUntilContact().
+/// The contacts that end moveUntilContact().
 enum class Sought : std::uint8_t {
     NewContact,  ///< an initial contact must be released first
     AnyContact,  ///< an initial contact counts, so the arm does not move
@@ -93,11 +93,11 @@ public:
 
     /// Moves linearly in joint space to the target [rad]. Source: URScript movej
     Result<Motion> moveJ(const JointPositions& target, const MoveParameters& parameters = {});
-    /// As moveJ(), to the joint positions with this TCP pose [m, rad] that are nearest to the current ones.
+    /// Like moveJ(), to the joint positions with this TCP pose [m, rad] that are nearest to the current ones.
     Result<Motion> moveJToPose(const Pose& target, const MoveParameters& parameters = {});
     /// Moves the TCP on a straight line to a pose in the base frame [m, rad]. Source: URScript movel
     Result<Motion> moveL(const Pose& target, const MoveParameters& parameters = {});
-    /// As moveL(), to the TCP pose at these joint positions.
+    /// Like moveL(), to the TCP pose at these joint positions.
     Result<Motion> moveLToJoints(const JointPositions& target, const MoveParameters& parameters = {});
     /// Follows the whole path and ends at its last target. The control program is sent again together with
     /// the path, which takes a moment. The arm must be at standstill.
@@ -114,8 +114,8 @@ public:
     Result<Motion> startPath(const PreparedPath& path, Holding holding = Holding::Free,
                              std::chrono::milliseconds silence = kHoldTime);
 
-    /// Moves the tool until contact, then back to the pose of the first contact. Held: call Motion::refresh()
-    /// at least every 100 ms, otherwise the arm stops.
+    /// Moves the tool until contact, then back to the pose of the first contact. If parameters.holding is Held (the
+    /// default), call Motion::refresh() at least every 100 ms, or the arm stops.
     /// twist    base frame [m/s, rad/s]
     /// start    time limit for setting up the contact detection
     /// Source   URScript tool_contact
@@ -124,7 +124,7 @@ public:
                                     const ContactParameters& parameters = {});
 
     /// Moves at a velocity until the jog is refreshed with another velocity or ended. A target above the
-    /// limits is reduced rather than refused. Held: call Jog::refresh() at least every 100 ms, otherwise the
+    /// limits is reduced rather than refused. If `holding` is Held, call Jog::refresh() at least every 100 ms, or the
     /// arm stops.
     /// Errors   also FieldUnknown (contactForce on a robot that does not report forces)
     Result<Jog> startJog(const JogTarget& target, Holding holding = Holding::Held);
@@ -155,7 +155,7 @@ public:
     /// Ends the active motion, if any; the handle completes at standstill. deceleration > 0: of the leading joint
     /// [rad/s2]. Source: URScript stopj
     Result<Motion> stopJ(double deceleration = 4.0, StopCause cause = StopCause::ApiCall);
-    /// As stopJ(), along the path of the tool. deceleration > 0 [m/s2]; rotationDeceleration [rad/s2], 0:
+    /// Like stopJ(), along the path of the tool. deceleration > 0 [m/s2]; rotationDeceleration [rad/s2], 0:
     /// same value. Source: URScript stopl
     Result<Motion> stopL(double deceleration = 2.0, double rotationDeceleration = 0,
                          StopCause cause = StopCause::ApiCall);

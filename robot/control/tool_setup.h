@@ -40,7 +40,7 @@ public:
     /// Uses the forces of setExternalWrench() instead of the robot's sensor. The robot pauses the program if
     /// it receives no value for 100 ms. Since 5.9 / 3.14. Source: URScript ft_rtde_input_enable
     Result<void> useExternalSensor(const ExternalSensor& sensor, const Deadline& deadline);
-    /// As useExternalSensor(), with the function name of older software. The torques have the opposite sign.
+    /// Like useExternalSensor(), with the function name of older software. The torques have the opposite sign.
     Result<void> useExternalSensorLegacy(const ExternalSensor& sensor, const Deadline& deadline);
     Result<void> useOwnSensor(const Deadline& deadline);  ///< Ends useExternalSensor().
     /// Sends one measurement with the next cycle.

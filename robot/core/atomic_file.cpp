@@ -83,7 +83,7 @@ QString temporaryNameFor(const QString& path) {
 }
 
 QString contextOf(const QString& what, const QString& path) {
-    return what.isEmpty() ? QStringLiteral("write %1").arg(QDir::toNativeSeparators(path)) : what;
+    return what.isEmpty() ? QDir::toNativeSeparators(path) : what;
 }
 
 Error writeFailure(const QString& what, int systemError, const QString& reason) {

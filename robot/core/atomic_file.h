@@ -17,13 +17,13 @@ namespace tiller {
 
 /// A file that replaces `path` when commit() succeeds. Until then the old file is unchanged. An object that
 /// is destroyed before commit() leaves no new file.
-/// Errors   of every call: DiskFull, FileNotWritable; the context names the attempted action,
+/// Errors   of every call: DiskFull, FileNotWritable; the context is the path or the given text,
 ///          controllerMessage contains the system's reason
 /// Threads  one at a time. Blocks: for the file system. Real-time: no
 class AtomicFile {
 public:
     /// path  target file; a symbolic link is followed. The permissions and the owner of an existing file are kept.
-    /// what  context of errors, e.g. "export to plot.csv"; empty: "write PATH"
+    /// what  context of errors, e.g. "export to plot.csv"; empty: the path
     explicit AtomicFile(const QString& path, const QString& what = {});
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -49,14 +49,14 @@ private:
 };
 
 /// Replaces the content of the file `path` in one step.
-/// what     context of errors, e.g. "export to plot.csv"; empty: "write PATH"
+/// what     context of errors, e.g. "export to plot.csv"; empty: the path
 /// Errors   DiskFull, FileNotWritable
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<void> writeFileAtomically(const QString& path, const QByteArray& content, const QString& what = {});
 
 /// Flushes the closed file `part` (written by a library) and renames it to `path` in the same folder.
 /// Replaces an existing file. On an error, `part` remains.
-/// what     context of errors; empty: "write PATH"
+/// what     context of errors; empty: the path
 /// Errors   DiskFull, FileNotWritable
 /// Threads  any. Blocks: for the file system. Real-time: no
 Result<void> replaceFile(const QString& part, const QString& path, const QString& what = {});

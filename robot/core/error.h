@@ -51,7 +51,8 @@ QString errorCodeName(ErrorCode code);
 
 struct Error {
     ErrorCode code = ErrorCode::None;
-    QString context;            ///< the attempted action and its object, e.g. "connect to 192.168.0.10:30004"
+    QString context;  ///< the attempted action and its object, e.g. "connect to 192.168.0.10:30004"; for a
+                      ///< file: the path
     QString controllerMessage;  ///< original message of the controller or the system; may be empty
 
     /// One line for logs, e.g. "ConnectionRefused: connect to 192.168.0.10:30004 (Connection refused)".

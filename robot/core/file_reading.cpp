@@ -19,8 +19,7 @@ namespace tiller {
 namespace {
 
 Error readFailure(const QString& path, const QString& reason) {
-    return {ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(QDir::toNativeSeparators(path)),
-            reason};
+    return {ErrorCode::FileNotReadable, QDir::toNativeSeparators(path), reason};
 }
 
 QString notRegular() {

@@ -17,7 +17,7 @@ class ResultError : public std::logic_error {
 public:
     explicit ResultError(Error error) : std::logic_error(error.message()), error_(std::move(error)) {}
     const Error& error() const noexcept { return error_; }   ///< Code, context and message.
-    ErrorCode code() const noexcept { return error_.code; }  ///< As error().code.
+    ErrorCode code() const noexcept { return error_.code; }  ///< Like error().code.
 
 private:
     Error error_;

@@ -23,7 +23,7 @@ namespace {
 constexpr std::chrono::milliseconds kGuardTimeout{3000};
 
 Error busy(const QString& path) {
-    return {ErrorCode::FileNotWritable, QStringLiteral("write %1").arg(QDir::toNativeSeparators(path)),
+    return {ErrorCode::FileNotWritable, QDir::toNativeSeparators(path),
             QStringLiteral("another program has been writing to this folder for %1 s")
                 .arg(kGuardTimeout.count() / 1000)};
 }

@@ -85,13 +85,13 @@ struct Report {
     Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, 9.82);
     std::uint64_t rows = 0;     ///< number of rows read
     std::uint64_t leftOut = 0;  ///< rows excluded: arm without power, guided by hand, or after a gap
-    std::optional<std::uint64_t> firstCompared = {};    ///< time of the first compared row; empty: none
+    std::optional<std::uint64_t> firstCompared = {};    ///< number of the first compared row; empty: none
     std::array<Outcome, kQuantityCount> outcomes = {};  ///< indexed by Quantity
 
     /// The first deviation of any quantity; empty: none.
     std::optional<Difference> first() const;
-    /// True if arm and model deviated from the start: a different arm or payload, or an external force from
-    /// the beginning.
+    /// True if the arm and the model already differ in the first compared row, e.g. because of a different arm, a
+    /// different payload or an external force.
     bool partedFromStart() const { return first() && first()->row == firstCompared; }
 };
 

@@ -93,7 +93,7 @@ void judgeModes(Examiner& examiner, RobotMode mode, SafetyMode safety) {
     } else {
         examiner.found(Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"),
                        safetyModeName(safety),
-                       DoctorText::tr("Inspect the arm, remove the cause, then recover: press Recover… in "
+                       DoctorText::tr("Inspect the arm, remove the cause, then recover: press “Recover…” in "
                                       "the header, or use the teach pendant."));
     }
     if (mode == RobotMode::Running) {
@@ -244,10 +244,8 @@ void examineData(Examiner& examiner) {
     if (noTool || noPayload) {
         examiner.found(
             Condition::ToolAndPayload, Verdict::Attention, QStringLiteral("payload.unset"), tool,
-            DoctorText::tr(
-                "If a tool is mounted, set TCP and payload in the robot's installation: a wrong payload "
-                "causes "
-                "protective stops and lets the arm sag in Freedrive."));
+            DoctorText::tr("If a tool is mounted, set the TCP and the payload in the robot's installation: a "
+                           "wrong payload causes protective stops and makes the arm drift in Freedrive."));
     } else {
         examiner.good(Condition::ToolAndPayload, tool);
     }

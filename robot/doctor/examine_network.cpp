@@ -119,9 +119,10 @@ void examinePorts(Examiner& examiner) {
                      wasRefused ? QStringLiteral("refused") : QStringLiteral("silent")),
             wasRefused ? DoctorText::tr("port %1 is closed").arg(door.port)
                        : DoctorText::tr("port %1 does not respond").arg(door.port),
-            wasRefused ? DoctorText::tr("Enable this interface on the robot: Settings, Security, Services.")
-                       : DoctorText::tr("A firewall blocks this port: allow TCP port %1 to the robot.")
-                             .arg(door.port));
+            wasRefused
+                ? DoctorText::tr("Enable this interface on the robot under Settings > Security > Services.")
+                : DoctorText::tr("A firewall blocks this port: allow TCP port %1 to the robot.")
+                      .arg(door.port));
     }
 }
 

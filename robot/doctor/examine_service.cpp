@@ -69,7 +69,7 @@ void examineRobotApi(Examiner& examiner) {
             DoctorText::tr("neither the dashboard (port %1) nor the Robot API (port %2) is available")
                 .arg(examiner.patient.ports.dashboard)
                 .arg(port),
-            DoctorText::tr("Enable the Dashboard Server on the robot: Settings, Security, Services. "
+            DoctorText::tr("Enable the dashboard server on the robot under Settings > Security > Services. "
                            "PolyScope X requires 10.11 or newer for the Robot API."));
         return;
     }

@@ -98,7 +98,8 @@ struct InputRegisters::Private {
             case rtde::Connection::Send::Sent:
                 return {};
             case rtde::Connection::Send::Busy:
-                return Error{ErrorCode::LinkLost, what, QStringLiteral("the robot does not read its inputs")};
+                return Error{ErrorCode::LinkLost, what,
+                             QStringLiteral("the robot is not reading its inputs")};
             case rtde::Connection::Send::Failed:
                 break;
         }

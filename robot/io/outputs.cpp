@@ -79,7 +79,7 @@ Group groupOf(int output) {
 
 /// Controllers report currents in mA or in A. The two ranges do not overlap.
 bool isLevel(double reported, AnalogDomain domain, double level) {
-    constexpr double kTolerance = 0.01;  // share of the range
+    constexpr double kTolerance = 0.01;  // fraction of the range
     if (domain == AnalogDomain::Voltage) {
         constexpr double kVolts = 10.0;
         return std::abs(reported / kVolts - level) < kTolerance;
@@ -199,7 +199,7 @@ struct Outputs::Link {
                 return {};
             case rtde::Connection::Send::Busy:
                 return Error{ErrorCode::LinkLost, connection->peer(),
-                             QStringLiteral("the robot does not read its inputs")};
+                             QStringLiteral("the robot is not reading its inputs")};
             case rtde::Connection::Send::Failed:
                 break;
         }

@@ -13,7 +13,7 @@
 namespace tiller::kinematics {
 
 inline constexpr int kMinTipPoses = 4;
-/// Minimum rotation of the flange about its second rotation axis between the poses, as a share of the optimum (0
+/// Minimum rotation of the flange about its second rotation axis between the poses, as a fraction of the optimum (0
 /// ... 1). Below this value, an error of 1 mm at the point causes an error of many millimetres at the tip.
 inline constexpr double kMinTipSpread = 0.10;
 
@@ -41,7 +41,7 @@ struct TipFit {
 /// Threads        any. Real-time: no (allocates)
 TipFit fitTip(std::span<const Eigen::Isometry3d> T_base_flange);
 
-/// Rotation of the tool from a pose with known tool axes.
+/// Tool orientation from a pose with known tool axes.
 /// R_base_tool  orientation of the tool in this pose
 /// Returns      R_flange_tool
 Eigen::Matrix3d toolRotation(const Eigen::Matrix3d& R_base_flange, const Eigen::Matrix3d& R_base_tool);
@@ -73,8 +73,8 @@ struct ToolRotationFit {
     bool ok() const { return problem == Problem::None; }  ///< True if the rotation was determined.
 };
 
-/// Rotation of the tool from three poses with equal orientation: a start pose, a pose moved along the tool's
-/// +Z, and a pose moved towards its +X.
+/// Tool orientation relative to the flange, from three poses with equal orientation: a start pose, a pose moved along
+/// the tool's +Z, and a pose moved towards its +X.
 /// T_base_flange  of the three poses
 ToolRotationFit fitToolRotation(const std::array<Eigen::Isometry3d, 3>& T_base_flange);
 

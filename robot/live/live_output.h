@@ -28,7 +28,7 @@ struct LiveLimits {
     qint64 maxHeaderBytes = 16 * 1024;    ///< HTTP header of the handshake [bytes]
     qint64 maxRequestBytes = 64 * 1024;   ///< incoming frame, and incoming message
     qint64 maxRequestRate = 1024 * 1024;  ///< incoming bytes of one viewer [1/s]
-    /// Maximum number of unsent messages for one viewer; the oldest are dropped. Viewers share the messages,
+    /// Maximum size of the unsent messages of one viewer [bytes]; the oldest are dropped. Viewers share the messages,
     /// so 16 queues take little more memory than one.
     qint64 maxQueueBytes = 8 * 1024 * 1024;
     std::chrono::milliseconds handshakeTimeout{5'000};

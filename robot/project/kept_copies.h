@@ -24,7 +24,7 @@ struct KeptCopy {
     QDateTime at;  ///< time of the last change
 };
 
-/// The unsaved work of one window.
+/// Stores a copy of the unsaved work of one window.
 /// Threads  any. Blocks: for the file system. Real-time: no
 class CopyKeeper {
 public:
@@ -45,8 +45,8 @@ private:
     std::mutex mutex_;
     QString file_;  ///< empty if there is no copy
     std::optional<ProjectLock> lock_;
-    std::optional<std::uint64_t> revision_;  ///< revision of the last call
-    bool removed_ = false;                   ///< whether the last call was remove()
+    std::optional<std::uint64_t> revision_;  ///< newest revision passed to keep() or remove()
+    bool removed_ = false;                   ///< whether remove() was called for this revision
 };
 
 /// Copies of closed windows in the folder, newest first.

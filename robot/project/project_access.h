@@ -39,7 +39,8 @@ public:
 
     // Threads of all calls: any. Blocks: for the file system, and for other calls of the same object. Real-time: no
 
-    /// Takes the lock if it is free, and reads the file. Later saves require this content.
+    /// Takes the lock if it is free, and reads the file. A later save is refused if the file no longer has this
+    /// content.
     /// replaced  revision of the document that the content replaces. Pending saves of this and older
     ///           revisions are skipped.
     /// Errors    as loadProject()

@@ -44,7 +44,7 @@ Result<QString> keepDamaged(const QString& path, const QByteArray& there) {
         copy = QStringLiteral("%1.damaged-%2").arg(path).arg(number);
     }
     const Result<void> kept =
-        writeFileAtomically(copy, there, QStringLiteral("keep the damaged file %1 as %2").arg(path, copy));
+        writeFileAtomically(copy, there, QStringLiteral("%1, a copy of the damaged file %2").arg(copy, path));
     return kept ? Result<QString>(copy) : Result<QString>(kept.error());
 }
 

@@ -116,7 +116,7 @@ Result<void> ProjectLock::takeOver() {
     MoveFileExW(reinterpret_cast<const wchar_t*>(lockPath_.utf16()),
                 reinterpret_cast<const wchar_t*>(aside.utf16()), MOVEFILE_REPLACE_EXISTING);
     if (acquire() || !isHeld()) {
-        return Error{ErrorCode::FileNotWritable, QStringLiteral("take over %1").arg(lockPath_), {}};
+        return Error{ErrorCode::FileNotWritable, lockPath_, {}};
     }
     return {};
 }
@@ -204,8 +204,8 @@ Result<void> ProjectLock::takeOver() {
     const QByteArray name = QFile::encodeName(temporary);
     const auto failure = [this] {
         const int systemError = errno;
-        return Error{systemError == ENOSPC ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-                     QStringLiteral("take over %1").arg(lockPath_), qt_error_string(systemError)};
+        return Error{systemError == ENOSPC ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, lockPath_,
+                     qt_error_string(systemError)};
     };
     auto handle = std::make_unique<Handle>();
     handle->descriptor = ::open(name.constData(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

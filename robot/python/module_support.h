@@ -2,7 +2,7 @@
 #pragma once
 
 // Common functions of all Python modules in this folder. Blocking calls release the interpreter and end on
-// Ctrl-C. The keyword names in the listings of the ur_rtde paper are accepted in addition to the released
+// Ctrl+C. The keyword names in the listings of the ur_rtde paper are accepted in addition to the released
 // ones. All objects have a docstring, signature and repr, and support `with`.
 
 #include <pybind11/chrono.h>

@@ -158,7 +158,7 @@ void defineDashboard(py::module_& module) {
                     try {
                         progress(toString(step));
                     } catch (py::error_already_set& error) {
-                        error.restore();  // ends the wait as Ctrl-C does
+                        error.restore();  // ends the wait as Ctrl+C does
                     }
                 }
             };

@@ -31,7 +31,7 @@ void defineCall(ControllerClass& cls, const char* name, Method method) {
     });
 }
 
-/// As defineCall(), with poses and joint values as arrays.
+/// Like defineCall(), with poses and joint values as arrays.
 template <class Access, class Method>
 void defineNumbers(ControllerClass& cls, const char* name, Method method) {
     cls.def(name, [method](const SharedController& self, const Seconds& seconds) -> Six {

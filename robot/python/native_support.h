@@ -2,7 +2,7 @@
 #pragma once
 
 // Common functions of the native module. Errors are raised as exceptions, waits release the interpreter and
-// end on Ctrl-C, and numbers are passed as arrays.
+// end on Ctrl+C, and numbers are passed as arrays.
 
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -32,7 +32,7 @@ using Seconds = std::optional<double>;  ///< None: no limit
 /// Raises the exception of tiller.errors for this error.
 [[noreturn]] void raise(const Error& error);
 
-/// Returns true if a wait in this thread must end: on Ctrl-C (with the exception set), and when the process
+/// Returns true if a wait in this thread must end: on Ctrl+C (with the exception set), and when the process
 /// exits.
 bool isInterrupted();
 

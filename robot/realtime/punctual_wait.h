@@ -37,7 +37,7 @@ public:
 private:
     bool maySpin_;
     std::int64_t awakeNs_ = kWakeUpNs;
-    int hopeless_ = 0;  ///< share of wake-ups later than kMaxAwakeNs, in 1/65536
+    int hopeless_ = 0;  ///< fraction of wake-ups later than kMaxAwakeNs, in 1/65536
     std::int64_t spentNs_ = 0;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The latest value, written by one thread and read by any number of threads without blocking. A reader that
-// is interrupted by the writer retries.
+// The latest value, written by one thread and read by any number of threads without blocking. A reader retries if the
+// value was written during the read.
 
 #include <atomic>
 #include <cstdint>

@@ -24,7 +24,7 @@ public:
         fetch();
         return slots_[front_];
     }
-    /// For the reader: returns each value once; null if there is no new value.
+    /// For the reader: the newest value, at most once; null if there is no new value.
     const T* take() { return fetch() ? &slots_[front_] : nullptr; }
 
 private:

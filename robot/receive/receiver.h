@@ -29,7 +29,7 @@ namespace tiller::receive {
 /// absent.
 std::vector<std::string> defaultFields();
 
-/// What Receiver::waitForData() does if the connection is refused.
+/// Behaviour of Receiver::waitForData() if the connection is refused.
 enum class OnRefusal : std::uint8_t { Fail, Wait };
 
 struct ReceiverOptions {

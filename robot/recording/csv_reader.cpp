@@ -77,7 +77,7 @@ Result<CsvTable> readCsv(const Text& path) {
     }
     const QByteArray content = file.readAll();
     if (file.error() != QFileDevice::NoError) {
-        return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(path), file.errorString()};
+        return Error{ErrorCode::FileNotReadable, path, file.errorString()};
     }
     std::string_view rest(content.constData(), static_cast<std::size_t>(content.size()));
     const auto corrupt = [&](std::size_t line, const QString& what) {

@@ -164,8 +164,7 @@ public:
             }
         }
         if (file.error() != QFileDevice::NoError) {
-            return Error{ErrorCode::FileNotReadable, QStringLiteral("read %1").arg(table_.path),
-                         file.errorString()};
+            return Error{ErrorCode::FileNotReadable, table_.path, file.errorString()};
         }
         if (!rest.empty()) {
             takeLine(rest);
@@ -186,9 +185,7 @@ public:
     }
 
 private:
-    Error failure(const QString& what) const {
-        return {ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(table_.path), what};
-    }
+    Error failure(const QString& what) const { return {ErrorCode::FileCorrupt, table_.path, what}; }
 
     void problem(const QString& sentence) {
         if (table_.problems.size() < kMaxProblems) {

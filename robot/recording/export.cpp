@@ -101,8 +101,7 @@ Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
         }
     }
     if (!missing.isEmpty()) {
-        return Error{ErrorCode::FieldUnknown, QStringLiteral("read %1").arg(recording.path()),
-                     missing.join(QStringLiteral("; "))};
+        return Error{ErrorCode::FieldUnknown, recording.path(), missing.join(QStringLiteral("; "))};
     }
     return chosen;
 }
@@ -170,7 +169,7 @@ Result<void> exportNotes(const Recording& recording, const RowRange& rows, const
     if (lines.empty()) {
         return {};
     }
-    AtomicFile file(notes, QStringLiteral("export to %1").arg(notes));
+    AtomicFile file(notes);
     Result<void> done = file.open();
     done = done ? file.write(csvNotesHeader() + lines) : done;
     return done ? file.commit() : done;
@@ -195,7 +194,7 @@ Result<ExportReport> exportCsv(const Recording& recording, const ExportChoice& c
     if (!rows) {
         return rows.error();
     }
-    AtomicFile file(choice.path, QStringLiteral("export to %1").arg(choice.path));
+    AtomicFile file(choice.path);
     if (const Result<void> opened = file.open(); !opened) {
         return opened.error();
     }

@@ -15,7 +15,7 @@
 
 namespace tiller::recording {
 
-/// What to export, independent of the format.
+/// Selection of the data to export, independent of the format.
 struct ExportChoice {
     Text path = {};  ///< an existing file is replaced atomically
     /// Names of columns, or of fields for all their components; empty: all. Text and MCAP files always
@@ -45,14 +45,14 @@ Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
                                                const std::vector<std::string>& names);
 /// The time column of the recording: `timestamp`, or the first column named time, seconds or t.
 std::optional<std::size_t> timeColumn(const Recording& recording);
-/// As chooseColumns(), but adds the time column of the recording as the first column if it is missing.
+/// Like chooseColumns(), but adds the time column of the recording as the first column if it is missing.
 Result<std::vector<std::size_t>> columnsWithTime(const Recording& recording,
                                                  const std::vector<std::string>& names);
 /// Text of a cell, quoted as in RFC 4180 where necessary.
 std::string csvCell(std::string_view text, char separator = ',');
 /// The shortest text that converts back to the same number, independent of the locale; empty for NaN.
 std::string csvNumber(double value);
-/// As csvNumber(double).
+/// Like csvNumber(double).
 std::string csvNumber(float value);
 /// The selected rows.
 Result<RowRange> chooseRows(const Recording& recording, const ExportChoice& choice);

@@ -34,7 +34,7 @@ QStringList Recording::attachments() const {
 }
 
 Result<QByteArray> Recording::attachment(const QString& name) const {
-    return Error{ErrorCode::FileNotReadable, QStringLiteral("read \"%1\" in %2").arg(name, path()),
+    return Error{ErrorCode::FileNotReadable, QStringLiteral("\"%1\" in %2").arg(name, path()),
                  QStringLiteral("it contains no such file")};
 }
 

@@ -75,7 +75,7 @@ public:
 
     enum class Send {
         Sent,
-        Busy,    ///< the peer does not read; the package was dropped, later ones may succeed
+        Busy,    ///< the peer is not reading; the package was dropped, but later packages may be sent
         Failed,  ///< the connection failed, or the recipe is not valid
     };
     /// Sends one data package.

@@ -54,7 +54,7 @@ public:
 
     explicit Session(SessionRequest request);
 
-    /// Appends the first request to `out`. All other functions also append the bytes to send to `out`.
+    /// Appends the first request to `out`. handle(), start() and pause() also append the bytes to be sent.
     void begin(Bytes& out);
     /// Processes any package, except for data packages while running, which the caller decodes.
     void handle(const PackageView& package, Bytes& out);

@@ -18,7 +18,7 @@ inline constexpr int kStepRegister = 47;
 /// while the program waits before the next step. The control program does not use this register.
 inline constexpr int kGateRegister = 46;
 
-/// What a program may do next.
+/// Limits the steps that a running program may begin.
 struct StepGate {
     static constexpr std::int32_t kUnlimited = 1'000'000'000;
     std::int32_t permitted = kUnlimited;  ///< total number of steps that may begin

@@ -19,7 +19,7 @@ constexpr std::chrono::seconds kGiveUp{20};
 /// Real time within which the control thread detects that its data are too old: several of its check
 /// intervals.
 constexpr std::chrono::milliseconds kNoticeTime{50};
-/// Maximum time for the control thread to answer a package while control is being taken.
+/// Maximum time for the control thread to answer a packet while control is being taken.
 constexpr std::chrono::milliseconds kTakingTime{50};
 /// Maximum wait for an answer before checking the state again, because a controller that is losing control
 /// sends none.

@@ -38,8 +38,8 @@ struct RobotiqGripper::Private {
     int maxPosition = kDeviceMax;  ///< closed end position
     int range_mm = 40;             ///< stroke
     eUnit units[3] = {UNIT_NORMALIZED, UNIT_NORMALIZED, UNIT_NORMALIZED};
-    int speed = kDeviceMax;  ///< presets, in device units
-    int force = 0;           // minimum force
+    int speed = kDeviceMax;  ///< speed preset, in device units
+    int force = 0;           ///< force preset, in device units; 0: minimum force
     int requested = 0;       ///< last commanded position, in device units
 
     int get(const std::string& name) {

@@ -24,8 +24,8 @@
 // another thread waits for it. Stops also end force mode. A move after servoing does not need servoStop(). A
 // lost connection is restored only by reconnect(). With setCustomScriptFile(), FLAG_CUSTOM_SCRIPT, or without
 // upload while another program is running, commands are sent to that program through ur_rtde's registers. A
-// program sent by setCustomScriptFile() contains the heartbeat watchdog. All other ends of a motion, and the
-// entire behaviour of a program started elsewhere, depend on that program.
+// program sent by setCustomScriptFile() contains the heartbeat watchdog. The program itself determines what else ends
+// a motion, and the entire behaviour of a program started elsewhere.
 
 #include <ur_rtde/async_operation_status.h>
 #include <ur_rtde/dashboard_enums.h>

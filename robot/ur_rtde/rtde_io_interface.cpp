@@ -87,7 +87,7 @@ struct RTDEIOInterface::Private {
                                           : "another RTDE client or a fieldbus owns " + owned.front());
         }
         return connection->sendInputs(recipe, values) == Connection::Send::Sent ||
-               complain("the robot does not read its inputs");
+               complain("the robot is not reading its inputs");
     }
     bool send(std::size_t recipe, std::initializer_list<double> values) {
         return send(recipe, std::span(values.begin(), values.size()));

@@ -13,7 +13,7 @@
 namespace ur_rtde {
 
 /// Setters return true when the command was sent. They return false without a connection (after one attempt
-/// to reconnect), if the robot does not read the data, or if another client or a fieldbus uses the input.
+/// to reconnect), if the robot is not reading the data, or if another client or a fieldbus uses the input.
 /// Arguments out of range throw std::range_error before anything is sent.
 /// Threads  any; calls are serialized
 class RTDEIOInterface {

@@ -7,7 +7,7 @@
 The robot is simulated in a separate process in real time. Two readers run one after the other:
 `tiller.Robot.samples()`, which returns every packet once, and `rtde_receive` polled once per period, as in programs
 written for ur_rtde. For each reader, the table contains the numbers of packets sent by the controller, read, read twice
-and missed, and the processor time of this process, including the receive thread, as a share of one core. Exits with 1
+and missed, and the processor time of this process, including the receive thread, as a fraction of one core. Exits with 1
 if samples() missed or repeated a packet.
 """
 import subprocess
@@ -21,7 +21,7 @@ PERIOD = 0.002  # [s]
 
 
 def measure(read, seconds):
-    """Returns (timestamps read, share of a core)."""
+    """Returns (timestamps read, fraction of a core)."""
     stamps = []
     busy = time.process_time()
     begin = time.monotonic()

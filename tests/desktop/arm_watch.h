@@ -17,7 +17,7 @@ namespace tiller::test {
 /// Result of observing the arm after the last key was released.
 struct Standstill {
     enum class Verdict {
-        Stood,   ///< the arm stopped within the time of the contract
+        Stood,   ///< the arm stopped within the time allowed by the jog contract
         Late,    ///< the arm stopped, but too late
         GoesOn,  ///< the arm was still moving a second later
         Blind,   ///< no data were received, so there is no result

@@ -69,7 +69,7 @@ protected:
         return cell().until(
             [&] { return cell().toTheFront() && cell().takeControl() && cell().armKeyboard(); });
     }
-    /// Verifies that the arm stops within the time of the contract and does not move again.
+    /// Verifies that the arm stops within the time allowed by the jog contract and does not move again.
     void verifyStands(double contract = kContract) {
         const Standstill stop = cell().standstill(contract);
         qInfo("%s", words(stop).constData());

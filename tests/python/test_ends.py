@@ -28,8 +28,8 @@ TABLE = pathlib.Path(os.environ["TILLER_SOURCE"], "robot/ENDS.md")
 HELPERS = pathlib.Path(os.environ["TILLER_HELPERS"])
 BEGIN, END = "<!-- table: written by tests/python/test_ends.py -->\n", "<!-- end of the table -->\n"
 
-ENDS = ["exception", "exit", "Ctrl-C", "SIGTERM", "SIGHUP", "SIGKILL", "lost link", "object"]
-SIGNALS = {"Ctrl-C": signal.SIGINT, "SIGTERM": signal.SIGTERM, "SIGHUP": signal.SIGHUP, "SIGKILL": signal.SIGKILL}
+ENDS = ["exception", "exit", "Ctrl+C", "SIGTERM", "SIGHUP", "SIGKILL", "lost link", "object"]
+SIGNALS = {"Ctrl+C": signal.SIGINT, "SIGTERM": signal.SIGTERM, "SIGHUP": signal.SIGHUP, "SIGKILL": signal.SIGKILL}
 #: Signals that make a Python program end itself in its main thread.
 ORDERS = {"exception": signal.SIGUSR1, "exit": signal.SIGUSR2, "object": signal.SIGALRM, "_exit": signal.SIGVTALRM,
           "leave": signal.SIGPROF}

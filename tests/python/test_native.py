@@ -52,7 +52,7 @@ class VirtualCase(unittest.TestCase):
         self.robot.take_control(PATIENCE)
 
     def assert_brakes(self):
-        """Verifies that the arm stops within the 250 ms of robot time of the contract and does not move again."""
+        """Verifies that the arm stops within the 250 ms of robot time in the jog contract and does not move again."""
         self.simulator.step(0.25)
         self.assertTrue(stands(self.simulator))
         q = self.simulator.truth["q"]

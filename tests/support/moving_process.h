@@ -77,7 +77,7 @@ public:
     double lastMoved = 0;  ///< [s]
     double heardAt = 0;    ///< robot time of the last heartbeat that the control program received [s]
     control::ScriptState state = control::ScriptState::Ready;
-    control::ScriptState heardIn = control::ScriptState::Ready;  ///< state of the script at this time
+    control::ScriptState heardIn = control::ScriptState::Ready;  ///< state of the script at `heardAt`
 
 private:
     static constexpr std::chrono::seconds kPatience{20};

@@ -169,7 +169,7 @@ void VirtualCell::tick() {
 
 // The watchdog of the program uses robot time. Robot time must not advance faster than the replying thread
 // runs, even before the session has detected that it is in control.
-// inputs  packages received from the client until the last step of the robot
+// inputs  number of packages received from the client up to the last step of the robot
 void VirtualCell::awaitFirstAnswers(std::uint64_t inputs) {
     if (session.state().control != ControlState::Taking) {
         inputsBeforeTaking_ = inputs;

@@ -157,7 +157,7 @@ inline QString problemOfList(const QListWidget& list) {
     return {};
 }
 
-/// Describes the problem of this widget; empty if there is none.
+/// Describes the problem with this widget; empty if there is no problem.
 inline QString problemOf(const QWidget& widget) {
     if (const auto* chip = qobject_cast<const StateChip*>(&widget)) {
         return chip->width() < chip->sizeHint().width() && !chip->toolTip().contains(chip->text())

@@ -103,7 +103,7 @@ struct ForeignProgramBench : WindowBench {
         }
         return condition();
     }
-    /// The command is sent on release. The robot reads it within kAtOnceMs.
+    /// True if the program ends within kAtOnceMs, the time in which the robot reads the stop command.
     bool stopsAtOnce() {
         for (int ms = 0; ms < kAtOnceMs && runs(); ms += 2) {
             cell.robot.drainSockets();

@@ -27,7 +27,7 @@ private Q_SLOTS:
                  (output_ + program.readAllStandardError()).constData());
     }
 
-    void walkthroughDoesEveryStepAndWritesItsFiles() {
+    void demonstrationCompletesEveryStepAndWritesItsFiles() {
         QVERIFY(!output_.contains("FAILED"));
         for (const char* line : {"jogged", "release to standstill", "packets", "recorded"}) {
             QVERIFY2(output_.contains(line), line);
@@ -91,7 +91,7 @@ print(len(demo), tau)
     }
 
 private:
-    const QTemporaryDir folder_;  ///< of the walkthrough
+    const QTemporaryDir folder_;  ///< output folder of the demonstration
     QByteArray output_;
 };
 

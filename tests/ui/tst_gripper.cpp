@@ -238,7 +238,7 @@ private Q_SLOTS:
         QVERIFY(until([this] { return key("gripper.open").isEnabled(); }));
         gripper.mute = true;
         QVERIFY(until([this] { return text("gripper.state") == "unknown"; }));
-        QVERIFY2(text("gripper.remedy").contains("does not respond"), qPrintable(text("gripper.remedy")));
+        QVERIFY2(text("gripper.remedy").contains("is not responding"), qPrintable(text("gripper.remedy")));
         QVERIFY(!key("gripper.close").isEnabled());
         // Outputs are independent of the gripper.
         auto* tab = bench_->window.findChild<IoTab*>();

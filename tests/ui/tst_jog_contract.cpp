@@ -36,7 +36,7 @@ private:
     VirtualCell& cell() { return bench_->cell; }
     HoldToRunButton& key(const char* name = "jog.X+") { return bench_->find<HoldToRunButton>(name); }
 
-    /// Presses X+ and waits until the arm has reached its speed.
+    /// Presses a jog button and waits until the arm has reached the jog speed.
     void startJog(const char* name = "jog.X+") {
         press(key(name));
         cell().advanceMs(400);
@@ -108,7 +108,7 @@ private Q_SLOTS:
                                "frame changes",
                                "motion class changes",
                                "speed class changes",
-                               "second button",
+                               "another button or key pressed",
                                "Esc",
                                "Space",
                                "key hidden"};

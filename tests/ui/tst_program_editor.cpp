@@ -37,7 +37,7 @@ class TestProgramEditor : public QObject {
     Q_OBJECT
 
 private:
-    /// Moves to the start of a program, and runs it with a held button or without.
+    /// Moves to the start of a program and runs it, with or without hold-to-run.
     void startMoves(bool held) {
         const QString pick = [&] {
             document().setProject(program::sampleProject());

@@ -57,7 +57,7 @@ private:
         return true;
     }
 
-    /// A robot with this software version, or the default version, and a window connected to it.
+    /// Starts a robot with this software version (empty: default) and connects a window to it.
     /// local  starts the robot in Local mode, as with --local
     void begin(const std::optional<SoftwareVersion>& software, bool local = false) {
         window_.reset();

@@ -187,7 +187,7 @@ private Q_SLOTS:
         bench.cell.robot.emergencyStop(true);
         QVERIFY(bench.openPage());
         QVERIFY(!bench.key()->isVisible());
-        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWhat")->text().contains("Pull the button out"));
+        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWhat")->text().contains("Twist it clockwise"));
         bench.keepPicture("emergency");
         bench.cell.advanceMs(6000);
         QVERIFY(!bench.key()->isVisible());
@@ -204,7 +204,7 @@ private Q_SLOTS:
         bench.cell.robot.safeguardStop(true);
         QVERIFY(bench.openPage());
         QVERIFY(!bench.key()->isVisible());
-        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("No action needed"));
+        QVERIFY(bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("No action is needed"));
         bench.cell.robot.safeguardStop(false);
         QVERIFY(bench.until([&] { return bench.key()->isVisible(); }));
         QVERIFY(bench.safety() == SafetyMode::Normal);

@@ -28,10 +28,10 @@ NoticeBar::NoticeBar(QWidget* parent)
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     accept_->setObjectName(QStringLiteral("notice.accept"));
-    accept_->setAccessibleName(tr("Action of the notice"));
+    accept_->setAccessibleName(tr("Notice action"));
     accept_->setProperty("primary", true);
     other_->setObjectName(QStringLiteral("notice.other"));
-    other_->setAccessibleName(tr("Second action of the notice"));
+    other_->setAccessibleName(tr("Second notice action"));
     dismiss_->setObjectName(QStringLiteral("notice.dismiss"));
     dismiss_->setAccessibleName(tr("Dismiss"));
 
@@ -86,10 +86,10 @@ void NoticeBar::display(Kind kind, const Notice& notice) {
     text_->setText(notice.text);
     text_->setVisible(!notice.text.isEmpty());
     accept_->setText(notice.accept);
-    accept_->setAccessibleName(notice.accept.isEmpty() ? tr("Action of the notice") : notice.accept);
+    accept_->setAccessibleName(notice.accept.isEmpty() ? tr("Notice action") : notice.accept);
     accept_->setVisible(!notice.accept.isEmpty());
     other_->setText(notice.other);
-    other_->setAccessibleName(notice.other.isEmpty() ? tr("Second action of the notice") : notice.other);
+    other_->setAccessibleName(notice.other.isEmpty() ? tr("Second notice action") : notice.other);
     other_->setVisible(!notice.other.isEmpty());
     dismiss_->setText(!notice.dismiss.isEmpty() ? notice.dismiss
                       : notice.accept.isEmpty() ? tr("Close")

@@ -42,7 +42,7 @@ public:
     void show(Kind kind, const Notice& notice);
     /// Closes the notice. A waiting notice with a cause is shown again.
     void dismiss();
-    /// As dismiss(), but leaves a notice with a cause open.
+    /// Like dismiss(), but leaves a notice with a cause open.
     void dismissWithoutCause();
     /// Removes the notice of a cause that has been resolved, including a waiting one.
     void resolve(const QString& cause);

@@ -29,7 +29,7 @@ public:
     void setHint(const QString& text);
     /// Adds a small control at the right end of the title bar.
     void addHeaderWidget(QWidget* widget);
-    /// As addHeaderWidget(), for a control that is hidden if the panel is too narrow and is also available
+    /// Like addHeaderWidget(), for a control that is hidden if the panel is too narrow and is also available
     /// elsewhere. The control added first is hidden first.
     void addFoldingHeaderWidget(QWidget* widget);
     /// Replaces title and hint by a widget, e.g. a tab bar. The height of the title bar does not change.

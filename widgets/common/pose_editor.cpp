@@ -22,7 +22,7 @@ bool asVector() {
     return Notation::current().rotation == RotationNotation::RotationVector;
 }
 
-/// The six displayed values.
+/// Position in the display unit; rotation in degrees (roll, pitch, yaw) or rad (rotation vector).
 std::array<double, 6> displayedValues(const Pose& pose) {
     const Eigen::Vector3d position = pose.position / format::metresPerUnit();
     const Eigen::Vector3d turns =

@@ -23,7 +23,7 @@ ReplayBand::ReplayBand(const QString& name, QWidget* above, QWidget* parent)
     live_->setObjectName(name + QStringLiteral(".live"));
     live_->setText(tr("Back to live"));
     live_->setAccessibleName(live_->text());
-    live_->setToolTip(tr("Show the current state of the robot. The recording stays open in the plots"));
+    live_->setToolTip(tr("Show the current state of the robot. The recording stays open in the plots."));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 4, 8, 4);
     layout->addWidget(words_, 1);

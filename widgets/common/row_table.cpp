@@ -32,7 +32,7 @@ RowTable::RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
     horizontalHeader()->setMinimumSectionSize(24);
-    // Header texts may extend into the next column.
+    // No padding on the right, so that header texts can use the full width of their column.
     horizontalHeader()->setStyleSheet(QStringLiteral("QHeaderView::section { padding: 6px 0 6px 12px; }"));
 }
 

@@ -69,7 +69,6 @@ public:
     int leastWidth(const QString& text, Shape shape, Emphasis emphasis, const QString& mark) const;
     /// True if the value is not elided at this width.
     bool isWhole() const { return fittedText().isWhole; }
-    /// Shows a menu arrow.
     void setMenuArrow(bool arrow);
 
     QSize sizeHint() const override;

@@ -25,9 +25,9 @@ FrameDetails::FrameDetails(QWidget* parent) : QWidget(parent), name_(new QLabel)
     facts_->setObjectName(QStringLiteral("frame.details.facts"));
     facts_->setProperty("role", "secondary");
     facts_->setFont(textFont(15));
-    pose_ = new PoseEditor(
-        QStringLiteral("frame.details"), tr("Origin"),
-        tr("In the base frame. Press Return to apply. Only the frame changes; the robot does not move."));
+    pose_ = new PoseEditor(QStringLiteral("frame.details"), tr("Origin"),
+                           tr("In the base frame. Press Return to apply the values. Only the frame changes; "
+                              "the robot does not move."));
     connect(pose_, &PoseEditor::poseEntered, this, [this](const Pose& pose) {
         if (frame_) {
             Q_EMIT placeEntered(pose);

@@ -81,8 +81,8 @@ void FramesTab::buildLayout() {
     row->addWidget(more_);
 
     auto* empty =
-        new QLabel(tr("No frames yet.\nJog the tip to a corner of the tray or table. Press From TCP, or "
-                      "press 3 points to record the origin, +X and +Y."));
+        new QLabel(tr("No frames yet.\nJog the tip to a corner of the tray or table. Press “From TCP”, or "
+                      "press “3 points” to record the origin, +X and +Y."));
     empty->setObjectName(QStringLiteral("frame.empty"));
     empty->setProperty("role", "secondary");
     empty->setAlignment(Qt::AlignCenter);

@@ -38,7 +38,7 @@ public:
     ~FramesTab() override;
 
     FrameModel& model() { return *model_; }
-    /// All actions with their shortcuts, for menus, the command palette and the help.
+    /// All actions with their shortcuts, for the menus, the command list and the help page.
     QList<QAction*> commandActions() const { return actions_; }
     std::vector<FrameMark> marks() const;
     /// Row of the selected frame; -1: none.

@@ -274,7 +274,8 @@ struct HoldRules::HoldRuleTable {
     }
     static QString probeNotResponding(const HoldRules& h, const QWidget*, const HoldSource& grip) {
         return h.hasKeyStateProbe(grip) && h.policy_.witness->waitingNs() > kStallNs
-                   ? tr("The display server does not respond: the release of a key cannot be detected.")
+                   ? tr("The display server does not respond: the release of a button or key cannot be "
+                        "detected. Release it and try again.")
                    : QString();
     }
 

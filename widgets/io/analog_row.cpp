@@ -158,8 +158,8 @@ QString AnalogRow::valueText() const {
 void AnalogRow::describe() {
     setAccessibleName(name_.isEmpty() ? terminal_ : QStringLiteral("%1, %2").arg(terminal_, name_));
     setAccessibleDescription(valueLabel_->text());
-    setToolTip(
-        tr("%1: %2\nRight-click or press F2 to rename or scale.").arg(accessibleName(), valueLabel_->text()));
+    setToolTip(tr("%1: %2\nPress F2 to rename it or Shift+F2 to scale it, or right-click.")
+                   .arg(accessibleName(), valueLabel_->text()));
 }
 
 void AnalogRow::contextMenuEvent(QContextMenuEvent* event) {

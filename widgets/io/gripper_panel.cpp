@@ -386,7 +386,7 @@ void GripperPanel::chosenByUser() {
     }
     choose(choice);
     chosen_.start();
-    // A gripper with the same output for opening and closing is not saved.
+    // Opening and closing need different outputs, so an incomplete selection is not saved.
     const bool complete =
         choice.kind != GripperChoice::Kind::TwoOutputs || choice.closeOutput != choice.openOutput;
     if (!robot_.isEmpty() && memory_.keep && complete) {
@@ -467,7 +467,10 @@ std::optional<Result<void>> GripperPanel::robotiqOutcome(bool close) const {
     }
     const io::RobotiqState now = *robotiq_.state();
     if (now.requested != (close ? io::kRobotiqMost : 0)) {
-        return Result<void>(Error{ErrorCode::Cancelled, tr("The gripper did not accept the command."), {}});
+        return Result<void>(Error{ErrorCode::Cancelled,
+                                  tr("The gripper did not execute the command. Check that no other program "
+                                     "controls the gripper, then try again."),
+                                  {}});
     }
     return now.object == io::RobotiqObject::Moving ? std::nullopt : std::optional(Result<void>());
 }

@@ -204,7 +204,7 @@ int IoTab::chosenOutput() {
     }
     for (int channel = 0; channel < kChannels; ++channel) {
         const IoChannel* row = outputs_[channel];
-        // Use the focus widget of the window instead of the application, because the command palette may
+        // Use the focus widget of the window instead of the application, because the command list may
         // still be open.
         if (row != window()->focusWidget()) {
             continue;

@@ -44,7 +44,7 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     for (const int base : {0, kUpper}) {
         for (int n = kFirst + base; n <= kLast + base; ++n, ++line) {
             for (const bool whole : {true, false}) {
-                const QString name = (whole ? tr("Int %1") : tr("Number %1")).arg(n);
+                const QString name = (whole ? tr("Int %1") : tr("Float %1")).arg(n);
                 auto* label = new QLabel(name);
                 label->setProperty("role", "secondary");
                 auto* value = new QLabel(QStringLiteral("–"));
@@ -66,7 +66,7 @@ RegisterPanel::RegisterPanel(QWidget* parent)
     grid->setColumnStretch(3, 1);
     layout->addLayout(grid);
 
-    kind_->addItems({tr("Int"), tr("Number"), tr("Bit")});
+    kind_->addItems({tr("Int"), tr("Float"), tr("Bit")});
     kind_->setObjectName(QStringLiteral("io.register.kind"));
     kind_->setAccessibleName(tr("Input register type"));
     number_->setObjectName(QStringLiteral("io.register.number"));

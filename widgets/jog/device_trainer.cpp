@@ -66,7 +66,7 @@ class DeviceBars : public QWidget {
 public:
     explicit DeviceBars(QWidget* parent) : QWidget(parent) {
         setMinimumSize(320, 6 * kRow);
-        setAccessibleName(QCoreApplication::translate("DeviceTrainer", "Axes of the device"));
+        setAccessibleName(QCoreApplication::translate("DeviceTrainer", "Device axes"));
     }
     void show(const Vector6& raw, const Vector6& wish, double deadZone) {
         raw_ = raw;

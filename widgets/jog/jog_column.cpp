@@ -782,7 +782,7 @@ void JogColumn::setFreedriveAxes(FreedriveAxes axes) {
     freedrive_->guard().stop(StopCause::SelectionChanged);
     freedriveAxes_ = axes;
     freedrive_->setToolTip(
-        tr("Move the arm by hand while this button is held: %1. Right-click to select axes")
+        tr("Move the arm by hand while this button is held: %1. Right-click to select axes.")
             .arg(freedriveAxesText(axes)));
     freedrive_->setAccessibleName(tr("Freedrive, %1").arg(freedriveAxesText(axes)));
     freedrive_->setText(axes == FreedriveAxes::All ? tr("Freedrive") : tr("Freedrive…"));
@@ -796,8 +796,8 @@ void JogColumn::fillFreedriveMenu(QMenu& menu) {
         action->setChecked(axes == freedriveAxes_);
     }
     menu.addSeparator();
-    QAction* check = menu.addAction(tr("Check the payload before Freedrive (until the next connection)"),
-                                    this, [this] { payloadChecked_ = !payloadChecked_; });
+    QAction* check = menu.addAction(tr("Check payload before Freedrive (resets on reconnect)"), this,
+                                    [this] { payloadChecked_ = !payloadChecked_; });
     check->setCheckable(true);
     check->setChecked(payloadChecked_);
 }

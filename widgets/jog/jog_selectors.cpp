@@ -316,10 +316,10 @@ void JogSelectors::refreshTexts() {
         const int segment = static_cast<int>(choice);
         motion_->setText(segment, format::shortLengthNumber(step.length));
         motion_->segment(segment)->setToolTip(
-            tr("One step per press: %1").arg(format::shortLength(step.length)) + stepNote(choice, {}, false));
+            tr("Moves by %1 per press.").arg(format::shortLength(step.length)) + stepNote(choice, {}, false));
         turn_->setText(segment, angleNumber(step.angle));
         turn_->segment(segment)->setToolTip(
-            tr("One rotation step per press, tool or joint: %1").arg(angleText(step.angle)) +
+            tr("Rotates the tool or joint by %1 per press.").arg(angleText(step.angle)) +
             stepNote(choice, {}, true));
     }
     const bool contact = selection_.motion == MotionChoice::UntilContact;
@@ -329,14 +329,14 @@ void JogSelectors::refreshTexts() {
                                         : format::shortLength(other_.length));
     motion_->segment(kOtherSegment)
         ->setToolTip(contact ? tr("Moves slowly while held until the contact force reaches %1 N. Click again "
-                                  "for other steps")
+                                  "to select a different step.")
                                    .arg(selection_.contactForce, 0, 'f', 0)
-                             : tr("One step per press: %1. Click again for other steps")
+                             : tr("Moves by %1 per press. Click again to select a different step.")
                                        .arg(format::shortLength(other_.length)) +
                                    stepNote(MotionChoice::Step, other_, false));
     turn_->setText(kOtherSegment, angleText(other_.angle));
     turn_->segment(kOtherSegment)
-        ->setToolTip(tr("One rotation step per press, tool or joint: %1. Click again for other angles")
+        ->setToolTip(tr("Rotates the tool or joint by %1 per press. Click again to select a different angle.")
                          .arg(angleText(other_.angle)) +
                      stepNote(MotionChoice::Step, other_, true));
     for (int i = 0; i < kSpeedClassCount; ++i) {

@@ -173,10 +173,10 @@ void PoseView::describe() {
     setAccessibleName(name);
     setToolTip(name + QStringLiteral(", ") +
                (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement since zero. Click to show "
-                              "the displacement since the start of the last motion")
+                              "the displacement since the start of the last motion.")
                          : tr("orientation as set in Settings. Δ: displacement since the start of the last "
-                              "motion. Click to zero here")) +
-               QLatin1Char('\n') + tr("TCP in the frame of the flange: %1").arg(format::pose(tcp_)));
+                              "motion. Click to zero here.")) +
+               QLatin1Char('\n') + tr("TCP in the flange frame: %1").arg(format::pose(tcp_)));
     setAccessibleDescription(toolTip());
 }
 
@@ -188,7 +188,7 @@ QString PoseView::deltaText(int axis) const {
     return valid_ ? paced(inFrame(pose_.position - zero_)[axis], moving_) : dash();
 }
 
-/// With fewer decimals if the text would not fit into the space [px].
+/// As above, with fewer decimals if necessary to fit into `space` [px].
 QString PoseView::deltaText(int axis, const QFont& font, int space) const {
     const QFontMetrics metrics(font);
     QString text = deltaText(axis);

@@ -326,7 +326,7 @@ void LogTab::copy() {
 }
 
 Result<void> LogTab::exportTo(const QString& path) const {
-    return writeFileAtomically(path, shownText().toUtf8(), tr("write %1").arg(path));
+    return writeFileAtomically(path, shownText().toUtf8());
 }
 
 void LogTab::focusSearch() {
@@ -339,8 +339,8 @@ void LogTab::showFrom(Severity severity) {
 }
 
 void LogTab::exportToFile() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export the log"),
-                                                      QStringLiteral("tiller-log.txt"), tr("Text (*.txt)"));
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the log"), QStringLiteral("tiller-log.txt"), tr("Text file (*.txt)"));
     if (path.isEmpty()) {
         return;
     }

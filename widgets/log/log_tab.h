@@ -50,10 +50,10 @@ public:
 public Q_SLOTS:
     void append(tiller::Severity severity, const QString& text,
                 tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
-    /// As append(), with the recording of an incident. The recording can be opened from the row.
+    /// Like append(), with the recording of an incident. The recording can be opened from the row.
     void appendRecording(tiller::Severity severity, const QString& text, const QString& detail,
                          const QString& path);
-    /// As append(), with the position in the recording [s] at which it is opened.
+    /// Like append(), with the position in the recording [s] at which it is opened.
     void appendMoment(tiller::Severity severity, const QString& text, const QString& detail,
                       const QString& path, double seconds);
     /// Requests to open the recording of the current row, if any.

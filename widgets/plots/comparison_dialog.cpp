@@ -70,14 +70,14 @@ ComparisonDialog::ComparisonDialog(const divergence::Limits& limits, std::option
 
 DecimalSpinBox* ComparisonDialog::box(const char* name, const QString& text, const QString& unit,
                                       double value, double most) {
-    auto* figure = new DecimalSpinBox;
-    figure->setObjectName(QStringLiteral("plots.comparison.") + QLatin1String(name));
-    figure->setAccessibleName(text);
-    figure->setRange(0, most);
-    figure->setDecimals(3);
-    figure->setSuffix(unit);
-    figure->setValue(value);
-    return figure;
+    auto* number = new DecimalSpinBox;
+    number->setObjectName(QStringLiteral("plots.comparison.") + QLatin1String(name));
+    number->setAccessibleName(text);
+    number->setRange(0, most);
+    number->setDecimals(3);
+    number->setSuffix(unit);
+    number->setValue(value);
+    return number;
 }
 
 divergence::Limits ComparisonDialog::limits() const {

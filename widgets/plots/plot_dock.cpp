@@ -387,7 +387,7 @@ void PlotDock::buildPagesMenu() {
         action->setChecked(on);
         connect(action, &QAction::triggered, this, set);
     };
-    addSwitch("plots.layout.signals", tr("List of signals"), !side_->isHidden(), &PlotDock::setSignalsShown);
+    addSwitch("plots.layout.signals", tr("Signal list"), !side_->isHidden(), &PlotDock::setSignalsShown);
     addSwitch("plots.layout.values", tr("Values at the cursors"), !values_->isHidden(),
               &PlotDock::setValuesShown);
     addSwitch("plots.layout.analysis", tr("Spectrum and XY"), !analysis_->isHidden(),
@@ -450,7 +450,7 @@ void PlotDock::buildPagesMenu() {
 }
 
 Result<void> PlotDock::saveArrangement(const QString& path) const {
-    return writeFileAtomically(path, arrangement(), tr("save the layout to %1").arg(path));
+    return writeFileAtomically(path, arrangement());
 }
 
 Result<void> PlotDock::openArrangement(const QString& path) {
@@ -556,8 +556,8 @@ bool PlotDock::turnTo(const QString& recording) {
     if (const int page = pages_->pageOf(recording); page >= 0) {
         pages_->setCurrent(page);
     } else if (!pages_->addPage(pageFor(recording))) {
-        Q_EMIT session_.message(Severity::Warning,
-                                tr("The maximum number of plot pages is reached: remove a page first."));
+        Q_EMIT session_.message(
+            Severity::Warning, tr("The maximum number of plot pages has been reached. Remove a page first."));
         return true;
     }
     const SeriesBuffer& times = *store_->timesOf(recording);
@@ -708,7 +708,7 @@ void PlotDock::buildHeader() {
     readout_->setToolTip(
         tr("Click in the plots to place the cursors A and B; drag them, or use the A, B and arrow keys. "
            "Click a legend entry to hide its curve; Ctrl+click to show that signal at the cursors."));
-    signalsKey_ = quietButton(QStringLiteral("plots.signals"), tr("List of signals"), this);
+    signalsKey_ = quietButton(QStringLiteral("plots.signals"), tr("Signal list"), this);
     signalsKey_->setText(tr("Signals"));
     signalsKey_->setToolTip(
         tr("All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new "
@@ -1036,10 +1036,10 @@ void PlotDock::askExport() {
         QString suffix;
         ExportRange range = ExportRange::Visible;
     };
-    std::vector<Kind> kinds = {{tr("Image (*.png)"), QStringLiteral(".png")},
-                               {tr("Drawing (*.svg)"), QStringLiteral(".svg")},
-                               {tr("Page (*.pdf)"), QStringLiteral(".pdf")},
-                               {tr("Values (*.csv)"), QStringLiteral(".csv")}};
+    std::vector<Kind> kinds = {{tr("PNG image (*.png)"), QStringLiteral(".png")},
+                               {tr("SVG image (*.svg)"), QStringLiteral(".svg")},
+                               {tr("PDF document (*.pdf)"), QStringLiteral(".pdf")},
+                               {tr("CSV file (*.csv)"), QStringLiteral(".csv")}};
     const PlotView& shown = pages_->view();
     const bool isRecorded = !shown.recordingsShown().isEmpty();
     QStringList tables{QStringLiteral(".csv")};
@@ -1052,8 +1052,8 @@ void PlotDock::askExport() {
     }
     if (shown.cursor(PlotView::Cursor::A) && shown.cursor(PlotView::Cursor::B)) {
         for (const QString& suffix : tables) {
-            kinds.push_back({tr("Values between the cursors A and B (*%1)").arg(suffix), suffix,
-                             ExportRange::BetweenCursors});
+            kinds.push_back(
+                {tr("Cursor A to cursor B (*%1)").arg(suffix), suffix, ExportRange::BetweenCursors});
         }
     }
     QStringList filters;

@@ -131,7 +131,7 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray& json) {
     const QJsonArray pages = document.object()["pages"].toArray();
     if (!document.isObject() || pages.isEmpty()) {
         return Error{ErrorCode::FileCorrupt,
-                     QCoreApplication::translate("tiller::PlotDock", "read a plot layout"),
+                     QCoreApplication::translate("tiller::PlotDock", "not a plot layout"),
                      problem.error == QJsonParseError::NoError ? QString() : problem.errorString()};
     }
     PlotLayout layout;

@@ -40,7 +40,7 @@ PlotPages::PlotPages(SignalStore& store, const StateLane& lane, PlotMarks& marks
     connect(tabs_, &QTabBar::tabBarDoubleClicked, this, [this](int page) {
         bool done = false;
         const QString name = page < 0 ? QString()
-                                      : QInputDialog::getText(this, tr("Name of the page"), tr("Name"),
+                                      : QInputDialog::getText(this, tr("Page name"), tr("Name"),
                                                               QLineEdit::Normal, nameOf(page), &done);
         if (done) {
             rename(page, name);

@@ -110,20 +110,22 @@ QByteArray pdf(Page& page, const QString& title) {
 
 Result<void> exportPicture(const PlotView& view, SignalStore& store, const StateLane& lane,
                            const PictureText& text, const QString& path) {
-    const QString context = QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path);
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending != QLatin1String("png") && ending != QLatin1String("svg") && ending != QLatin1String("pdf")) {
         return Error{
-            ErrorCode::InvalidArgument, context,
+            ErrorCode::InvalidArgument,
             QCoreApplication::translate(
-                "tiller::PlotDock", "use the suffix .png, .svg or .pdf for an image, or .csv for values")};
+                "tiller::PlotDock", "Use the suffix .png, .svg or .pdf for an image, or .csv for values."),
+            {}};
     }
     Page page(view, store, lane, text);
     const QByteArray bytes = ending == QLatin1String("png")   ? png(page)
                              : ending == QLatin1String("svg") ? svg(page, text.title)
                                                               : pdf(page, text.title);
-    return bytes.isEmpty() ? Error{ErrorCode::Internal, context, {}}
-                           : writeFileAtomically(path, bytes, context);
+    return bytes.isEmpty() ? Error{ErrorCode::Internal,
+                                   QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path),
+                                   {}}
+                           : writeFileAtomically(path, bytes);
 }
 
 }  // namespace tiller

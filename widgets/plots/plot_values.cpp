@@ -172,7 +172,7 @@ QString PlotValues::toText() const {
     for (int row = 0; row < table_->rowCount(); ++row) {
         line.clear();
         for (int column = 0; column < table_->columnCount(); ++column) {
-            // Numbers get an ASCII minus sign for other programs. Names are not changed.
+            // Use an ASCII minus sign in numbers, so that other programs can parse them. Column 0 contains names.
             QString cell = table_->item(row, column)->text();
             line << (column == 0 ? cell : cell.replace(QChar(0x2212), QLatin1Char('-')));
         }

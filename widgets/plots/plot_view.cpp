@@ -72,10 +72,10 @@ PlotView::PlotView(SignalStore& store, const StateLane& lane, PlotMarks& marks, 
     setObjectName(QStringLiteral("plots.view"));
     setAccessibleName(tr("Plots over time"));
     setAccessibleDescription(
-        tr("A and B place the cursors, left and right move them, up and down select the signal at the "
-           "cursors. H hides its curve, Ctrl+Delete removes it. Plus and minus change the time range, or the "
-           "value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F shows all data, End returns "
-           "to the newest samples"));
+        tr("A and B place the cursors. Left and Right move the active cursor. Up and Down select the signal "
+           "at the cursors. H hides the curve of this signal; Ctrl+Delete removes it. Plus and Minus change "
+           "the time range, or the value scale with Ctrl; Ctrl+0 scales automatically. N adds a note, F "
+           "shows all data, and End returns to the newest samples."));
     setScene(scene_.get());
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -80,11 +80,11 @@ QString FirstSteps::text(FirstStep step) {
         case FirstStep::ReleaseBrakes:
             return tr("Release brakes (header)");
         case FirstStep::Jog:
-            return tr("Take control, hold a jog button");
+            return tr("Take control and hold a jog button");
         case FirstStep::Teach:
             return tr("Teach here (T)");
         case FirstStep::GoTo:
-            return tr("Jog away, hold Go to (G)");
+            return tr("Jog away and hold Go to (G)");
         case FirstStep::Record:
             break;
     }

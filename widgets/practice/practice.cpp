@@ -72,8 +72,8 @@ QString Practice::text() const {
     }
     const QString why = obstacle();
     return !why.isEmpty()  ? why
-           : isDone(task_) ? tr("Done. Press Start to repeat the task.")
-                           : tr("Press Start.");
+           : isDone(task_) ? tr("Done. Press “Start” to repeat the task.")
+                           : tr("Press “Start”.");
 }
 
 void Practice::setAnswer(std::optional<double> figure) {

@@ -40,7 +40,7 @@ PracticeCard::PracticeCard(Practice& practice, QWidget& view)
     answer_->setObjectName(QStringLiteral("practice.answer"));
     answer_->setAccessibleName(tr("Force Fz in newtons"));
     answer_->setMaxLength(12);
-    answer_->setPlaceholderText(tr("Enter value, press Return"));
+    answer_->setPlaceholderText(tr("Enter a value and press Return"));
     auto* unit = new QLabel(tr("Fz [N]"));
     auto* answer = new QHBoxLayout(answerRow_);
     answer->setContentsMargins(0, 0, 0, 0);

@@ -40,7 +40,7 @@ public:
         if (!stopped_) {
             say(PracticeText::tr("Waiting for the stop."));
         } else if (state.safety() == SafetyMode::ProtectiveStop) {
-            say(PracticeText::tr("The arm is in a protective stop. Press Recover… in the header."));
+            say(PracticeText::tr("The arm is in a protective stop. Press “Recover…” in the header."));
         } else if (!isReady(state)) {
             say(PracticeText::tr(
                 "Unlocked. The arm is not running yet: follow the steps on the recovery page."));
@@ -140,7 +140,7 @@ public:
     void follow(const SessionState& state, const project::Project& project) override {
         const int row = project.waypoints.indexOf(waypoint_);
         if (row < 0 || !from_) {
-            say(PracticeText::tr("The waypoint was deleted. Press Start to add a new one."));
+            say(PracticeText::tr("The waypoint was deleted. Press “Start” to add a new one."));
             return;
         }
         const project::Waypoint& point = project.waypoints.at(row);
@@ -253,7 +253,7 @@ private:
         } else if (!mean_) {
             say(seconds_ > 0 && seconds_ < kSeconds
                     ? PracticeText::tr("That recording is too short. Record again.")
-                    : PracticeText::tr("No recording yet. Press Record above the plots."));
+                    : PracticeText::tr("No recording yet. Press “Record” above the plots."));
         } else if (!answer_) {
             say(PracticeText::tr("Recorded. Enter the force shown in the plot."));
         } else if (std::abs(std::abs(*answer_) - *mean_) > kTolerance) {
@@ -310,7 +310,7 @@ QString practiceText(PracticeTask task) {
     switch (task) {
         case PracticeTask::Recover:
             return PracticeText::tr(
-                "Press Start to simulate a collision that causes a protective stop. Find out what stopped "
+                "Press “Start” to simulate a collision that causes a protective stop. Find out what stopped "
                 "the arm, wait five seconds, unlock it and take control again.");
         case PracticeTask::TeachFrame:
             return PracticeText::tr(
@@ -319,7 +319,7 @@ QString practiceText(PracticeTask task) {
                 "further along X−.");
         case PracticeTask::TouchUp:
             return PracticeText::tr(
-                       "Press Start to add a waypoint “part” at the current position of the arm. The part "
+                       "Press “Start” to add a waypoint “part” at the current position of the arm. The part "
                        "then moves by %1 along the base X+ direction. Jog there, select the waypoint and "
                        "touch it up (U).")
                 .arg(length(kPartMoved));
@@ -332,8 +332,8 @@ QString practiceText(PracticeTask task) {
             break;
     }
     return PracticeText::tr(
-        "Press Start to simulate a hand pressing on the tool from above. Record for at least three seconds, "
-        "then stop. Read the force Fz in the plots and enter it.");
+        "Press “Start” to simulate a hand pressing on the tool from above. Record for at least three "
+        "seconds, then stop. Read the force Fz in the plots and enter it.");
 }
 
 project::Waypoint practiceWaypoint(const SessionState& state, const project::Project& project) {

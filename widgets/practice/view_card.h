@@ -29,7 +29,7 @@ public:
     void setFolded(bool folded);
     /// Shows the card without taking the focus.
     void open();
-    /// As open(), but folds the card if it would cover a large part of the view. For a card that opens
+    /// Like open(), but folds the card if it would cover a large part of the view. For a card that opens
     /// automatically.
     void openQuietly();
     /// Hides the card. If the card has the focus, the focus moves to the view.

@@ -145,7 +145,7 @@ void ProjectFit::ask() {
         askAboutTcp(*tool);
     } else {
         Q_EMIT message(Severity::Info, session_.state().hasData()
-                                           ? tr("The project fits the connected robot.")
+                                           ? tr("The project matches the connected robot.")
                                            : tr("Connect the robot for this project."));
     }
 }

@@ -17,7 +17,7 @@ public:
     using ProjectDocument::ProjectDocument;
 
     QUndoStack& undoStack() { return undo_; }
-    /// As undo() and redo() of the stack, but the change is also reported by stepTaken().
+    /// Like undo() and redo() of the stack, but the change is also reported by stepTaken().
     void undo() { step(true); }
     void redo() { step(false); }
 

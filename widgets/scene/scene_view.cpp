@@ -49,7 +49,7 @@ SceneView::SceneView(QWidget* parent)
     , keys_(new SceneKeys(this)) {
     bodies_->setModel(model_);
     setObjectName(QStringLiteral("scene"));
-    setAccessibleName(tr("View of the arm"));
+    setAccessibleName(tr("Arm view"));
     setAccessibleDescription(
         tr("Drag or use the arrow keys to rotate the view; hold Shift or the right button to pan. Zoom with "
            "the wheel or with plus and minus. Double-click or press Home for the default view. The robot "

@@ -96,7 +96,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     search_->setAccessibleName(tr("Search signals"));
     search_->setClearButtonEnabled(true);
     view_->setObjectName(QStringLiteral("signals.tree"));
-    view_->setAccessibleName(tr("Signals of the robot"));
+    view_->setAccessibleName(tr("Robot signals"));
     view_->setHeaderHidden(true);
     view_->setMinimumHeight(kMinList);
     view_->setUniformRowHeights(true);
@@ -117,7 +117,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     layout->addWidget(view_, 1);
     derivation_->setObjectName(QStringLiteral("signals.derivation"));
     derivation_->setPlaceholderText(tr("New: |F| [N] = norm(…)"));
-    derivation_->setAccessibleName(tr("Signal computed from others"));
+    derivation_->setAccessibleName(tr("Derived signal"));
     derivation_->setToolTip(
         tr("Enter a name, an optional unit in brackets, and an expression of signals. Drag signals here to "
            "insert their names. Functions: norm(a, b, …), deriv(a, 0.02), mean(a, 0.5), + − * / ^ and "

@@ -112,7 +112,7 @@ HeaderBar::HeaderBar(HeaderPort port, QWidget* parent)
     , stop_(new StopButton(this))
     , cap_(new QLabel(this)) {
     setObjectName(QStringLiteral("headerBar"));
-    setAccessibleName(tr("State of the robot"));
+    setAccessibleName(tr("Robot state"));
     setFixedHeight(kHeight);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 

@@ -31,7 +31,7 @@ std::vector<ModeLook> robotModeLooks();
 std::vector<ModeLook> safetyModeLooks();
 std::vector<ModeLook> controlLooks();
 /// The packet rate, the numbers of late and lost packets and the round-trip time of the connection, or the
-/// problem of the connection.
+/// problem with the connection.
 ModeLook linkLook(const SessionState& state);
 /// The consequence of the connection quality for jogging, in two or three words.
 QString linkCaption(const SessionState& state);

@@ -21,7 +21,7 @@ constexpr int kMinPercent = 2;  // a slider value of 0 has caused protective sto
 SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
     setObjectName(QStringLiteral("speedSlider"));
     setAccessibleName(tr("Speed slider"));
-    setToolTip(tr("Speed slider of the robot, 2 to 100 %"));
+    setToolTip(tr("Robot speed slider, 2 to 100 %"));
     setOrientation(Qt::Horizontal);
     setRange(kMinPercent, 100);
     setSingleStep(1);
@@ -43,7 +43,7 @@ SpeedChip::SpeedChip(QWidget* parent) : QAbstractSlider(parent) {
 void SpeedChip::setLocked(const QString& reason) {
     if (reason != lock_) {
         lock_ = reason;
-        setToolTip(reason.isEmpty() ? tr("Speed slider of the robot, 2 to 100 %") : reason);
+        setToolTip(reason.isEmpty() ? tr("Robot speed slider, 2 to 100 %") : reason);
         setEnabled(valid_ && lock_.isEmpty());
     }
 }

@@ -108,7 +108,8 @@ VectorEditor::VectorEditor(Kind kind, const QString& name, const std::array<QStr
         auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("%1.%2").arg(name).arg(i));
         box->setAccessibleName(spoken.at(at));
-        box->setToolTip(tr("%1. Press Return to apply. The robot does not move.").arg(spoken.at(at)));
+        box->setToolTip(
+            tr("%1. Press Return to apply the values. The robot does not move.").arg(spoken.at(at)));
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
         box->setMinimumWidth(80);
@@ -177,19 +178,19 @@ Part CellPage::placed(Part part) const {
 }
 
 CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
-    : PartPage(QStringLiteral("cell"), CellPage::tr("Cell"), cellModel(document),
-               CellPage::tr(
-                   "No boxes or planes yet.\nMove the TCP to a corner of an obstacle and press Corner here."),
-               new QWidget, parent)
+    : PartPage(
+          QStringLiteral("cell"), CellPage::tr("Cell"), cellModel(document),
+          CellPage::tr(
+              "No boxes or planes yet.\nMove the TCP to a corner of an obstacle and press “Teach corner”."),
+          new QWidget, parent)
     , document_(document)
     , state_(session.state())
     , selected_(new QWidget)
     , facts_(new QLabel)
-    , enabled_(new QCheckBox(CellPage::tr("Checked")))
-    , pose_(new PoseEditor(
-          QStringLiteral("cell.box"), CellPage::tr("Centre"),
-          CellPage::tr(
-              "Centre of the box. Press Return to apply. Only the box changes; the robot does not move.")))
+    , enabled_(new QCheckBox(CellPage::tr("Check for collisions")))
+    , pose_(new PoseEditor(QStringLiteral("cell.box"), CellPage::tr("Centre"),
+                           CellPage::tr("Centre of the box. Press Return to apply the values. Only the box "
+                                        "changes; the robot does not move.")))
     , size_(new VectorEditor(
           VectorEditor::Kind::Size, QStringLiteral("cell.size"),
           {CellPage::tr("LX"), CellPage::tr("LY"), CellPage::tr("LZ")},
@@ -209,11 +210,12 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     , distance_(new DecimalSpinBox) {
     facts_->setObjectName(QStringLiteral("cell.facts"));
     enabled_->setObjectName(QStringLiteral("cell.enabled"));
-    enabled_->setToolTip(CellPage::tr("When off, the floor is neither shown nor checked for collisions."));
+    enabled_->setToolTip(
+        CellPage::tr("When off, the box or plane is neither shown nor checked for collisions."));
     hasFloor_->setObjectName(QStringLiteral("cell.hasFloor"));
     hasFloor_->setToolTip(CellPage::tr("Horizontal plane in the base frame that the arm must stay above."));
     floor_->setObjectName(QStringLiteral("cell.floor"));
-    floor_->setAccessibleName(CellPage::tr("Height of the floor"));
+    floor_->setAccessibleName(CellPage::tr("Floor height"));
     distance_->setObjectName(QStringLiteral("cell.safetyDistance"));
     distance_->setAccessibleName(CellPage::tr("Safety distance"));
     distance_->setToolTip(
@@ -274,7 +276,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     constexpr int kSizeColumn = 150;  // width of the column for sizes [px]
     table().setColumnWidth(PartModel::FirstValue, kSizeColumn);
 
-    cornerKey_ = addKey(QStringLiteral("corner"), CellPage::tr("Corner here"),
+    cornerKey_ = addKey(QStringLiteral("corner"), CellPage::tr("Teach corner"),
                         CellPage::tr("Set a corner of a box to the TCP"), 3, [this] { takeCorner(); });
     cornerKey_->setProperty("primary", true);
     const auto planeHere = [this] {
@@ -287,7 +289,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
         addBox(Pose(0.5, 0, kNewEdge / 2, 0, 0, 0), Eigen::Vector3d::Constant(kNewEdge));
         pose_->editFirst();
     };
-    addKey(QStringLiteral("plane"), CellPage::tr("Plane here"),
+    addKey(QStringLiteral("plane"), CellPage::tr("Teach plane"),
            CellPage::tr("Add a plane through the TCP, perpendicular to the tool"), 2, planeHere);
     addKey(QStringLiteral("box"), CellPage::tr("New box"), CellPage::tr("Add a box numerically"), 2, newBox);
     addCommand(QStringLiteral("corner"), CellPage::tr("Set a corner of a box to the TCP"), false,
@@ -440,7 +442,7 @@ void CellPage::takeCorner() {
     if (!corner_) {
         corner_ = here;
         notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner recorded."),
-                      CellPage::tr("Move the TCP to the opposite corner and press Other corner."),
+                      CellPage::tr("Move the TCP to the opposite corner and press “Teach corner 2”."),
                       CellPage::tr("Discard"), [this] {
                           corner_.reset();
                           refresh();
@@ -574,7 +576,7 @@ void CellPage::changeEvent(QEvent* event) {
 
 void CellPage::refresh() {
     const project::CellGeometry& cell = document_.cell();
-    cornerKey_->setText(corner_ ? CellPage::tr("Other corner") : CellPage::tr("Corner here"));
+    cornerKey_->setText(corner_ ? CellPage::tr("Teach corner 2") : CellPage::tr("Teach corner"));
     const project::CellBox* selected = box();
     const project::CellPlane* wall = plane();
     selected_->setVisible(selected != nullptr || wall != nullptr);

@@ -30,7 +30,7 @@ public:
     /// Index of the selected row; -1: none.
     int currentRow() const;
     void selectRow(int row);
-    /// All actions, for menus, the command palette and the help.
+    /// All actions, for the menus, the command list and the help page.
     QList<QAction*> commandActions() const { return actions_; }
 
 Q_SIGNALS:

@@ -77,7 +77,7 @@ constexpr Preset kPresets[] = {
 PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port,
                          HoldPolicy& policy, QWidget* parent)
     : PartPage(QStringLiteral("payload"), tr("Payloads"), payloadModel(document),
-               tr("No payloads yet.\nPress Measure… to measure the payload with the arm."), new QWidget,
+               tr("No payloads yet.\nPress “Measure…” to measure the payload with the arm."), new QWidget,
                parent)
     , session_(session)
     , document_(document)
@@ -91,13 +91,14 @@ PayloadPage::PayloadPage(RobotSession& session, ProjectDocument& document, Motio
     grid->setHorizontalSpacing(8);
     static constexpr const char* kNames[] = {"mass", "x", "y", "z"};
     const QString titles[] = {tr("Mass"), tr("CX"), tr("CY"), tr("CZ")};
-    const QString spoken[] = {tr("Mass of the payload"), tr("Centre of gravity X"), tr("Centre of gravity Y"),
+    const QString spoken[] = {tr("Payload mass"), tr("Centre of gravity X"), tr("Centre of gravity Y"),
                               tr("Centre of gravity Z")};
     for (int i = 0; i < 4; ++i) {
         auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("payload.details.") + QLatin1String(kNames[i]));
         box->setAccessibleName(spoken[i]);
-        box->setToolTip(tr("Press Return to apply to the project. The robot's payload does not change."));
+        box->setToolTip(
+            tr("Press Return to apply the value to the project. The robot's payload does not change."));
         box->setDecimals(i == 0 ? 3 : 2);
         auto* title = new QLabel(titles[i]);
         title->setProperty("role", "secondary");

@@ -23,7 +23,7 @@ class PayloadPage : public PartPage {
     Q_OBJECT
 
 public:
-    /// document, policy  must outlive the object
+    /// session, document, policy  must outlive the object
     PayloadPage(RobotSession& session, ProjectDocument& document, MotionPort port, HoldPolicy& policy,
                 QWidget* parent = nullptr);
 

@@ -61,9 +61,10 @@ PartModel* positionModel(ProjectDocument& document) {
 }  // namespace
 
 PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
-    : PartPage(QStringLiteral("position"), tr("Positions"), positionModel(document),
-               tr("No positions yet.\nJog the arm to a position and press Set home here, or Add here."),
-               new QWidget, parent)
+    : PartPage(
+          QStringLiteral("position"), tr("Positions"), positionModel(document),
+          tr("No positions yet.\nJog the arm to a position and press “Set home here” or “Add position”."),
+          new QWidget, parent)
     , document_(document)
     , state_(session.state())
     , facts_(new QLabel)
@@ -78,9 +79,9 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
         auto* box = new DecimalSpinBox;
         box->setObjectName(QStringLiteral("position.details.%1").arg(i));
         box->setAccessibleName(jointName(i));
-        box->setToolTip(
-            tr("%1. Press Return to apply. Only the stored position changes; the robot does not move.")
-                .arg(jointName(i)));
+        box->setToolTip(tr("%1. Press Return to apply the values. Only the stored position changes; the "
+                           "robot does not move.")
+                            .arg(jointName(i)));
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
         box->setMinimumWidth(80);
@@ -113,7 +114,7 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
     addKey(QStringLiteral("setHome"), tr("Set home here"), tr("Set home here"), 3, [this] {
         setHomeHere();
     })->setProperty("primary", true);
-    addKey(QStringLiteral("add"), tr("Add here"), tr("Store the current position of the arm"), 2,
+    addKey(QStringLiteral("add"), tr("Add position"), tr("Store the current position of the arm"), 2,
            [this] { addHere(); });
     addKey(QStringLiteral("useAsHome"), tr("Use as home"), tr("Use the selected position as home"), 2,
            [this] { useAsHome(); });

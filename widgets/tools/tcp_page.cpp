@@ -62,16 +62,16 @@ PartModel* tcpModel(ProjectDocument& document) {
 }  // namespace
 
 TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
-    : PartPage(
-          QStringLiteral("tcp"), tr("TCPs"), tcpModel(document),
-          tr("No TCPs yet.\nPress From robot to store the active TCP, or Teach… to teach one with the arm."),
-          new QWidget, parent)
+    : PartPage(QStringLiteral("tcp"), tr("TCPs"), tcpModel(document),
+               tr("No TCPs yet.\nPress “From robot” to store the active TCP, or “Teach…” to teach one with "
+                  "the arm."),
+               new QWidget, parent)
     , session_(session)
     , document_(document)
     , state_(session.state())
     , pose_(new PoseEditor(QStringLiteral("tcp.details"), tr("TCP"),
-                           tr("Relative to the flange. Press Return to apply to the project. The robot's TCP "
-                              "does not change.")))
+                           tr("Relative to the flange. Press Return to apply the value to the project. The "
+                              "robot's TCP does not change.")))
     , facts_(new QLabel)
     , teacher_(new TcpTeacher(this)) {
     teacher_->hide();

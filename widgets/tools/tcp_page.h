@@ -22,7 +22,7 @@ class TcpPage : public PartPage {
     Q_OBJECT
 
 public:
-    /// document  must outlive the object
+    /// session, document  must outlive the object
     TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent = nullptr);
 
     void setState(const SessionState& state);

@@ -48,11 +48,11 @@ TcpTeacher::TcpTeacher(QWidget* parent)
     title_->setProperty("role", "strong");
     poses_->setFont(numberFont(13));
     take_->setProperty("primary", true);
-    takeTurn_->setAccessibleName(tr("Record pose for the rotation"));
+    takeTurn_->setAccessibleName(tr("Record pose for the tool orientation"));
     turning_->setObjectName(QStringLiteral("tcp.teacher.turning"));
-    turning_->setAccessibleName(tr("Rotation of the tool"));
-    turning_->addItems({tr("Keep current rotation"), tr("Rotation from one pose: tool straight down"),
-                        tr("Rotation from three poses: along +Z, towards +X")});
+    turning_->setAccessibleName(tr("Tool orientation"));
+    turning_->addItems({tr("Keep current orientation"), tr("Orientation from one pose: tool straight down"),
+                        tr("Orientation from three poses: along +Z, towards +X")});
     auto* cancel = keyNamed("tcp.teacher.cancel", tr("Cancel"));
 
     auto* tipRow = new QHBoxLayout;
@@ -209,12 +209,12 @@ QString TcpTeacher::tipFeedback() const {
 QString TcpTeacher::turnFeedback() const {
     using Problem = kinematics::ToolRotationFit::Problem;
     if (turning_->currentIndex() == AsItIs) {
-        return tr("The tool keeps its current rotation.");
+        return tr("The tool keeps the current orientation.");
     }
     if (turning_->currentIndex() == StraightDown) {
         return turns_.empty() ? tr("Rotate the tool until it points straight down and its X axis is parallel "
                                    "to the base X axis, then record the pose.")
-                              : tr("Rotation recorded. Record it again to replace it.");
+                              : tr("Orientation recorded. Record it again to replace it.");
     }
     switch (turns_.size()) {
         case 0:
@@ -234,7 +234,8 @@ QString TcpTeacher::turnFeedback() const {
     const auto fit = kinematics::fitToolRotation({turns_[0], turns_[1], turns_[2]});
     switch (fit.problem) {
         case Problem::None:
-            return tr("Rotation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose %4.")
+            return tr("Orientation recorded: %1 along +Z, %2 along +X; maximum flange rotation %3 at pose "
+                      "%4.")
                 .arg(format::length(fit.alongZ, 1), format::length(fit.offLine, 1),
                      format::degrees(fit.residual, 2))
                 .arg(fit.worst + 1);

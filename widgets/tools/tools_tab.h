@@ -40,7 +40,7 @@ public:
     PayloadPage& payloads() { return *payloads_; }
     PositionsPage& positions() { return *positions_; }
     CellPage& cell() { return *cell_; }
-    /// All actions for menus, the command palette and the help.
+    /// All actions for the menus, the command list and the help page.
     QList<QAction*> commandActions() const;
     /// Sets the function that returns the speed limit for suggested poses. It is called at each press;
     /// initially none.

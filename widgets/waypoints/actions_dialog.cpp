@@ -265,7 +265,7 @@ void ActionsDialog::refresh() {
                                                                     : tr("Seconds"));
     seconds_->setToolTip(action.kind == Action::Kind::WaitForInput
                              ? tr("After this time, the wait fails with a message. With 0, it waits while "
-                                  "the button is held, up to one hour")
+                                  "the button is held, up to one hour.")
                              : QString());
     if (any) {
         kind_->setCurrentIndex(static_cast<int>(action.kind));

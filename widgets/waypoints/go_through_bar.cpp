@@ -49,7 +49,7 @@ GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actio
     through().setWidestDetail(QStringLiteral("000 waypoints · 000 mm/s"));
 
     scope_->setObjectName(QStringLiteral("waypoint.routeScope"));
-    scope_->setAccessibleName(tr("Waypoints of the route"));
+    scope_->setAccessibleName(tr("Route waypoints"));
     scope_->view()->setAccessibleName(tr("Waypoints"));
     scope_->setToolTip(tr("Selects the waypoints of the route, in the order of the list"));
     scope_->addItems({tr("From here"), tr("Selection"), tr("All")});

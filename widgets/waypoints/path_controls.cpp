@@ -31,7 +31,7 @@ PathControls::PathControls(RobotSession& session, ProjectDocument& document, Sel
     , selection_(std::move(selection))
     , recorder_(session, document)
     , record_(new QPushButton)
-    , tolerances_(new QMenu(tr("Tolerance of recorded paths"), this)) {
+    , tolerances_(new QMenu(tr("Path tolerance"), this)) {
     record_->setObjectName(QStringLiteral("waypoint.recordPath"));
     record_->setFocusPolicy(Qt::TabFocus);  // a click does not move the focus away from the list
     auto* layout = new QHBoxLayout(this);
@@ -40,7 +40,7 @@ PathControls::PathControls(RobotSession& session, ProjectDocument& document, Sel
     addAction(QStringLiteral("waypoint.action.recordPath"), tr("Record path"), [this] { toggle(); });
     addAction(QStringLiteral("waypoint.action.exportPath"), tr("Export path as CSV…"),
               [this] { askForExport(); });
-    addAction(QStringLiteral("waypoint.action.importPath"), tr("Import demonstration (CSV)…"),
+    addAction(QStringLiteral("waypoint.action.importPath"), tr("Import path from CSV…"),
               [this] { askForImport(); });
     auto* group = new QActionGroup(this);
     for (int i = 0; i < static_cast<int>(std::size(kTolerances)); ++i) {
@@ -94,8 +94,8 @@ void PathControls::toggle() {
     } else {
         recorder_.start();
         if (recorder_.isRecording()) {
-            Q_EMIT reported(
-                tr("The path of the arm is being recorded. Select Stop recording path to end it."));
+            Q_EMIT reported(tr(
+                "The path of the arm is being recorded. Press “Stop recording path” to end the recording."));
         }
     }
 }
@@ -136,8 +136,8 @@ void PathControls::askForExport() {
         Q_EMIT refused(tr("Select at least two waypoints of the path."), {});
         return;
     }
-    const QString path = QFileDialog::getSaveFileName(
-        window(), tr("Export path"), QStringLiteral("demonstration.csv"), tr("Tables (*.csv)"));
+    const QString path = QFileDialog::getSaveFileName(window(), tr("Export path"), QStringLiteral("path.csv"),
+                                                      tr("CSV file (*.csv)"));
     if (!path.isEmpty()) {
         exportTo(path);
     }
@@ -157,7 +157,7 @@ void PathControls::exportTo(const QString& path) {
 
 void PathControls::askForImport() {
     const QString path =
-        QFileDialog::getOpenFileName(window(), tr("Import a demonstration"), {}, tr("Tables (*.csv)"));
+        QFileDialog::getOpenFileName(window(), tr("Import path"), {}, tr("CSV file (*.csv)"));
     if (!path.isEmpty()) {
         importFrom(path);
     }

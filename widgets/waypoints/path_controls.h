@@ -30,7 +30,7 @@ public:
                  QWidget* parent = nullptr);
 
     PathRecorder& recorder() { return recorder_; }
-    /// The actions Record, Export and Import, for menus, the command palette and the help.
+    /// The actions Record, Export and Import, for the menus, the command list and the help page.
     QList<QAction*> actions() const { return actions_; }
     /// Menu for the maximum deviation of the simplified path from the recorded positions.
     QMenu* toleranceMenu() { return tolerances_; }

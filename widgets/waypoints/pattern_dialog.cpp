@@ -197,13 +197,13 @@ QString PatternDialog::problem() const {
     const Eigen::Vector3d& origin = pattern_.first.pose.position;
     if ((pattern_.columns > 1 && (pattern_.columnEnd - origin).norm() < kMinSide) ||
         (pattern_.rows > 1 && (pattern_.rowEnd - origin).norm() < kMinSide)) {
-        return tr("Two corners are identical. Select another waypoint for one of them.");
+        return tr("Two corners are identical. Select a different waypoint for one of them.");
     }
     const Eigen::Vector3d alongRow = pattern_.columnEnd - origin;
     const Eigen::Vector3d acrossRows = pattern_.rowEnd - origin;
     if (pattern_.columns > 1 && pattern_.rows > 1 &&
         alongRow.cross(acrossRows).norm() < kMinSide * std::max(alongRow.norm(), acrossRows.norm())) {
-        return tr("The three corners are on one line. Select another waypoint for one of them.");
+        return tr("The three corners are on a straight line. Select a different waypoint for one of them.");
     }
     if (layerStep_->isRefused()) {
         return tr("Invalid layer height.");

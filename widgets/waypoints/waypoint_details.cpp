@@ -38,7 +38,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     , advice_(new QLabel)
     , frame_(new ChoiceBox)
     , pose_(new PoseEditor(QStringLiteral("waypoint.details"), tr("TCP"),
-                           tr("In the frame of the waypoint. Press Return to apply. Only the waypoint "
+                           tr("In the waypoint frame. Press Return to apply the values. Only the waypoint "
                               "changes; the robot does not move.")))
     , place_(new QPushButton) {
     setObjectName(QStringLiteral("waypoint.details"));
@@ -56,7 +56,7 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     advice_->setWordWrap(true);  // not elided, because the text contains the suggested action
 
     frame_->setObjectName(QStringLiteral("waypoint.details.frame"));
-    frame_->setAccessibleName(tr("Frame of the waypoint"));
+    frame_->setAccessibleName(tr("Waypoint frame"));
     frame_->view()->setAccessibleName(tr("Frames"));
     frame_->setToolTip(
         tr("Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint "

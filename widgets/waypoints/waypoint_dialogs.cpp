@@ -179,7 +179,7 @@ void WaypointDialogs::importFile() {
 void WaypointDialogs::exportFile() {
     const QString path =
         QFileDialog::getSaveFileName(table_.window(), tr("Export waypoints"), QStringLiteral("waypoints.csv"),
-                                     tr("Comma separated (*.csv);;JSON (*.json)"));
+                                     tr("CSV file (*.csv);;JSON file (*.json)"));
     if (!path.isEmpty()) {
         exportTo(path);
     }

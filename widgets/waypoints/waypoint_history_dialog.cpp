@@ -60,7 +60,7 @@ const project::WaypointRevision& WaypointHistoryDialog::revision() const {
 project::Waypoint WaypointHistoryDialog::chosen() const {
     project::Waypoint result = revision().before;
     result.history = waypoint_.history;
-    // Another waypoint may use the name in the meantime, and the pattern may have been deleted.
+    // Another waypoint may have taken the name since then, and the pattern may have been deleted.
     const int named = document_.waypoints().indexOfName(result.name);
     if (named >= 0 && document_.waypoints().at(named).id != result.id) {
         result.name = waypoint_.name;
@@ -107,13 +107,13 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
                                                        : tr("Move: MoveJ → MoveL"));
     }
     if (before.jointSpeed != now.jointSpeed) {
-        lines << tr("Speed of MoveJ: %1 → %2")
+        lines << tr("MoveJ speed: %1 → %2")
                      .arg(format::degreesPerSecond(before.jointSpeed),
                           format::degreesPerSecond(now.jointSpeed));
     }
     if (before.toolSpeed != now.toolSpeed) {
-        lines << tr("Speed of MoveL: %1 → %2")
-                     .arg(format::speed(before.toolSpeed), format::speed(now.toolSpeed));
+        lines
+            << tr("MoveL speed: %1 → %2").arg(format::speed(before.toolSpeed), format::speed(now.toolSpeed));
     }
     if (before.blend != now.blend) {
         lines << tr("Blend: %1 → %2").arg(format::length(before.blend, 1), format::length(now.blend, 1));
@@ -147,7 +147,8 @@ void WaypointHistoryDialog::refresh() {
     const QStringList lines = differences(revision().before, waypoint_, document_);
     compare_->setText(lines.isEmpty()
                           ? tr("The version before this change is identical to the current version.")
-                          : tr("Before this change:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
+                          : tr("Changes from the version before this change to the current version:") +
+                                QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
 }
 
 }  // namespace tiller

@@ -72,9 +72,9 @@ WaypointProperties::WaypointProperties(const std::vector<project::Waypoint>& way
     move_->addItems({QStringLiteral("MoveJ"), QStringLiteral("MoveL")});
     moveTick_ = addRow(*grid, QStringLiteral("move"), tr("Move"), move_);
     const double perUnit = format::metresPerUnit();
-    jointSpeed_ = addValue(*grid, QStringLiteral("jointSpeed"), tr("Speed of MoveJ"), QStringLiteral("°/s"),
-                           1, toDegrees(mostJointSpeed), jointSpeedTick_);
-    toolSpeed_ = addValue(*grid, QStringLiteral("toolSpeed"), tr("Speed of MoveL"), format::speedUnit(),
+    jointSpeed_ = addValue(*grid, QStringLiteral("jointSpeed"), tr("MoveJ speed"), QStringLiteral("°/s"), 1,
+                           toDegrees(mostJointSpeed), jointSpeedTick_);
+    toolSpeed_ = addValue(*grid, QStringLiteral("toolSpeed"), tr("MoveL speed"), format::speedUnit(),
                           0.001 / perUnit, 1.0 / perUnit, toolSpeedTick_);
     blend_ = addValue(*grid, QStringLiteral("blend"), tr("Blend"), format::lengthUnit(), 0, 1.0 / perUnit,
                       blendTick_);

@@ -66,7 +66,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
         offset_[static_cast<std::size_t>(i)] = box;
         connect(box, &QDoubleSpinBox::valueChanged, this, &WaypointShift::refresh);
     }
-    grid->addWidget(new QLabel(tr("Axis of rotation or mirroring")), 3, 0);
+    grid->addWidget(new QLabel(tr("Rotation axis or mirror normal")), 3, 0);
     grid->addWidget(axis_, 3, 1);
     angle_->setObjectName(QStringLiteral("waypoint.shift.angle"));
     angle_->setAccessibleName(tr("Angle"));
@@ -130,7 +130,8 @@ void WaypointShift::refresh() {
     findChild<QPushButton*>(QStringLiteral("waypoint.shift.accept"))->setEnabled(result.ok());
     if (!result) {
         feedback_->setText(result.error().code == ErrorCode::NoSolution
-                               ? tr("The arm cannot reach these poses: %1. No waypoint will be moved.")
+                               ? tr("The arm cannot reach these waypoints after the move: %1. Choose a "
+                                    "smaller shift or rotation. No waypoint will be moved.")
                                      .arg(result.error().context)
                                : tr("A frame is missing. Choose another frame."));
         return;

@@ -129,7 +129,7 @@ void WaypointsTab::buildLayout(MotionPort port, HoldPolicy& policy) {
     keys->addWidget(goTo_, 3);
     keys->addWidget(more_);
 
-    auto* empty = new QLabel(tr("No waypoints yet.\nJog the arm to a position and press Teach here (T)."));
+    auto* empty = new QLabel(tr("No waypoints yet.\nJog the arm to a position and press “Teach here” (T)."));
     empty->setObjectName(QStringLiteral("waypoint.empty"));
     empty->setProperty("role", "secondary");
     empty->setAlignment(Qt::AlignCenter);

@@ -44,7 +44,7 @@ class WaypointsTab : public QWidget {
     Q_OBJECT
 
 public:
-    /// document, policy  must outlive the tab
+    /// session, document, policy  must outlive the tab
     WaypointsTab(RobotSession& session, UndoableDocument& document, HoldPolicy& policy,
                  QWidget* parent = nullptr);
     /// For tests: moves are sent to `port`. The states are still those of the session.
@@ -55,7 +55,7 @@ public:
     WaypointModel& model() { return *model_; }
     WaypointDialogs& dialogs() { return *dialogs_; }
 
-    /// All actions with their shortcuts, for menus, the command palette and the help.
+    /// All actions with their shortcuts, for the menus, the command list and the help page.
     QList<QAction*> commandActions() const { return actions_; }
 
     /// Adds actions for the whole project to the submenu "Project" at the end of the tab's menu.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""python -m tiller_simulator [options]: runs a simulated controller until Ctrl-C, like `tiller-cli simulate`."""
+"""python -m tiller_simulator [options]: runs a simulated controller until Ctrl+C, like `tiller-cli simulate`."""
 import os
 import sys
 

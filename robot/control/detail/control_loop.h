@@ -2,7 +2,7 @@
 #pragma once
 
 // Processes a package from the robot and computes the answer, without a socket or thread. The answer depends
-// only on the data, the mailbox and the time. All automatic ends of a motion are decided here.
+// only on the data, the mailbox and the time. Every automatic stop of a motion is decided here.
 
 #include <array>
 #include <atomic>
@@ -31,7 +31,7 @@ inline constexpr double kMaxRoundTripMs = 100.0;
 
 inline constexpr std::int64_t kNoCycleDue = std::numeric_limits<std::int64_t>::max();
 
-/// What triggers a cycle.
+/// Trigger of a cycle.
 struct Occasion {
     double period = 0.002;  ///< [s]
     bool fresh = true;      ///< the data are new; otherwise they are from the previous package

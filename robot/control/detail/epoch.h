@@ -17,9 +17,9 @@ class Epoch {
 public:
     /// Starts the epoch of a new motion; the active one ends with StopCause::Superseded.
     MotionId beginMotion(std::int64_t nowNs);
-    /// As beginMotion(), but returns kNoMotion if the epoch has changed since `epoch` was read.
+    /// Like beginMotion(), but returns kNoMotion if the epoch has changed since `epoch` was read.
     MotionId beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs);
-    /// As beginMotion(), but returns kNoMotion if a stop has occurred since stops() returned this value.
+    /// Like beginMotion(), but returns kNoMotion if a stop has occurred since stops() returned this value.
     MotionId beginMotionUnlessStopped(std::uint64_t stops, std::int64_t nowNs);
     /// Starts an empty epoch, which ends the active motion.
     /// Returns  this epoch
@@ -27,7 +27,7 @@ public:
     /// Starts this epoch as an empty one. Used to continue after another client. No effect if the epoch is in
     /// the past.
     void skipTo(std::uint64_t epoch);
-    /// As stop(), but only if this motion is active.
+    /// Like stop(), but only if this motion is active.
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs);
 
     std::uint64_t current() const;

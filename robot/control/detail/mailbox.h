@@ -55,10 +55,10 @@ struct Brake {
 class Mailbox {
 public:
     MotionId start(MotionCommand command, std::int64_t nowNs);
-    /// As start(), unless a stop or another motion has occurred since `epoch`.
+    /// Like start(), unless a stop or another motion has occurred since `epoch`.
     /// Returns  kNoMotion in this case
     MotionId startAfter(std::uint64_t epoch, MotionCommand command, std::int64_t nowNs);
-    /// As start(), unless a stop has occurred since Epoch::stops() returned `stops`. Other motions have no
+    /// Like start(), unless a stop has occurred since Epoch::stops() returned `stops`. Other motions have no
     /// effect.
     /// Returns  kNoMotion in this case
     MotionId startUnlessStopped(std::uint64_t stops, MotionCommand command, std::int64_t nowNs);
@@ -71,7 +71,7 @@ public:
     /// Returns  false if the motion has ended
     bool setGate(MotionId motion, std::int32_t value);
     enum class Change : std::uint8_t { Done, Ended, Refused };
-    /// As change(), if mayFollow(previous command, time since its last refresh [ns]) returns true.
+    /// Like change(), if mayFollow(previous command, time since its last refresh [ns]) returns true.
     template <class MayFollow>
     Change changeIf(MotionId motion, const MotionCommand& values, std::int64_t nowNs, MayFollow mayFollow) {
         const std::lock_guard lock(callers_);

@@ -25,9 +25,10 @@ Result<void> checkBlocks(const QString& body, const QString& context) {
                 open.push_back({word, i + 1});
             } else if (word == QLatin1String("end")) {
                 if (open.empty()) {
-                    return Error{ErrorCode::InvalidArgument, context,
-                                 QStringLiteral("body: the \"end\" in line %1 closes no block of the body")
-                                     .arg(i + 1)};
+                    return Error{
+                        ErrorCode::InvalidArgument, context,
+                        QStringLiteral("body: the \"end\" on line %1 does not close a block in the body")
+                            .arg(i + 1)};
                 }
                 open.pop_back();
             }
@@ -35,7 +36,7 @@ Result<void> checkBlocks(const QString& body, const QString& context) {
     }
     if (!open.empty()) {
         return Error{ErrorCode::InvalidArgument, context,
-                     QStringLiteral("body: the \"%1\" in line %2 has no \"end\"")
+                     QStringLiteral("body: the \"%1\" on line %2 has no \"end\"")
                          .arg(open.back().word)
                          .arg(open.back().line)};
     }

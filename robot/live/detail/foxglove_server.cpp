@@ -234,7 +234,7 @@ void FoxgloveServer::countIncoming(QTcpSocket* socket, Incoming& incoming) {
 // Replies and pongs are written to the socket directly.
 void FoxgloveServer::closeIfUnread(QWebSocket* socket) {
     if (socket->bytesToWrite() > kMaxUnreadAnswers) {
-        disconnectLater(socket, QStringLiteral("the viewer does not read the responses"));
+        disconnectLater(socket, QStringLiteral("the viewer is not reading the responses"));
     }
 }
 
@@ -336,7 +336,7 @@ void FoxgloveServer::closeStalledClients() {
         if (client.key()->bytesToWrite() == 0 && client->queue.empty()) {
             client->waitingSince = now;
         } else if (now - client->waitingSince > limits_.stallTimeout) {
-            disconnectLater(client.key(), QStringLiteral("the viewer does not read the messages"));
+            disconnectLater(client.key(), QStringLiteral("the viewer is not reading the messages"));
         }
     }
 }
@@ -354,7 +354,7 @@ void FoxgloveServer::disconnectLater(QWebSocket* socket, const QString& reason) 
         socket,
         [socket, reason] {
             socket->close(QWebSocketProtocol::CloseCodePolicyViolated, reason);
-            // With a graceful close, a peer that does not read would keep the connection open.
+            // With a graceful close, a peer that is not reading would keep the connection open.
             socket->abort();
         },
         Qt::QueuedConnection);

@@ -27,7 +27,7 @@ QString kindOf(const QJsonValue& value) {
     return QStringLiteral("missing");
 }
 
-/// Example: "\"C\" is neither \"J\" nor \"L\""; "\"C\" is none of \"a\", \"b\", \"c\"".
+/// Example: "\"C\" is neither \"J\" nor \"L\""; "\"C\" is not one of \"a\", \"b\", \"c\"".
 QString isNoneOf(const QString& text, std::initializer_list<const char*> words) {
     QStringList quoted;
     for (const char* word : words) {

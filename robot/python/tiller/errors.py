@@ -10,7 +10,8 @@ from __future__ import annotations
 class Error(Exception):
     """Base class of all exceptions of this package; tiller.errors has a class for each code.
 
-    code: stable name for programs ("ConnectionRefused"). context: the attempted action and its object.
+    code: stable name for programs ("ConnectionRefused"). context: the attempted action and its object;
+    for a file: the path.
     controller_message: original message of the controller or the system, may be empty.
     """
 

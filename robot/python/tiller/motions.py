@@ -59,7 +59,7 @@ class Move:
     """An active motion. `move.wait()` or `await move` returns at its end and raises if it was stopped.
 
     The motion does not depend on this object: `robot.move_j(q)` alone also moves to its target. The arm stops on
-    cancel(), Robot.stop(), the next motion, Robot.close() or the end of the robot's `with` block, on Ctrl-C or any
+    cancel(), Robot.stop(), the next motion, Robot.close() or the end of the robot's `with` block, on Ctrl+C or any
     other exception in wait(), when a task awaiting it is cancelled, on an uncaught exception (in a script, a thread, an
     interactive session or a notebook cell), and when the process ends.
     """
@@ -72,7 +72,7 @@ class Move:
         """Waits until the target is reached. timeout [s]; None: no limit.
 
         Raises Timeout (the motion continues), Stopped (with the cause), NoSolution, UnsafeState, LinkLost,
-        NotInControl, ScriptError. On Ctrl-C the arm stops and KeyboardInterrupt is raised.
+        NotInControl, ScriptError. On Ctrl+C the arm stops and KeyboardInterrupt is raised.
         """
         try:
             with self._waiting():

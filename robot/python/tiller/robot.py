@@ -132,7 +132,7 @@ class Robot:
     [Hz]; 0: maximum of the controller. speed_cap: maximum speed of TCP and elbow for all commands, including moves [m/s].
     timeout: for the first packet [s]. upper_registers: use registers 24-47 instead of 0-23. priority: of the threads for
     receiving and control; 0: normal.
-    All methods may be called from any thread and let other Python threads run while they wait; Ctrl-C ends every wait.
+    All methods may be called from any thread and let other Python threads run while they wait; Ctrl+C ends every wait.
     Methods that wait are refused only in a callback of packet_loop(). An uncaught exception stops the arm.
     A Robot is closed when neither a variable nor a handle refers to it. After fork() it is closed in the child process.
     Raises ConnectionRefused, HostUnreachable, AddressInvalid, FieldUnknown (naming the field) or Timeout.
@@ -513,7 +513,7 @@ class Robot:
         Each call takes about 30 us in addition to the callback, and waits for the interpreter: other Python threads
         hold it for up to 5 ms at a time (sys.setswitchinterval). After a call longer than a period, the next call gets
         the newest packet. No heartbeat is sent during a call: a call of 100 ms stops the arm and raises Stopped with
-        the measured time. An exception in the callback or Ctrl-C stops the arm and is raised here. A blocking call
+        the measured time. An exception in the callback or Ctrl+C stops the arm and is raised here. A blocking call
         inside the callback, including another packet_loop(), raises InvalidArgument, because nothing could end its
         wait.
         """

@@ -217,8 +217,7 @@ Result<EpisodeReport> writeEpisodes(const std::vector<const Recording*>& recordi
     const QString part = path + QStringLiteral(".part");
     const auto failure = [&] {
         const bool full = errno == ENOSPC || errno == EDQUOT;
-        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-                     QStringLiteral("write episodes to %1").arg(path),
+        return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, path,
                      QStringLiteral("the file cannot be written there")};
     };
     const auto write = [&]() -> Result<EpisodeReport> {
@@ -278,7 +277,7 @@ Result<EpisodeReport> writeEpisodes(const std::vector<const Recording*>& recordi
         QFile::remove(part);
         return report;
     }
-    const Result<void> replaced = replaceFile(part, path, QStringLiteral("write episodes to %1").arg(path));
+    const Result<void> replaced = replaceFile(part, path);
     if (!replaced) {
         QFile::remove(part);
         return replaced.error();

@@ -186,8 +186,7 @@ public:
 private:
     Error failure() const {
         const bool full = errno == ENOSPC || errno == EDQUOT;
-        return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-                QStringLiteral("export to %1").arg(choice_.path),
+        return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, choice_.path,
                 full ? qt_error_string(errno) : QStringLiteral("the file cannot be written there")};
     }
 
@@ -298,8 +297,7 @@ Result<ExportReport> exportHdf5(const Recording& recording, const ExportChoice& 
         QFile::remove(part);
         return report;
     }
-    const Result<void> replaced =
-        replaceFile(part, choice.path, QStringLiteral("export to %1").arg(choice.path));
+    const Result<void> replaced = replaceFile(part, choice.path);
     if (!replaced) {
         QFile::remove(part);
         return replaced.error();

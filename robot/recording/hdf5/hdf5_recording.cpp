@@ -78,8 +78,7 @@ public:
         const Quiet quiet;
         file_ = Handle(H5Fopen(QFile::encodeName(path_).constData(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
         if (!file_) {
-            return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path_),
-                         QStringLiteral("this is not a complete HDF5 file")};
+            return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("this is not a complete HDF5 file")};
         }
         std::vector<std::string> names;
         H5Literate(file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collectName, &names);
@@ -94,7 +93,7 @@ public:
         }
         chooseSets(std::move(sets));
         if (columns_.empty()) {
-            return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path_),
+            return Error{ErrorCode::FileCorrupt, path_,
                          QStringLiteral("its top level contains no tables of numbers")};
         }
         readAttributes();
@@ -160,7 +159,7 @@ private:
         const Handle here(H5Screate_simple(1, count, nullptr), H5Sclose);
         if (H5Sselect_hyperslab(there.get(), H5S_SELECT_SET, start, nullptr, count, nullptr) < 0 ||
             H5Dread(set.set.get(), H5T_NATIVE_DOUBLE, here.get(), there.get(), H5P_DEFAULT, out.data()) < 0) {
-            return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path_),
+            return Error{ErrorCode::FileCorrupt, path_,
                          QStringLiteral("\"%1\" cannot be read").arg(Text(set.name))};
         }
         if (set.missing) {

@@ -191,8 +191,7 @@ struct BlackBox::Worker {
 
     Result<void> writeFile(Incident& incident) {
         if (!QDir().mkpath(options.folder)) {
-            return Error{ErrorCode::FileNotWritable,
-                         QStringLiteral("write an incident to %1").arg(options.folder),
+            return Error{ErrorCode::FileNotWritable, options.folder,
                          QStringLiteral("the folder cannot be created")};
         }
         incident.path = freePath(incident);
@@ -247,8 +246,7 @@ struct BlackBox::Worker {
             result = closed;
         }
         if (result) {
-            result =
-                replaceFile(part, incident.path, QStringLiteral("write the incident %1").arg(incident.path));
+            result = replaceFile(part, incident.path);
         }
         if (!result) {
             QFile::remove(part);

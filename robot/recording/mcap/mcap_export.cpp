@@ -167,8 +167,7 @@ Result<ExportReport> exportMcap(const Recording& recording, const ExportChoice& 
     // Computed from the gaps of the recording.
     std::erase_if(*columns,
                   [&](std::size_t column) { return recording.columns()[column].name == kLostColumn; });
-    const QString context = QStringLiteral("export to %1").arg(choice.path);
-    AtomicFile file(choice.path, context);
+    AtomicFile file(choice.path);
     if (const Result<void> opened = file.open(); !opened) {
         return opened.error();
     }
@@ -184,7 +183,7 @@ Result<ExportReport> exportMcap(const Recording& recording, const ExportChoice& 
     for (std::uint64_t done = 0; done < rows->count; done += kRowsPerChunk) {
         if (choice.progress &&
             !choice.progress(static_cast<double>(done) / static_cast<double>(rows->count))) {
-            return Error{ErrorCode::Cancelled, context, {}};
+            return Error{ErrorCode::Cancelled, QStringLiteral("export to %1").arg(choice.path), {}};
         }
         const RowRange part{rows->first + done, std::min(kRowsPerChunk, rows->count - done)};
         if (const Result<void> written = write(exporter.part(part)); !written) {

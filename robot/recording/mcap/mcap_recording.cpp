@@ -69,7 +69,7 @@ public:
         findShares();
         findChannels();
         if (states_.empty()) {
-            return Error{ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path()),
+            return Error{ErrorCode::FileCorrupt, path(),
                          QStringLiteral("it contains no robot states: it was not recorded by Tiller")};
         }
         findRows();

@@ -63,7 +63,7 @@ std::optional<ChunkIndex> chunkIndexFrom(std::string_view content) {
 }  // namespace
 
 Error Reader::corrupt(const QString& what) const {
-    return {ErrorCode::FileCorrupt, QStringLiteral("read %1").arg(path_), what};
+    return {ErrorCode::FileCorrupt, path_, what};
 }
 
 Result<std::unique_ptr<Reader>> Reader::open(const Text& path) {

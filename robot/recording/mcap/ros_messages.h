@@ -29,9 +29,9 @@ const MessageType& summaryType();     ///< Minimum, maximum and mean of many row
 /// Returns  false if the sample does not contain the required fields
 bool writeJointState(const receive::Sample& sample, std::int64_t utcNs, std::string& out);
 bool writeWrench(const receive::Sample& sample, std::int64_t utcNs,
-                 std::string& out);  ///< As writeJointState().
+                 std::string& out);  ///< Like writeJointState().
 bool writeTransform(const receive::Sample& sample, std::int64_t utcNs,
-                    std::string& out);                      ///< As writeJointState().
+                    std::string& out);                      ///< Like writeJointState().
 void writeLog(const RecordedNote& note, std::string& out);  ///< Clears `out` first.
 /// Returns  false if the message is invalid
 bool readLog(std::string_view message, RecordedNote& note);

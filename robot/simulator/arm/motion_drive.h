@@ -30,8 +30,8 @@ public:
     bool isActive() const { return mode_ != Mode::Rest; }
     bool followsPath() const { return mode_ == Mode::Path; }
     bool followsTorque() const { return mode_ == Mode::Torque; }
-    /// Maximum TCP speed of the program [m/s]; infinity: no limit. The limit slows the motion down along its
-    /// path, which speedScaling() includes.
+    /// Maximum TCP speed of the program [m/s]; infinity: no limit. The limit slows down the motion along its path;
+    /// speedScaling() includes this reduction.
     void setToolSpeedLimit(double limit) { toolSpeedLimit_ = limit; }
     TimeScaleSource scaledBy() const { return scaledBy_; }
 
@@ -129,7 +129,7 @@ protected:
     double slider_ = 1;
     bool held_ = false;
     double programScale_ = 1;  // slider and pause, ramped
-    double pathScale_ = 1;     // the requested scale, reduced to what the limits permit
+    double pathScale_ = 1;     // requested scale, reduced to the maximum that the limits permit
     double pauseScale_ = 1;    // pause only, ramped
     double scaling_ = 1;
     TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;

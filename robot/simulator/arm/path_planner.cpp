@@ -73,8 +73,8 @@ ProfileRequest PathPlanner::profileRequest(const Segment& segment, const MoveTim
         if (segment.inToolSpace) {
             profile.zone = std::min(profile.zone, segment.path.straightEnd());
         }
-        // Deceleration within the zone uses at most half of a. The other half is reserved for the start of
-        // the next move. A process move keeps its speed through the corner.
+        // Deceleration within the zone uses at most half of the acceleration `a`. The other half is reserved for the
+        // start of the next move. A process move keeps its speed through the corner.
         profile.zoneSpeed =
             segment.kind == Segment::Kind::Process ? profile.v : std::sqrt(profile.a * profile.zone);
     }

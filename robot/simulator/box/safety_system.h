@@ -41,8 +41,8 @@ public:
     void fault() { fault_ = true; }
     void protectiveStop();
 
-    /// Unlocks a protective stop. Returns false if it is too early, which is only checked if `enforceDelay`
-    /// is set. Returns true without effect if there is no protective stop.
+    /// Starts to unlock a protective stop. With `enforceDelay`, returns false within kUnlockDelay after the stop.
+    /// Returns true without effect if there is no protective stop.
     bool unlockProtectiveStop(bool enforceDelay);
     /// Clears violation, fault and protective stop.
     void restart();

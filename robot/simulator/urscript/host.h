@@ -296,8 +296,8 @@ public:
     virtual void setPortRegister(int address, std::int16_t value);
 };
 
-enum class DigitalBank { Standard, Configurable, Tool };             ///< 0..7, 0..7, 0..1
-enum class AnalogPort { StandardInput, StandardOutput, ToolInput };  ///< 0..1 each
+enum class DigitalBank { Standard, Configurable, Tool };             ///< pin numbers: 0..7, 0..7, 0..1
+enum class AnalogPort { StandardInput, StandardOutput, ToolInput };  ///< pin numbers: 0..1 for each port
 
 struct ToolCommunication {
     bool enabled = false;

@@ -32,8 +32,8 @@ struct RuntimeError {
 
 struct Limits {
     std::int64_t threadOperationsPerFrame = 1'000'000;  ///< more operations are treated as an infinite loop
-    /// After this many operations, a thread that reads a socket has used its time in the frame, so that
-    /// reading takes time regardless of the amount of data.
+    /// A thread that reads a socket after this many operations waits for the next frame. Otherwise, a loop that
+    /// always finds data would never end its frame.
     std::int64_t readingOperationsPerFrame = 100'000;
     std::int64_t frameOperations = 4'000'000;  ///< for all threads together
     int callDepth = 200;

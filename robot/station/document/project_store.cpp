@@ -49,10 +49,10 @@ QString ProjectStore::statusText() const {
         return modified_ ? tr("project not saved to a file") : QString();
     }
     if (obstacle_ == Obstacle::OpenElsewhere) {
-        return tr("%1 — open in another window, changes here are not saved").arg(name());
+        return tr("%1 — open in another window; changes here are not saved").arg(name());
     }
     if (obstacle_ == Obstacle::ChangedByOther) {
-        return tr("%1 — changed by another program, changes here are not saved").arg(name());
+        return tr("%1 — changed by another program; changes here are not saved").arg(name());
     }
     if (lastError_.code != ErrorCode::None) {
         const QString why = lastError_.code == ErrorCode::DiskFull   ? tr("disk full")
@@ -225,12 +225,15 @@ Result<void> ProjectStore::saveAs(const QString& path) {
     }
     if (saved->outcome != Outcome::Saved) {
         const auto owner = access->check().owner;
-        return Error{
-            ErrorCode::FileNotWritable, tr("save %1").arg(path),
-            tr("it is open in another window (%1)").arg(owner ? owner->toString() : tr("another program"))};
+        return Error{ErrorCode::FileNotWritable, openElsewhereText(path, owner), {}};
     }
     continueIn(path, std::move(access), saved);
     return {};
+}
+
+QString ProjectStore::openElsewhereText(const QString& path, const std::optional<project::LockOwner>& owner) {
+    return tr("%1 is open in another window (%2). Close it there, or save under another name.")
+        .arg(path, owner ? owner->toString() : tr("another program"));
 }
 
 void ProjectStore::continueIn(const QString& path, Access access,
@@ -441,16 +444,19 @@ Result<QString> ProjectStore::keepBoth() {
 }
 
 Error ProjectStore::obstacleError() const {
-    return {ErrorCode::FileNotWritable, tr("save %1").arg(path_),
+    return {ErrorCode::FileNotWritable,
             obstacle_ == Obstacle::OpenElsewhere
-                ? tr("it is open in another window (%1)").arg(owner_ ? owner_->toString() : QString())
-                : tr("another program has changed it")};
+                ? openElsewhereText(path_, owner_)
+                : tr("%1 was changed by another program. Reload it, or save under another name.").arg(path_),
+            {}};
 }
 
 Result<void> ProjectStore::saveNow() {
     autosave_.stop();
     if (access_ == nullptr) {
-        return Error{ErrorCode::FileNotWritable, tr("no file chosen"), {}};
+        return Error{ErrorCode::FileNotWritable,
+                     tr("No file is selected for the project. Save the project to a file first."),
+                     {}};
     }
     if (obstacle_ == Obstacle::ChangedByOther) {
         return obstacleError();

@@ -126,6 +126,7 @@ private:
     void useAccess(Access access);
     bool isOpen(const QString& path) const;
     void watch();
+    static QString openElsewhereText(const QString& path, const std::optional<project::LockOwner>& owner);
     Error obstacleError() const;
     bool showOwnersSave();
 

@@ -14,24 +14,24 @@ namespace tiller {
 
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
                                    double t1, const QString& path) {
-    const Error context{
-        ErrorCode::Rejected, QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path), {}};
+    // A context that is a complete sentence is shown without the text of the error code.
+    const auto refusal = [](const char* sentence, ErrorCode code = ErrorCode::Rejected) {
+        return Error{code, QCoreApplication::translate("tiller::PlotDock", sentence), {}};
+    };
     const QString source = shown.empty() ? QString() : store.recordingOf(shown.front());
     if (std::any_of(shown.begin(), shown.end(),
                     [&](int signal) { return store.recordingOf(signal) != source; })) {
-        return Error{
-            context.code, context.context,
-            QCoreApplication::translate("tiller::PlotDock",
-                                        "The page shows several recordings, or a recording and live signals. "
-                                        "Show only one of them on the page, then export again.")};
+        return refusal(
+            QT_TRANSLATE_NOOP("tiller::PlotDock",
+                              "The page shows several recordings, or a recording and live signals. "
+                              "Show only one of them on the page, then export again."));
     }
     const bool isCsv = path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
     if (source.isEmpty()) {
         return isCsv ? exportCsv(store, shown, t0, t1, path)
-                     : Error{context.code, context.context,
-                             QCoreApplication::translate("tiller::PlotDock",
-                                                         "Live signals can be exported only as .csv. For "
-                                                         "other formats, record the signals first.")};
+                     : refusal(QT_TRANSLATE_NOOP("tiller::PlotDock",
+                                                 "Live signals can be exported only as .csv. For "
+                                                 "other formats, record the signals first."));
     }
     const std::unique_ptr<recording::Recording> selected = store.selected(shown);
     // A cursor placed on a row includes the row, although its time on the plots' axis is rounded.
@@ -46,18 +46,18 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
         return rows.error();
     }
     if (rows->count == 0) {
-        return Error{
-            ErrorCode::InvalidArgument, context.context,
-            QCoreApplication::translate("tiller::PlotDock", "export: there are no samples in this range")};
+        return refusal(
+            QT_TRANSLATE_NOOP(
+                "tiller::PlotDock",
+                "There are no samples in this range. Select a different range, then export again."),
+            ErrorCode::InvalidArgument);
     }
     // The export blocks the window, including STOP, so its size is limited.
     constexpr double kMaxValues = 20e6;
     if (static_cast<double>(rows->count) * static_cast<double>(shown.size()) > kMaxValues) {
-        return Error{
-            context.code, context.context,
-            QCoreApplication::translate("tiller::PlotDock",
-                                        "The range has too many values for an export from the window. Export "
-                                        "a shorter range, or use tiller-cli export.")};
+        return refusal(QT_TRANSLATE_NOOP("tiller::PlotDock",
+                                         "The range contains too many values to export from this window. "
+                                         "Export a shorter range, or run “tiller-cli export”."));
     }
     const auto report = recording::exportRecording(*selected, choice);
     return report ? Result<std::int64_t>(static_cast<std::int64_t>(report->rows)) : report.error();
@@ -72,12 +72,13 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
         ++end;
     }
     if (begin == end) {
-        return Error{
-            ErrorCode::InvalidArgument,
-            QCoreApplication::translate("tiller::PlotDock", "export: there are no samples in this range"),
-            {}};
+        return Error{ErrorCode::InvalidArgument,
+                     QCoreApplication::translate(
+                         "tiller::PlotDock",
+                         "There are no samples in this range. Select a different range, then export again."),
+                     {}};
     }
-    AtomicFile file(path, QCoreApplication::translate("tiller::PlotDock", "export to %1").arg(path));
+    AtomicFile file(path);
     if (const Result<void> opened = file.open(); !opened) {
         return opened.error();
     }

@@ -56,7 +56,7 @@ public:
         if (robot.isEmpty() || safety.isEmpty()) {
             return noDataEntry();
         }
-        // If a mode changes within the column, the one without motion is shown.
+        // If a mode changes within the column, the value that does not permit motion is shown.
         const auto safetyMode = static_cast<SafetyMode>(std::lround(
             allowsMotion(static_cast<SafetyMode>(std::lround(safety.max))) ? safety.min : safety.max));
         constexpr auto kRunning = static_cast<double>(RobotMode::Running);

@@ -146,15 +146,14 @@ Result<void> RecordedStretch::readAll(
     if (!file) {
         return file.error();
     }
-    const QString context = QStringLiteral("read %1").arg(path);
     if ((*file)->rows() < rows.first + rows.count || (*file)->startUtcNs() != startUtcNs ||
         (*file)->columns().size() != columns) {
-        return Error{ErrorCode::FileNotReadable, context, QStringLiteral("another file has replaced it")};
+        return Error{ErrorCode::FileNotReadable, path, QStringLiteral("another file has replaced it")};
     }
     const qsizetype before = (*file)->problems().size();
     auto read = RecordedRows(**file, begin, wanted).readAll(rows, cancel, each);
     if (read && (*file)->problems().size() > before) {
-        return Error{ErrorCode::FileCorrupt, context, (*file)->problems().last()};
+        return Error{ErrorCode::FileCorrupt, path, (*file)->problems().last()};
     }
     return read;
 }

@@ -26,7 +26,7 @@ QString ReplayMoment::words() const {
         parts << ReplayText::tr("no data");
     }
     parts << (source.isEmpty() ? ReplayText::tr("history at %1 s").arg(format::number(time, 3))
-                               : ReplayText::tr("at %1 s of %2").arg(format::number(seconds, 3), source));
+                               : ReplayText::tr("at %1 s in %2").arg(format::number(seconds, 3), source));
     return parts.join(QStringLiteral(" · "));
 }
 

@@ -297,8 +297,8 @@ private:
     static QString registerFamily(const QString& field) {
         const bool output = field.startsWith(QLatin1String("output"));
         if (field.contains(QLatin1String("double"))) {
-            return output ? SignalText::tr("Output registers, numbers")
-                          : SignalText::tr("Input registers, numbers");
+            return output ? SignalText::tr("Output registers, floats")
+                          : SignalText::tr("Input registers, floats");
         }
         if (field.contains(QLatin1String("int"))) {
             return output ? SignalText::tr("Output registers, integers")

@@ -407,8 +407,9 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
 }
 
 Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, double begin) {
-    const Error empty{ErrorCode::InvalidArgument, tr("open %1").arg(file->path()),
-                      tr("The recording is empty.")};
+    const Error empty{ErrorCode::InvalidArgument,
+                      tr("The recording %1 contains no samples. Open another recording.").arg(file->path()),
+                      {}};
     if (file->rows() == 0) {
         return empty;
     }

@@ -45,8 +45,8 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
          LimiterAdviceText::tr("Elbow almost straight: %1 speed"), LimiterAdviceText::tr("bend the elbow"),
          LimiterAdviceText::tr("jog %1 or bend the elbow")},
         {Singularity::Shoulder, 0, measure.shoulder < kShoulderWarnMetres,
-         LimiterAdviceText::tr("Wrist above the base axis"),
-         LimiterAdviceText::tr("Wrist above the base axis: %1 speed"), LimiterAdviceText::tr("move outwards"),
+         LimiterAdviceText::tr("Wrist near the base axis"),
+         LimiterAdviceText::tr("Wrist near the base axis: %1 speed"), LimiterAdviceText::tr("move outwards"),
          LimiterAdviceText::tr("jog %1 or rotate the base")},
         {Singularity::Wrist, 4, degrees(measure.wrist) < kSineWarnDegrees,
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
@@ -130,17 +130,17 @@ LimiterAdvice nearestLimiter(const SessionState& state, const Eigen::Matrix3d& R
         const QString percent = format::percent(state.limiter.scale);
         switch (state.limiter.kind) {
             case control::LimiterKind::TcpSpeed:
-                return {LimiterAdviceText::tr("TCP at the speed cap of %1").arg(percent),
+                return {LimiterAdviceText::tr("TCP at the speed cap: %1 speed").arg(percent),
                         LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::ElbowSpeed:
-                return {LimiterAdviceText::tr("Elbow at the speed cap of %1").arg(percent),
+                return {LimiterAdviceText::tr("Elbow at the speed cap: %1 speed").arg(percent),
                         LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::RotationSpeed:
-                return {LimiterAdviceText::tr("Rotation at the speed cap of %1").arg(percent),
+                return {LimiterAdviceText::tr("Rotation at the speed cap: %1 speed").arg(percent),
                         LimiterAdviceText::tr("change the cap in Settings")};
             case control::LimiterKind::JointSpeed:
                 if (state.limiter.joint >= 0) {
-                    return {LimiterAdviceText::tr("%1 at its maximum speed of %2")
+                    return {LimiterAdviceText::tr("%1 at its maximum speed: %2 speed")
                                 .arg(jointName(state.limiter.joint), percent),
                             LimiterAdviceText::tr("choose a lower speed")};
                 }

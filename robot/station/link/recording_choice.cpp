@@ -86,13 +86,13 @@ RecordingFormatWords recordingFormatWords(const recording::FileFormat& format) {
          QT_TRANSLATE_NOOP("tiller::PlotDock", "Record to a CSV file"),
          QT_TRANSLATE_NOOP(
              "tiller::PlotDock",
-             "Record robot data to a CSV file. Use the arrow button to select signals and folder")},
+             "Record robot data to a CSV file. Use the arrow button to select the signals and the folder.")},
         {"MCAP",
          QT_TRANSLATE_NOOP("tiller::PlotDock", "MCAP: every field, the log and the project, for ROS tools"),
          QT_TRANSLATE_NOOP("tiller::PlotDock", "Record to an MCAP file"),
-         QT_TRANSLATE_NOOP(
-             "tiller::PlotDock",
-             "Record robot data to an MCAP file. Use the arrow button to select signals and folder")},
+         QT_TRANSLATE_NOOP("tiller::PlotDock",
+                           "Record robot data to an MCAP file. Use the arrow button to select the signals "
+                           "and the folder.")},
     };
     const auto row = std::find_if(std::begin(kRows), std::end(kRows),
                                   [&](const Row& words) { return format.name == QLatin1String(words.name); });

@@ -84,8 +84,8 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
                 RecoveryGuideText::tr("The cause has been removed, and no one is within reach of the arm.")};
             break;
         default:
-            guide.waiting =
-                RecoveryGuideText::tr("No action needed here: this state ends when its cause is removed.");
+            guide.waiting = RecoveryGuideText::tr(
+                "No action is needed in Tiller. The state ends when the cause is removed.");
             break;
     }
     return guide;

@@ -318,7 +318,11 @@ void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double l
 
 void RobotOutputs::setRegister(const RegisterValue& value) {
     using Kind = RegisterValue::Kind;
-    if (session_.refusesCommand(tr("Input register %1").arg(value.number)) || !d_.link) {
+    const QString name = (value.kind == Kind::Int      ? tr("Input int register %1")
+                          : value.kind == Kind::Double ? tr("Input float register %1")
+                                                       : tr("Input bit register %1"))
+                             .arg(value.number);
+    if (session_.refusesCommand(name) || !d_.link) {
         return;
     }
     // Use a temporary connection, so that the register is not reserved permanently.
@@ -328,7 +332,7 @@ void RobotOutputs::setRegister(const RegisterValue& value) {
     (value.kind == Kind::Int      ? options.ints
      : value.kind == Kind::Double ? options.doubles
                                   : options.bits) = {value.number};
-    const QString done = tr("Input register %1: %2").arg(value.number).arg(value.value);
+    const QString done = QStringLiteral("%1: %2").arg(name).arg(value.value);
     const std::uint64_t generation = d_.generation;
     d_.worker.post(&session_, [this, generation, value, options, done](const CancelToken& token) {
         io::InputRegisters registers(options);

@@ -238,7 +238,7 @@ void RobotSession::setMonitorOnly(bool on) {
     d_->refusal.clear();
     Q_EMIT message(Severity::Info,
                    on ? tr("Monitor only: this window changes nothing on the robot. STOP still works.")
-                      : tr("Monitor only is off"),
+                      : tr("“Monitor only” is off. Commands to the robot are enabled."),
                    Origin::Operator);
     if (d_->link && d_->state.hasData()) {
         outputs_.connect();
@@ -274,7 +274,7 @@ void RobotSession::takeControl(ForeignProgram program) {
         return;
     }
     if (d_->state.hasForeignProgram()) {
-        Q_EMIT message(Severity::Warning, tr("The program of the other client is stopped to take control."),
+        Q_EMIT message(Severity::Warning, tr("Stopping the other client's program to take control."),
                        Origin::Operator);
     }
     d_->takingControl = true;
@@ -820,7 +820,7 @@ void RobotSession::reportControllerMessages() {
             case MessageKind::RuntimeException:
                 Q_EMIT message(
                     Severity::Error,
-                    tr("Program error in line %1, column %2: %3").arg(m.line).arg(m.column).arg(m.text),
+                    tr("Program error on line %1, column %2: %3").arg(m.line).arg(m.column).arg(m.text),
                     Origin::Robot);
                 break;
             case MessageKind::Popup:

@@ -127,7 +127,7 @@ public:
     void confirmChanges();
 
     // Control. The result is reported by stateChanged and message.
-    /// What to do with a program of another client that runs or is paused on the robot.
+    /// Handling of another client's program that is running or paused on the robot.
     enum class ForeignProgram { Ask, Stop };
     /// Uploads the control script. Requires RUNNING, and Remote control if the controller supports it. This
     /// ends any other program on the robot. Unless `program` is Stop, takeControl() only emits

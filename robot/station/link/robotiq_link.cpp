@@ -181,7 +181,7 @@ void RobotiqLink::note(const io::RobotiqState& now) {
     } else if (activating_ && activating_->elapsed() > kActivationMs) {
         activating_.reset();
         Q_EMIT session_.message(Severity::Error, tr("The gripper was not activated. Check that nothing "
-                                                    "blocks its fingers, then press Activate again."));
+                                                    "blocks its fingers, then press “Activate” again."));
     }
     if (now.holds() && !held_) {
         Q_EMIT session_.message(
@@ -294,13 +294,13 @@ QString RobotiqLink::errorText(const Error& error) const {
     switch (error.code) {
         case ErrorCode::ConnectionRefused:
             return tr("No gripper service responds at %1:%2. Install Robotiq's URCap on the robot and select "
-                      "the gripper in its Installation.")
+                      "the gripper in the robot's installation.")
                 .arg(host_)
                 .arg(port_);
         case ErrorCode::Timeout:
             return tr(
-                "The gripper does not respond. Check its cable at the wrist and its page in the robot's "
-                "Installation; restart the robot if the problem persists.");
+                "The gripper is not responding. Check the cable at the wrist and the gripper's page in the "
+                "robot's installation. If the problem persists, restart the robot.");
         case ErrorCode::ConnectionClosed:
         case ErrorCode::NotConnected:
             return tr(
@@ -308,8 +308,8 @@ QString RobotiqLink::errorText(const Error& error) const {
                 "automatically; the gripper keeps its grip.");
         case ErrorCode::Rejected:
             return tr(
-                "The gripper did not accept the command. Activate it; if it is active, check its page in the "
-                "robot's Installation.");
+                "The gripper did not accept the command. Activate it. If it is active, check the gripper's "
+                "page in the robot's installation.");
         default:
             return texts::errorText(error);
     }
@@ -327,34 +327,35 @@ QString RobotiqLink::textOf(io::RobotiqFault fault) {
         case RobotiqFault::ActionDelayed:
             return tr("The gripper is activating; the command runs afterwards.");
         case RobotiqFault::NotActivated:
-            return tr("The gripper received a motion command before it was active. Press Activate.");
+            return tr("The gripper received a motion command before it was active. Press “Activate”.");
         case RobotiqFault::Temperature:
-            return tr("The gripper is too hot. Let it cool down, then press Activate.");
+            return tr("The gripper is too hot. Let it cool down, then press “Activate”.");
         case RobotiqFault::Communication:
             return tr(
                 "The gripper received no command for one second. Check its cable at the wrist, then press "
-                "Activate.");
+                "“Activate”.");
         case RobotiqFault::UnderVoltage:
             return tr(
                 "The supply voltage of the gripper is too low. Set the tool voltage to 24 V, then press "
-                "Activate.");
+                "“Activate”.");
         case RobotiqFault::ReleaseActive:
             return tr(
                 "The automatic release of the gripper is in progress. Wait until it is complete, then press "
-                "Activate.");
+                "“Activate”.");
         case RobotiqFault::ReleaseFinished:
-            return tr("The automatic release of the gripper is complete. Press Activate.");
+            return tr("The automatic release of the gripper is complete. Press “Activate”.");
         case RobotiqFault::Internal:
             return tr(
-                "The gripper has an internal fault. Press Activate; if the fault returns, contact Robotiq.");
+                "The gripper has an internal fault. Press “Activate”; if the fault returns, contact "
+                "Robotiq.");
         case RobotiqFault::Activation:
-            return tr("Activation failed. Check that nothing blocks the fingers, then press Activate.");
+            return tr("Activation failed. Check that nothing blocks the fingers, then press “Activate”.");
         case RobotiqFault::Overcurrent:
             return tr(
                 "The gripper draws too much current. Check that nothing blocks the fingers, then press "
-                "Activate.");
+                "“Activate”.");
     }
-    return tr("The gripper reports fault %1. Press Activate; if the fault returns, see its manual.")
+    return tr("The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.")
         .arg(static_cast<int>(fault));
 }
 

@@ -38,7 +38,7 @@ ActionStep::~ActionStep() {
 
 QString ActionStep::obstacle(const project::WaypointAction& action, const GripperChoice& gripper) {
     return isGrip(action) && gripper.kind == GripperChoice::Kind::None
-               ? tr("No gripper is configured for this robot. Select it in I/O, Gripper.")
+               ? tr("No gripper is configured for this robot. Select it under I/O > Gripper.")
                : QString();
 }
 
@@ -121,10 +121,10 @@ Result<SequenceStep::State> ActionStep::holdInput() const {
         return State::Going;
     }
     const QString seconds = QString::number(longestOf(action_), 'g', 6);
-    return sentence(
-        (action_.value ? tr("%1 did not switch on within %2 s. Check the connected device, then try again.")
-                       : tr("%1 did not switch off within %2 s. Check the connected device, then try again."))
-            .arg(ActionWords::terminal(action_), seconds));
+    return sentence((action_.value
+                         ? tr("%1 did not turn on within %2 s. Check the connected device, then try again.")
+                         : tr("%1 did not turn off within %2 s. Check the connected device, then try again."))
+                        .arg(ActionWords::terminal(action_), seconds));
 }
 
 Result<SequenceStep::State> ActionStep::holdOutput() {
@@ -150,7 +150,8 @@ Result<SequenceStep::State> ActionStep::holdRobotiq() {
     if (elapsed() < kMaxGripTime) {
         return State::Going;
     }
-    return sentence(tr("The gripper did not stop moving within %1 s.").arg(kMaxGripTime));
+    return sentence(tr("The gripper did not stop moving within %1 s. Check the gripper, then try again.")
+                        .arg(kMaxGripTime));
 }
 
 void ActionStep::end(control::StopCause) {

@@ -159,7 +159,7 @@ void PathRecorder::importFrom(const QString& path, int afterRow) {
             }
             Q_EMIT changed();
             Q_EMIT refused(
-                tr("The demonstration could not be imported."),
+                tr("The path could not be imported."),
                 shown.error().code == ErrorCode::FileCorrupt && shown.error().controllerMessage.isEmpty()
                     ? shown.error().context
                     : texts::errorText(shown.error()));

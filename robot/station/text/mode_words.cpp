@@ -78,10 +78,9 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
          "ModeWords",
          "The cell's emergency stop is pressed. Release it, then power on and release the brakes.")},
     {SafetyMode::RobotEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "Emergency stop"),
-     QT_TRANSLATE_NOOP(
-         "ModeWords",
-         "The robot's emergency stop is pressed. Pull the button out, then power on and release the "
-         "brakes.")},
+     QT_TRANSLATE_NOOP("ModeWords",
+                       "The emergency stop button of the robot is pressed. Twist it clockwise to release it, "
+                       "then power on and release the brakes.")},
     {SafetyMode::Violation, QT_TRANSLATE_NOOP("ModeWords", "Safety violation"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -98,7 +97,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
                        "The controller does not report its safety mode. Check the teach pendant.")},
     {SafetyMode::AutomaticModeSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Automatic safeguard stop"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "The safeguard of automatic mode is open. Close it, or change to manual mode.")},
+                       "The automatic mode safeguard is open. Close it, or switch to manual mode.")},
     {SafetyMode::SystemThreePositionEnablingStop, QT_TRANSLATE_NOOP("ModeWords", "Enabling device stop"),
      QT_TRANSLATE_NOOP("ModeWords", "The enabling device is not held. Hold it in its middle position.")},
     {SafetyMode::TpThreePositionEnablingStop, QT_TRANSLATE_NOOP("ModeWords", "Pendant enabling stop"),
@@ -119,7 +118,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
      QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe automatic stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The PROFIsafe controller requests the safeguard stop of automatic mode. Clear the request there.")},
+         "The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.")},
     {SafetyMode::ProfisafeSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe safeguard stop"),
      QT_TRANSLATE_NOOP("ModeWords",
                        "The PROFIsafe controller requests a safeguard stop. Clear the request there.")},
@@ -147,8 +146,8 @@ constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
     {RuntimeState::Pausing, QT_TRANSLATE_NOOP("ModeWords", "Program pausing"),
      QT_TRANSLATE_NOOP("ModeWords", "The program is pausing.")},
     {RuntimeState::Paused, QT_TRANSLATE_NOOP("ModeWords", "Program paused"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "Press Play to continue the interrupted motion, or stop the program to discard it.")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords", "Press “Play” to continue the interrupted motion, or stop the program to discard it.")},
     {RuntimeState::Resuming, QT_TRANSLATE_NOOP("ModeWords", "Program resuming"),
      QT_TRANSLATE_NOOP("ModeWords", "The program is resuming: the arm may move.")},
 });

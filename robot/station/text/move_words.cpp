@@ -45,9 +45,9 @@ public:
     }
 
     static QString unplaced(const collision::UnplacedObject& object) {
-        return tr("The position of “%1” is unknown because its frame %2 is not in the project. Enter its "
+        return tr("The position of “%1” is unknown because its frame is not in the project. Enter its "
                   "position, exclude it, or delete it on the Cell page")
-            .arg(object.name, object.frame);
+            .arg(object.name);
     }
 
     static QString singularity(const collision::MoveLimit& limit) {

@@ -26,7 +26,7 @@ QString reachText(const project::Reach& reach) {
         case project::Reach::Obstacle::OnTheWay:
             return WaypointModelText::tr("✕ line");
         case project::Reach::Obstacle::OtherModel:
-            return WaypointModelText::tr("✕ arm");
+            return WaypointModelText::tr("✕ model");
     }
     return WaypointModelText::tr("✕ reach");
 }

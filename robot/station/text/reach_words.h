@@ -9,7 +9,7 @@
 
 namespace tiller {
 
-/// Short label: "✓", "✕ reach", "✕ joint", "✕ frame", "✕ line" or "✕ arm".
+/// Short label: "✓", "✕ reach", "✕ joint", "✕ frame", "✕ line" or "✕ model".
 QString reachText(const project::Reach& reach);
 /// A sentence that ends with the suggested action; empty if the waypoint can be reached.
 QString reachAdvice(const project::Reach& reach);

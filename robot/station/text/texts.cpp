@@ -24,12 +24,12 @@ QString advice(ErrorCode code) {
                 "network.");
         case ErrorCode::ConnectionRefused:
             return TextsText::tr(
-                "Enable the interface on the robot: Settings, Security, Services. A robot that has just been "
-                "started may need another minute.");
+                "Enable the interface on the robot under Settings > Security > Services. A robot that has "
+                "just started may need another minute.");
         case ErrorCode::ConnectionClosed:
             return TextsText::tr(
-                "The robot closed the connection. It may be restarting or switching between Local and "
-                "Remote.");
+                "It may be restarting or switching between Local and Remote. Wait a minute, then connect "
+                "again.");
         case ErrorCode::Timeout:
             return TextsText::tr("The robot does not respond. Check the cable and the address.");
         case ErrorCode::LinkLost:
@@ -164,13 +164,13 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::None:
             return TextsText::tr("ended");
         case StopCause::Released:
-            return TextsText::tr("released");
+            return TextsText::tr("button or key released");
         case StopCause::PointerLeft:
             return TextsText::tr("pointer left the button");
         case StopCause::FocusLost:
             return TextsText::tr("focus lost");
         case StopCause::WindowDeactivated:
-            return TextsText::tr("window lost activation");
+            return TextsText::tr("another window became active");
         case StopCause::WindowClosed:
             return TextsText::tr("window closed");
         case StopCause::DialogOpened:
@@ -178,7 +178,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::SelectionChanged:
             return TextsText::tr("selection or modifier key changed");
         case StopCause::SecondButton:
-            return TextsText::tr("second button");
+            return TextsText::tr("another button or key pressed");
         case StopCause::Escape:
             return TextsText::tr("Esc");
         case StopCause::Space:
@@ -212,7 +212,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::TargetTooFar:
             return TextsText::tr("target too far away for one step");
         case StopCause::HoldUnproven:
-            return TextsText::tr("no confirmation that the key is still held");
+            return TextsText::tr("could not verify that the button or key is still pressed");
         case StopCause::HeldTooLong:
             return TextsText::tr("maximum hold time reached; press again");
         default:

@@ -11,15 +11,15 @@
 
 namespace tiller::texts {
 
-/// Example: "Connection refused: 192.168.0.10:30004. Enable the interface on the robot: ...".
+/// Example: "Connection refused: 192.168.0.10:30004. Enable the interface on the robot under ...".
 QString errorText(const Error& error);
-/// Text for messages about a stop, e.g. "released", "pointer left the button".
+/// Text for messages about a stop, e.g. "button or key released", "pointer left the button".
 QString stopCauseText(control::StopCause cause);
 /// Reason why the arm cannot be moved in this robot mode, with the suggested action; empty if it can.
 QString robotModeObstacle(RobotMode mode);
 /// Like robotModeObstacle(), for a safety mode.
 QString safetyModeObstacle(SafetyMode mode);
-/// Reason why no command is sent to the robot in monitor-only mode, with the solution.
+/// Reason why no command is sent to the robot in monitor-only mode, with the suggested action.
 QString monitorOnlyObstacle();
 /// Reason why a robot in Local control accepts no commands, with the suggested action.
 QString remoteObstacle();

@@ -2,8 +2,8 @@
 #pragma once
 
 // Executes the commands of RTDEControlInterface through a user program with ur_rtde's registers. Only
-// programs sent by this class contain the heartbeat watchdog. All other ends of a motion, and the entire
-// behaviour of a program started elsewhere, depend on the program.
+// programs sent by this class contain the heartbeat watchdog. The program itself determines what else ends a motion,
+// and the entire behaviour of a program started elsewhere.
 
 #include "robot/ur_rtde/custom/register_link.h"
 #include "robot/ur_rtde/detail/control_session.h"

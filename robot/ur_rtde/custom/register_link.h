@@ -79,7 +79,7 @@ public:
     bool send(int recipe, const std::vector<double>& values);
     /// Sends "no command".
     bool clear();
-    /// As clear(), unless another command has been sent since.
+    /// Clears only if this is still the last command sent.
     bool clear(CommandId command);
     /// Returns true if this is the last command sent.
     bool holds(CommandId command) const { return command_ == static_cast<int>(command); }

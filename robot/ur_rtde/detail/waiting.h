@@ -2,7 +2,7 @@
 #pragma once
 
 // Waiting functions of robot/ur_rtde, with a deadline and interruptible by the host program (Python on
-// Ctrl-C). Private to robot/ur_rtde and robot/python.
+// Ctrl+C). Private to robot/ur_rtde and robot/python.
 
 #include <chrono>
 #include <stdexcept>

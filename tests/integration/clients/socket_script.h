@@ -259,7 +259,7 @@ inline QByteArray socketScript(const SocketPorts& ports, const QByteArray& endin
 	  if thread_trajectory != 0:
 	    kill thread_trajectory
 	    thread_trajectory = 0
-	    # What the client has sent already is not for the next trajectory.
+	    # Data that the client has already sent do not belong to the next trajectory.
 	    local rest = 0
 	    while rest < 10:
 	      local unread = socket_read_binary_integer(21, "trajectory", steptime)

@@ -224,7 +224,7 @@ inline std::vector<BlockingCall> blockingCalls() {
         client->start();
         return client->waitForState(d).error();
     });
-    add("ScriptClient::send to one who does not read", [](MuteWorld& w, D d) {
+    add("ScriptClient::send to a peer that is not reading", [](MuteWorld& w, D d) {
         script::ScriptClient client(w.host(), w.deaf.port());
         const auto connected = client.connect(Deadline::after(std::chrono::seconds(60)));
         return connected ? client.send(QString(8'000'000, QLatin1Char('x')), d).error() : connected.error();

@@ -300,7 +300,8 @@ private Q_SLOTS:
     }
 
     void internalIsTheLastCode() {
-        // After the last code, names repeat. A code added after it would not be covered above.
+        // Values beyond the last code have the name of Internal. If a code is added after Internal, this fails,
+        // because the loop above would not cover the new code.
         const int last = static_cast<int>(ErrorCode::Internal);
         QCOMPARE(errorCodeName(static_cast<ErrorCode>(last + 1)), errorCodeName(ErrorCode::Internal));
     }

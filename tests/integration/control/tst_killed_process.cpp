@@ -64,7 +64,7 @@ private Q_SLOTS:
         // The external force continues, so if the arm stops, it has left freedrive.
         row("freedrive", 0.05, true);
         row("teach mode", 0.05, true);
-        // There is no motion that could expire. Force mode ends in parallel.
+        // No motion is active, so nothing times out and the script stays Ready. guard_force() ends force mode.
         row("force mode", 0.03, false, ScriptState::Ready);
         row("jog in force mode", kFast);
         row("section", kFast);

@@ -40,8 +40,8 @@ private Q_SLOTS:
         QVERIFY(near(joints(), kStart));
     }
 
-    // Like Ctrl-C in Python while the connection is blocked. The program does not receive "none" between the
-    // move and its stop.
+    // Simulates Ctrl+C in Python while the connection is blocked: the program receives the stop directly after the
+    // move, without an idle command in between.
     void aStopImmediatelyAfterAMoveIsObeyed() {
         static std::atomic<bool> impatient;
         impatient = false;

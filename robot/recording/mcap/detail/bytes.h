@@ -35,7 +35,6 @@ inline void putFacts(std::string& out, const Facts& facts) {
     }
     putText(out, entries);
 }
-/// Writes the header and content of a record.
 inline void putRecord(std::string& out, Opcode opcode, std::string_view content) {
     out.push_back(static_cast<char>(opcode));
     put(out, static_cast<std::uint64_t>(content.size()));

@@ -116,8 +116,8 @@ std::size_t Peer::receiveThroughCable(std::span<std::uint8_t> into) {
     return count;
 }
 
-// What the client sent during the outage arrives now, because it sends unconfirmed data again, unless it has reset the
-// connection in the meantime.
+// Data that the client sent during the outage arrive now, because the client retransmits unacknowledged data unless
+// it has reset the connection in the meantime.
 void Peer::receiveAfterOutage() {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::vector<std::uint8_t> all;
@@ -195,8 +195,8 @@ bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp
     return true;
 }
 
-// Called after sending. Data that the socket has not accepted do not count as delivered, because the client
-// does not read.
+// Called after sending. Data that the socket has not accepted do not count as delivered, because the client is not
+// reading.
 void Peer::noteDelivered(std::optional<double> stamp) {
     if (stamp && pending() == 0) {
         delivered_ = stamp;

@@ -20,7 +20,7 @@ class Link;
 
 class Peer {
 public:
-    /// backlog  maximum number of bytes buffered for a client that does not read at the moment
+    /// backlog  maximum number of bytes buffered for a client that is not reading
     Peer(native_socket::Descriptor descriptor, std::size_t backlog);
     ~Peer();
     Peer(const Peer&) = delete;
@@ -36,10 +36,10 @@ public:
     /// Returns  the number of bytes received
     std::size_t receive(std::span<std::uint8_t> into);
 
-    /// Sends the data, or buffers what the socket does not accept at the moment.
+    /// Sends the data, and buffers the bytes that the socket does not accept yet.
     /// stamp  time stamp of the bytes, for delivered()
-    /// Returns  false, without sending anything, if the data do not fit into the backlog because the client
-    /// does not read
+    /// Returns  false, without sending anything, if the data do not fit into the backlog because the client is not
+    /// reading
     bool send(std::span<const std::uint8_t> bytes, std::optional<double> stamp = {});
     bool send(std::string_view text);
     /// Time stamp of the newest bytes that the client can read completely; empty if these bytes have none.

@@ -3,7 +3,7 @@
 
 // The primary and secondary services, ports 30001 and 30002, and their read-only versions 30011 and 30012.
 // They send RobotState ten times a second and messages when they occur, and receive scripts. A client that
-// does not read misses packages, but it is not disconnected and does not delay other clients.
+// is not reading misses packages, but it is not disconnected and does not delay other clients.
 //
 // A safety mode message is never sent before a RobotState with the same mode, because clients wait for the
 // message and then read their newest state. A change of the safety mode therefore triggers an additional

@@ -233,7 +233,7 @@ void RtdeServer::send(Client& client, rtde::ByteView package) {
     if (client.peer.send(package, plant_.telemetry().timestamp)) {
         sent_.fetch_add(1, std::memory_order_acq_rel);
     } else {
-        client.peer.close();  // for a client that does not read, as described in the guide
+        client.peer.close();  // for a client that is not reading, as described in the guide
     }
 }
 

@@ -82,6 +82,7 @@ private:
     std::string version(const std::string&);
     std::string serialNumber(const std::string&);
     std::string robotModel(const std::string&);
+    // operational mode, reports
     std::string isInRemoteControl(const std::string&);
     std::string setOperationalMode(const std::string& mode);
     std::string getOperationalMode(const std::string&);

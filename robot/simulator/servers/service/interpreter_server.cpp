@@ -108,7 +108,7 @@ void InterpreterServer::answer(Client& client, int& lines) {
         }
         client.lines.pop_front();
         if (!client.peer.send(reply)) {
-            client.peer.close();  // the client does not read its replies, and buffering is limited
+            client.peer.close();  // the client is not reading its replies, and buffering is limited
             return;
         }
     }

@@ -73,7 +73,7 @@ private:
         std::int64_t ns = 0;
         std::uint64_t sequence = 0;  ///< sequence number of the newest sample at this time
     };
-    /// Reply of the service. Outlives this object while a reply is pending.
+    /// Reply of the service. Outlives the ExternalProgramStopper while a reply is pending.
     struct ServiceAnswer {
         bool busy = false;
         Error error;

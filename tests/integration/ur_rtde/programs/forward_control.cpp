@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three types of moves to one position and back.
+// moveJ to a position, moveL 50 mm up, moveL_FK back down, and moveJ home.
 #include <ur_rtde/rtde_control_interface.h>
 #include <ur_rtde/rtde_receive_interface.h>
 

@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(bench.causeOf(motion), StopCause::LimitReached);
         QCOMPARE(bench.loop.status().limiter.kind, limiter);
         QCOMPARE(bench.loop.status().limiter.scale, 0.0);
-        // Without a selected limit, the speed does not exceed the limit of the arm.
+        // With kNoCap, the cap sent with the torques is too high for the arm to reach.
         bench.loop.setSpeedCap(kNoCap);
         const MotionId next = bench.mailbox.start(stream, bench.now());
         QVERIFY(bench.mailbox.change(next, target, bench.now()));

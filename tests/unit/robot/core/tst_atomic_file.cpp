@@ -48,7 +48,7 @@ QList<qsizetype> sizesAroundBuffers() {
     return sizes;
 }
 
-/// The file contains either the old or the new content, as reported by the result.
+/// Verifies that the file contains either the old or the new content, as reported by the result.
 void replaceOnFullDisk(const SmallDisk& disk) {
     const QString path = disk.filePath("cell.tiller");
     int failures = 0;

@@ -286,7 +286,7 @@ void TestSession::textMessagesMayArriveAtAnyTime() {
     text("two");
     talk.giveVersion();
     text("three");
-    // A version 1 reply although version 2 was agreed on.
+    // A version 1 text message after version 2 was negotiated.
     talk.answer([&](Bytes& out) {
         writeControllerText(out, ProtocolVersion::V1, {TextLevel::Info, "x", ""});
     });

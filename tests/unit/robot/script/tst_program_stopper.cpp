@@ -352,7 +352,7 @@ private Q_SLOTS:
         QCOMPARE(stopper.waitUntilStopped(patience()).error().code, ErrorCode::ConnectionRefused);
     }
 
-    // requestStop() must not block its caller when the buffers of a peer that does not read are full.
+    // requestStop() must not block its caller when the buffers of a peer that is not reading are full.
     void requestStopNeverBlocks() {
         std::promise<void> done;
         RawPeer peer([wait = done.get_future().share()](RawPeer::Link&) { wait.wait(); });

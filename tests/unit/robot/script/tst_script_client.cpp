@@ -125,7 +125,7 @@ private Q_SLOTS:
         QVERIFY(code == ErrorCode::Cancelled || code == ErrorCode::HostUnreachable);
     }
 
-    // If a controller does not read, the sender gives up at its deadline and closes the connection, so that
+    // If a controller is not reading, the sender gives up at its deadline and closes the connection, so that
     // no partial program remains in the stream.
     void aFullSendBufferTimesOutAndEndsTheConnection() {
         std::promise<void> done;

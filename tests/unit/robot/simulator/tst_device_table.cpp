@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The tables of devices: which row answers a request, and which errors a table contains.
+// Tests of device tables: which row answers a request, and which errors in a table are reported.
 
 #include <QTest>
 

@@ -231,7 +231,7 @@ private Q_SLOTS:
             const urscript::CompileOutcome outcome = urscript::compile(program->script);
             QVERIFY2(outcome || !outcome.error.text.empty(), qPrintable(QString::number(seed)));
         }
-        // Otherwise all programs would have ended at the first line.
+        // Both outcomes must occur, or the mutations would test nothing beyond the first line of a program.
         QVERIFY2(told > 50 && refused > 50, qPrintable(QStringLiteral("%1 %2").arg(told).arg(refused)));
     }
 

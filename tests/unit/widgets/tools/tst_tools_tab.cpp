@@ -298,7 +298,7 @@ private Q_SLOTS:
             feed(liveState(*onPoint(tool, point + way, {0, 0, 0})));
             click("tcp.teacher.takeTurn");
         }
-        QVERIFY2(label("tcp.teacher.turnFeedback").contains("Rotation recorded"),
+        QVERIFY2(label("tcp.teacher.turnFeedback").contains("Orientation recorded"),
                  qPrintable(label("tcp.teacher.turnFeedback")));
         click("tcp.teacher.make");
         QCOMPARE(document_->tooling().tools.size(), std::size_t(1));

@@ -307,7 +307,7 @@ private Q_SLOTS:
             QVERIFY(list->item(0)->text().contains("Set the speed"));
             QVERIFY(list->item(1)->text().contains("(Ann)"));
             auto* compare = dialog.findChild<QLabel*>("waypoint.history.compare");
-            QVERIFY(compare->text().contains("Speed of MoveL: 250 mm/s → 100 mm/s"));
+            QVERIFY(compare->text().contains("MoveL speed: 250 mm/s → 100 mm/s"));
             QTest::keyClick(list, Qt::Key_Down);
             QVERIFY2(compare->text().contains("50.0 mm"), qPrintable(compare->text()));
             press(dialog, "waypoint.history.revert");

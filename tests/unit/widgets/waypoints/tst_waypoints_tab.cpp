@@ -195,7 +195,7 @@ private Q_SLOTS:
         QCOMPARE(names().at(0), QString("waypoint 1"));
     }
 
-    // Otherwise the next letters would be commands for another waypoint.
+    // If a cursor key ended the editing, the next letters would trigger commands for another waypoint.
     void cursorKeysStayInTheNameField() {
         teachThree();
         tab_->selectRow(0);

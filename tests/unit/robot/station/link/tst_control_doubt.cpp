@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the session assumes about control without data: before the first data, and after a lost connection.
+// Assumptions of the session about control without data: before the first data, and after a lost connection.
 #include <QElapsedTimer>
 #include <QTest>
 

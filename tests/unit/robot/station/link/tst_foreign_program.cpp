@@ -46,7 +46,7 @@ struct ProgramBench {
         }
         return condition();
     }
-    /// As within(), while no data arrive. The cell would wait for them.
+    /// Like within(), while no data arrive. The cell would wait for them.
     bool withoutData(const std::function<bool()>& condition) {
         QElapsedTimer waited;
         waited.start();
@@ -152,7 +152,7 @@ private Q_SLOTS:
         QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.moves(); }));
         QVERIFY(bench.within([&] { return messages.filter("another client is running").size() == 1; }));
         bench.session.takeControl(RobotSession::ForeignProgram::Stop);
-        QCOMPARE(messages.filter("program of the other client is stopped").size(), 1);
+        QCOMPARE(messages.filter("Stopping the other client's program").size(), 1);
         QVERIFY(bench.within([&] { return bench.isInControl(); }));
         QVERIFY(bench.sendMovingProgram());
         QVERIFY(bench.within([&] { return messages.filter("taken over").size() == 1; }));

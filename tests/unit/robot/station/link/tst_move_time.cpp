@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The selected speed limits a move at every part of the arm.
+// During a move, no part of the arm exceeds the selected speed.
 #include <QTest>
 #include <cmath>
 #include <limits>

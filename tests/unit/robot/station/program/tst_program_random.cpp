@@ -228,7 +228,7 @@ project::Program helperProgram() {
     return helper;
 }
 
-/// The steps of a tree, including those inside sections.
+/// Appends the steps of a tree to `all`, including those inside sections.
 void collect(std::vector<project::ProgramStep>& steps, std::vector<project::ProgramStep*>& all) {
     for (project::ProgramStep& step : steps) {
         if (!step.disabled) {

@@ -133,7 +133,7 @@ struct RunBench {
         }
         return last - from;
     }
-    /// As standstill(), without waiting for packets, because none arrive.
+    /// Like standstill(), without waiting for packets, because none arrive.
     double standstillWithoutLink() {
         const double from = cell.truth().timestamp;
         double last = from;
@@ -146,7 +146,7 @@ struct RunBench {
         }
         return last - from;
     }
-    /// As awaitEnd(), but in real time, because the threads of the connection are involved.
+    /// Like awaitEnd(), but in real time, because the threads of the connection are involved.
     bool awaitEndWithoutLink() {
         QElapsedTimer waited;
         waited.start();
@@ -540,7 +540,7 @@ private Q_SLOTS:
         QVERIFY(!chooseStartStep(project, program.id, program.steps[3].steps[0].id, {}, script, &full)
                      .obstacle.isEmpty());
 
-        // The run in the session, which is refused at every other position of the arm.
+        // Run in a session. The run is refused unless the arm is at the start position of the step.
         const StartStep start = *chooseStartStep(project, program.id, fourth, {}, script, &full).start;
         {
             RunBench elsewhere;
