@@ -32,6 +32,8 @@ QString stepName(const LoadedProgram& loaded, int number);
 
 /// Runs a program in the simulator or on a robot.
 int run(const QStringList& arguments);
+/// Tests programs in the simulator.
+int test(const QStringList& arguments);
 /// Prints a program as URScript.
 int script(const QStringList& arguments);
 

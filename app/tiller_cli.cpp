@@ -25,6 +25,7 @@ const QString kHelp = QStringLiteral(
     "  record ADDRESS       records the data of a robot (see 'tiller-cli record --help')\n"
     "  project ACTION FILE  inspects, checks or converts a project (see 'tiller-cli project --help')\n"
     "  run FILE             runs a program of a project, simulated or on a robot\n"
+    "  test FILE...         tests programs of a project in the simulated controller\n"
     "  script FILE          writes a program of a project as URScript\n"
     "  info FILE            describes the content of a recording\n"
     "  export FILE          exports a recording as CSV or HDF5 (see 'tiller-cli export --help')\n"
@@ -71,6 +72,9 @@ int main(int argc, char* argv[]) {
     }
     if (command == QLatin1String("run")) {
         return app::run(arguments);
+    }
+    if (command == QLatin1String("test")) {
+        return app::test(arguments);
     }
     if (command == QLatin1String("script")) {
         return app::script(arguments);

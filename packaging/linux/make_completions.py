@@ -11,7 +11,7 @@ import sys
 
 OPTION = re.compile(r"^ +(?:-\w, )?--([a-z][a-z-]*)(?:[ =]+(<[^>]+>|[A-Z][A-Z=.]*))?(?:  +(.*))?$")
 COMMAND = re.compile(r"^  ([a-z][a-z-]*)(?: [A-Z .\[\]]+)?  +(.+)$")
-FILES = ("file", "folder", "programs", "output", "project", "demo")
+FILES = ("file", "folder", "programs", "output", "project", "demo", "junit", "coverage")
 
 
 def help_of(*words):

@@ -8,6 +8,7 @@
 #include "robot/core/atomic_file.h"
 #include "robot/core/file_reading.h"
 #include "robot/core/save_guard.h"
+#include "robot/core/text_place.h"
 #include "robot/project/detail/project_reader.h"
 #include "robot/project/detail/project_writer.h"
 
@@ -16,13 +17,6 @@ namespace {
 
 /// Format name in files of earlier versions. The fields are the same.
 constexpr char kFormerFormat[] = "tiller-session";
-
-QString placeOf(const QByteArray& bytes, int offset) {
-    const QByteArray before = bytes.left(offset);
-    const qsizetype line = before.count('\n') + 1;
-    const qsizetype column = before.size() - before.lastIndexOf('\n');
-    return QStringLiteral("line %1, column %2").arg(line).arg(column);
-}
 
 Error corrupt(const QString& what) {
     return {ErrorCode::FileCorrupt, what, {}};
@@ -73,7 +67,7 @@ Result<RecoveredProject> readRoot(const QJsonObject& root) {
 }
 
 Result<RecoveredProject> salvage(const QByteArray& bytes, const QJsonParseError& error) {
-    const FileProblem problem{placeOf(bytes, error.offset), error.errorString()};
+    const FileProblem problem{placeInText(bytes, error.offset), error.errorString()};
     if (!bytes.contains(kProjectFormat) && !bytes.contains(kFormerFormat)) {
         return corrupt(problem.toString());
     }

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "robot/simulator/script_run.h"
 
+#include <QJsonArray>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "robot/rtde/fields.h"
 #include "robot/simulator/box/controller_model.h"
 #include "robot/simulator/host/script_host.h"
 #include "robot/simulator/programs/program_runner.h"
@@ -22,11 +27,45 @@ SimulatorOptions plantOptions(const ScriptRunOptions& options) {
     return plant;
 }
 
+QJsonValue jsonOf(const urscript::Value& value) {
+    using Type = urscript::Value::Type;
+    switch (value.type()) {
+        case Type::Unset:
+            return QJsonValue::Undefined;
+        case Type::Bool:
+            return value.asBool();
+        case Type::Int:
+        case Type::Float:
+            return value.number();
+        case Type::Pose: {
+            QJsonArray list;
+            for (const double number : value.pose()) {
+                list.append(number);
+            }
+            return list;
+        }
+        case Type::List: {
+            QJsonArray list;
+            for (std::size_t i = 0; i < value.list().size(); ++i) {
+                list.append(jsonOf(value.list().at(i)));
+            }
+            return list;
+        }
+        case Type::String:
+            return QString::fromStdString(value.string());
+        default:
+            return QString::fromStdString(urscript::toStr(value));
+    }
+}
+
 }  // namespace
 
 class ScriptRun::Impl {
 public:
     explicit Impl(const ScriptRunOptions& options) : plant(plantOptions(options)) {
+        for (const std::string& name : options.followedVariables) {
+            variables.emplace_back(name, urscript::Value());
+        }
         if (options.tcp) {
             plant.arm().setTcp(*options.tcp);
         }
@@ -35,7 +74,19 @@ public:
         plant.step();
     }
 
+    /// Copies the variables, which do not exist any more after the end of the program.
+    void readVariables() {
+        if (const urscript::Interpreter* program = plant.programs().unreportedProgram()) {
+            for (auto& [name, value] : variables) {
+                if (const urscript::Value* now = program->global(name)) {
+                    value = *now;
+                }
+            }
+        }
+    }
+
     ControllerModel plant;
+    std::vector<std::pair<std::string, urscript::Value>> variables;
     double began = 0;
 };
 
@@ -63,6 +114,7 @@ std::optional<ScriptFault> ScriptRun::start(const QString& script) {
 bool ScriptRun::step() {
     d_->plant.step();
     static_cast<void>(d_->plant.takeOutbox());
+    d_->readVariables();
     return d_->plant.programs().isActive() && !d_->plant.programs().isPaused();
 }
 
@@ -77,6 +129,20 @@ JointPositions ScriptRun::q() const {
 }
 Pose ScriptRun::tcpPose() const {
     return d_->plant.arm().state().targetTcpPose;
+}
+bool ScriptRun::isStandstill() const {
+    return d_->plant.arm().state().isStandstill();
+}
+double ScriptRun::tcpForce() const {
+    return d_->plant.telemetry().tcpForce.force.norm();
+}
+std::array<double, 2> ScriptRun::analogOutputs() const {
+    return {d_->plant.pins().analogOutput(0), d_->plant.pins().analogOutput(1)};
+}
+QJsonValue ScriptRun::followedVariable(const std::string& name) const {
+    const auto found = std::find_if(d_->variables.begin(), d_->variables.end(),
+                                    [&name](const auto& entry) { return entry.first == name; });
+    return found == d_->variables.end() ? QJsonValue(QJsonValue::Undefined) : jsonOf(found->second);
 }
 std::uint64_t ScriptRun::digitalOutputs() const {
     return d_->plant.pins().digitalOutputs;
@@ -99,25 +165,41 @@ QString ScriptRun::stopText() const {
 bool ScriptRun::waitsForOperator() const {
     return d_->plant.popups().anyBlocking() || d_->plant.scriptHost().asked();
 }
-void ScriptRun::answerOperator() {
+bool ScriptRun::waitsForAnswer() const {
+    return d_->plant.scriptHost().asked().has_value();
+}
+bool ScriptRun::answerOperator(const QJsonValue& answer) {
     d_->plant.popups().closeBlocking();
-    if (const auto asked = d_->plant.scriptHost().asked()) {
-        using urscript::RequestedType;
-        switch (*asked) {
-            case RequestedType::Boolean:
-                d_->plant.scriptHost().answerRequest(false);
-                break;
-            case RequestedType::Integer:
-                d_->plant.scriptHost().answerRequest(std::int32_t{0});
-                break;
-            case RequestedType::Float:
-                d_->plant.scriptHost().answerRequest(0.0);
-                break;
-            case RequestedType::String:
-                d_->plant.scriptHost().answerRequest(std::string());
-                break;
-        }
+    const auto asked = d_->plant.scriptHost().asked();
+    if (!asked) {
+        return answer.isUndefined();
     }
+    using urscript::RequestedType;
+    ScriptHost& host = d_->plant.scriptHost();
+    constexpr double kLargest = std::numeric_limits<std::int32_t>::max();
+    const double number = answer.toDouble();
+    bool fits = answer.isUndefined();
+    switch (*asked) {
+        case RequestedType::Boolean:
+            fits = fits || answer.isBool();
+            host.answerRequest(answer.toBool());
+            break;
+        case RequestedType::Integer: {
+            const bool isWhole = number == std::floor(number) && std::abs(number) <= kLargest;
+            fits = fits || (answer.isDouble() && isWhole);
+            host.answerRequest(static_cast<std::int32_t>(isWhole ? number : 0));
+            break;
+        }
+        case RequestedType::Float:
+            fits = fits || answer.isDouble();
+            host.answerRequest(number);
+            break;
+        case RequestedType::String:
+            fits = fits || answer.isString();
+            host.answerRequest(answer.toString().toStdString());
+            break;
+    }
+    return fits;
 }
 
 void ScriptRun::setDigitalInput(int channel, bool value) {
@@ -128,6 +210,34 @@ void ScriptRun::setDigitalInput(int channel, bool value) {
 void ScriptRun::setAnalogInput(int number, double value) {
     if (number == 0 || number == 1) {
         d_->plant.pins().analogInputs[static_cast<std::size_t>(number)] = value;
+    }
+}
+void ScriptRun::setInputInteger(int number, std::int32_t value) {
+    d_->plant.registers().input.ints.at(static_cast<std::size_t>(number)) = value;
+    const rtde::Field* field = rtde::findInput(rtde::intRegisterName(rtde::Direction::Input, number));
+    if (field != nullptr) {
+        d_->plant.watchdogs().touched(static_cast<std::size_t>(field - rtde::inputFields().data()));
+    }
+}
+void ScriptRun::setHandForce(const Eigen::Vector3d& force) {
+    d_->plant.arm().environment().setHandWrench(Wrench{force, Eigen::Vector3d::Zero()});
+}
+void ScriptRun::stop(StopEvent event) {
+    constexpr std::int32_t kCollision = 157;
+    switch (event) {
+        case StopEvent::ProtectiveStop:
+            d_->plant.protectiveStop(
+                {kCollision, 0, primary::ReportLevel::Warning, "a protective stop was triggered"});
+            break;
+        case StopEvent::OperatorStop:
+            d_->plant.programs().requestStop();
+            break;
+        case StopEvent::EmergencyStop:
+            d_->plant.safety().set(SafetySystem::Input::RobotEmergencyStop, true);
+            break;
+        case StopEvent::PowerLoss:
+            d_->plant.losePower();
+            break;
     }
 }
 

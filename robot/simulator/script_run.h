@@ -4,10 +4,13 @@
 // Executes a script in a simulated controller without sockets or threads. Each call of step() is one control
 // period, executed as fast as possible. Interpreter, arm and terminals are the same as in Simulator.
 
+#include <QJsonValue>
 #include <QString>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "robot/core/joints.h"
@@ -25,6 +28,15 @@ struct ScriptRunOptions {
     std::optional<Pose> tcp;    ///< flange to TCP at the start [m, rad]; empty: the flange
     int followedRegister = 47;  ///< output integer register whose values takeWritten() returns
     std::uint64_t seed = 1;     ///< seed for measurement noise and the script's random()
+    std::vector<std::string> followedVariables = {};  ///< global variables for followedVariable()
+};
+
+/// An event that ends the script from outside.
+enum class StopEvent {
+    ProtectiveStop,  ///< same stop as after a collision
+    OperatorStop,    ///< the stop button of the pendant
+    EmergencyStop,   ///< the emergency stop button of the pendant
+    PowerLoss,       ///< the supply of the arm fails
 };
 
 /// The reason why a script could not be compiled or why it ended early.
@@ -56,7 +68,14 @@ public:
     double time() const;                   ///< time since start() [s]
     JointPositions q() const;              ///< target position: target_q [rad]
     Pose tcpPose() const;                  ///< pose at this position: target_TCP_pose [m, rad], base frame
+    bool isStandstill() const;             ///< True if the arm does not move.
+    double tcpForce() const;               ///< force at the TCP as an RTDE client receives it [N]
     std::uint64_t digitalOutputs() const;  ///< 0-7 standard, 8-15 configurable, 16-17 tool
+    std::array<double, 2> analogOutputs() const;  ///< at the terminals [A or V]
+    /// Last value of a global variable in ScriptRunOptions::followedVariables, also after the end of the
+    /// script: true or false, a number, a text, or a list of numbers for a pose or a list. Undefined if the
+    /// script has not set it.
+    QJsonValue followedVariable(const std::string& name) const;
     SafetyMode safetyMode() const;
     /// Returns the values that the script has written to the followed register since the last call.
     std::vector<std::int32_t> takeWritten();
@@ -67,11 +86,18 @@ public:
 
     /// True while the script shows a message or asks a question and waits for an answer.
     bool waitsForOperator() const;
-    /// Closes the message, or answers a question with "no", zero or an empty text.
-    void answerOperator();
+    bool waitsForAnswer() const;  ///< True while it is a question.
+    /// Closes the message, or answers the question: true or false, a number, or a text.
+    /// answer   undefined: "no", zero or an empty text
+    /// Returns  false if the question requires another type. The answer is then the same as for undefined.
+    bool answerOperator(const QJsonValue& answer = QJsonValue::Undefined);
 
     void setDigitalInput(int channel, bool value);  ///< channels as in digitalOutputs()
     void setAnalogInput(int number, double value);  ///< 0 or 1 [A or V]
+    void setInputInteger(int number,
+                         std::int32_t value);         ///< an input integer register, as by an RTDE client
+    void setHandForce(const Eigen::Vector3d& force);  ///< of a hand at the TCP [N], base frame
+    void stop(StopEvent event);                       ///< Takes effect in the next step.
 
 private:
     class Impl;

@@ -102,6 +102,20 @@ class TestManual(unittest.TestCase):
                                      env=dict(os.environ, PYTHONPATH=way), capture_output=True, text=True, check=False)
                 self.assertEqual(ran.returncode, 0, ran.stdout + ran.stderr)
 
+    def test_the_program_tests_pass_as_shown(self):
+        text = (MANUAL / "program_tests.rst").read_text(encoding="utf-8")
+        found = re.findall(r"code-block:: sh\n   :class: test\n\n((?:   .*\n|\n)+)", text)
+        commands = [line.split() for line in "".join(found).splitlines() if line]
+        self.assertGreaterEqual(len(commands), 3)
+        with tempfile.TemporaryDirectory() as folder:
+            for sample in (SOURCE / "resources/samples").glob("pick-and-place.*"):
+                shutil.copy(sample, folder)
+            for program, *words in commands:
+                self.assertEqual(program, "tiller-cli")
+                ran = subprocess.run([os.environ["TILLER_CLI"], *words], cwd=folder, capture_output=True, text=True, check=False)
+                self.assertEqual((ran.returncode, ran.stderr), (0, ""), ran.stdout)
+            self.assertTrue({"results.xml", "coverage.json"} <= set(os.listdir(folder)))
+
     def test_a_recording_is_read_as_shown(self):
         codes = snippets("recording")
         self.assertTrue(codes)

@@ -71,6 +71,8 @@ public:
     std::uint32_t currentLine() const;
     /// The main program; null if no program runs.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
+    /// Like mainProgram(), but also between the end of the main body and the report of this end.
+    const urscript::Interpreter* unreportedProgram() const { return main_.get(); }
     /// The error of the last main program; empty if it did not fail.
     const std::optional<urscript::RuntimeError>& failure() const { return failure_; }
     /// Number of main programs started.

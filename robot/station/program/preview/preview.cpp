@@ -3,10 +3,12 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <bit>
 #include <set>
 
-#include "robot/collision/collision_check.h"
+#include "robot/control/motion_types.h"
 #include "robot/project/reachability.h"
+#include "robot/script/supervised_program.h"
 #include "robot/simulator/script_run.h"
 #include "robot/simulator/simulator_options.h"
 #include "robot/station/document/cell_surroundings.h"
@@ -16,7 +18,9 @@
 namespace tiller::program {
 namespace {
 
-constexpr int kCancelEvery = 500;  ///< number of control periods
+constexpr int kCancelEvery = 500;       ///< number of control periods
+constexpr int kHeartbeatRegister = 24;  ///< integer input; the first register that a run from the PC uses
+constexpr double kMaxStoppingTime = 2;  ///< of the arm, after the program was stopped [s]
 
 RobotModelId modelFor(const project::Project& project, const ScriptOptions& options) {
     return options.model.value_or(project.robot.value_or(RobotModelId::UR5e));
@@ -48,11 +52,32 @@ public:
         , cell_(surroundingsOf(project))
         , tcp_(tcpAtStart(project, script))
         , check_(robotModel(modelFor(project, scriptOptions)), {tcp_, cell_.toolRadius}, cell_.around,
-                 cell_.safetyDistance)
+                 cell_.safetyDistance, options.known)
         , run_(runOptions(project, script, scriptOptions, options))
-        , inputs_(options.inputs) {
-        std::stable_sort(inputs_.begin(), inputs_.end(),
-                         [](const InputChange& a, const InputChange& b) { return a.time < b.time; });
+        , events_(options.events)
+        , text_(script::unsupervised(script.text)) {
+        for (const InputChange& input : options.inputs) {
+            events_.push_back({.kind = PreviewEvent::Kind::DigitalInput,
+                               .time = input.time,
+                               .channel = input.channel,
+                               .value = input.value ? 1.0 : 0.0});
+        }
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            if (events_[i].step == 0) {
+                // A stop before the start would have no effect on the program.
+                const double earliest = isStop(events_[i].kind) ? 1.5 * run_.stepTime() : 0;
+                schedule(i, std::max(earliest, events_[i].time));
+            }
+        }
+        hasHeartbeat_ = std::any_of(events_.begin(), events_.end(), [](const PreviewEvent& event) {
+            return event.kind == PreviewEvent::Kind::LinkLoss;
+        });
+        if (hasHeartbeat_) {
+            script::Heartbeat heartbeat;
+            heartbeat.number = kHeartbeatRegister;
+            heartbeat.timeout = control::kHoldTime;
+            text_ = script::supervised(script.text, heartbeat, scriptOptions.version);
+        }
     }
 
     Preview follow() {
@@ -63,21 +88,28 @@ public:
                 ProgramText::tr("The position of “%1” is unknown because its frame %2 is not in the project.")
                     .arg(object.name, object.frame));
         }
-        applyInputs();
-        if (const auto fault = run_.start(script_.text)) {
-            find(Finding::Kind::ScriptError, script_.stepAt(fault->line), fault->text);
+        applyEvents();
+        outputs_ = run_.digitalOutputs();
+        result_.analogOutputs = run_.analogOutputs();
+        if (const auto fault = run_.start(text_.text)) {
+            result_.endStep = script_.stepAt(text_.lineOf(fault->line));
+            find(Finding::Kind::ScriptError, result_.endStep, fault->text);
             return std::move(result_);
         }
         sample();
         while (run_.step() && !isOver()) {
             followMarks();
-            applyInputs();
+            followOutputs();
+            followForce();
+            applyEvents();
+            sendHeartbeat();
             answerOperator();
             if (run_.time() >= nextSample_) {
                 sample();
             }
         }
         followMarks();
+        followOutputs();
         finish();
         return std::move(result_);
     }
@@ -98,6 +130,8 @@ private:
         run.start = options.start.value_or(startPosition(project, script));
         run.tcp = tcpAtStart(project, script);
         run.followedRegister = kStepRegister;
+        run.seed = options.seed;
+        run.followedVariables = options.variables;
         return run;
     }
 
@@ -112,8 +146,10 @@ private:
                 timing(step_).total += now - stepBegan_;
             }
             const bool known = value > 0 && value <= static_cast<int>(script_.steps.size());
+            lastMark_ = value;
             if (value < 0) {
                 failed_ = true;
+                result_.endStep = -value;
                 find(Finding::Kind::StepFailed, -value,
                      ProgramText::tr("The step failed and ended the program."));
             }
@@ -121,13 +157,15 @@ private:
             stepBegan_ = now;
             if (known) {
                 followCycles();
-                if (cycles_ > kPreviewCycles) {
+                if (hasRunCycles()) {
                     step_ = 0;
                     return;
                 }
                 result_.order.push_back(step_);
+                result_.starts.push_back(now);
                 StepTiming& first = timing(step_);
                 first.first = first.count++ == 0 ? now : first.first;
+                scheduleAtStep(first.count);
             }
         }
     }
@@ -145,12 +183,92 @@ private:
         }
     }
 
+    bool hasRunCycles() const { return options_.maxCycles > 0 && cycles_ > options_.maxCycles; }
+
     StepTiming& timing(int step) { return result_.timings[static_cast<std::size_t>(step - 1)]; }
 
-    void applyInputs() {
-        while (nextInput_ < inputs_.size() && inputs_[nextInput_].time <= run_.time()) {
-            run_.setDigitalInput(inputs_[nextInput_].channel, inputs_[nextInput_].value);
-            ++nextInput_;
+    /// Adds an event, after those of the same time.
+    void schedule(std::size_t event, double due) {
+        const auto later = std::upper_bound(due_.begin(), due_.end(), due,
+                                            [](double time, const Due& other) { return time < other.time; });
+        due_.insert(later, {due, event});
+    }
+
+    /// Schedules the events that follow the n-th beginning of the running step.
+    void scheduleAtStep(int run) {
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            if (events_[i].step == step_ && events_[i].run == run) {
+                schedule(i, run_.time() + events_[i].time);
+            }
+        }
+    }
+
+    void applyEvents() {
+        while (!due_.empty() && due_.front().time <= run_.time()) {
+            apply(events_[due_.front().event]);
+            applied_.insert(due_.front().event);
+            due_.erase(due_.begin());
+        }
+    }
+
+    void apply(const PreviewEvent& event) {
+        using Kind = PreviewEvent::Kind;
+        isStopped_ = isStopped_ || isStop(event.kind);
+        switch (event.kind) {
+            case Kind::DigitalInput:
+                run_.setDigitalInput(event.channel, event.value != 0);
+                break;
+            case Kind::AnalogInput:
+                run_.setAnalogInput(event.channel, event.value);
+                break;
+            case Kind::HandForce:
+                run_.setHandForce(event.force);
+                break;
+            case Kind::ProtectiveStop:
+                run_.stop(simulator::StopEvent::ProtectiveStop);
+                break;
+            case Kind::OperatorStop:
+                run_.stop(simulator::StopEvent::OperatorStop);
+                break;
+            case Kind::EmergencyStop:
+                run_.stop(simulator::StopEvent::EmergencyStop);
+                break;
+            case Kind::PowerLoss:
+                run_.stop(simulator::StopEvent::PowerLoss);
+                break;
+            case Kind::LinkLoss:
+                hasHeartbeat_ = false;
+                break;
+        }
+    }
+
+    void sendHeartbeat() {
+        if (hasHeartbeat_) {
+            run_.setInputInteger(kHeartbeatRegister, ++heartbeat_);
+        }
+    }
+
+    void followOutputs() {
+        const std::uint64_t outputs = run_.digitalOutputs();
+        for (std::uint64_t changed = outputs ^ outputs_; changed != 0; changed &= changed - 1) {
+            const int channel = std::countr_zero(changed);
+            result_.outputChanges.push_back(
+                {run_.time(), channel, ((outputs >> channel) & 1U) != 0 ? 1.0 : 0.0});
+        }
+        outputs_ = outputs;
+        const std::array<double, 2> analog = run_.analogOutputs();
+        for (std::size_t i = 0; i < analog.size(); ++i) {
+            if (analog[i] != result_.analogOutputs[i]) {
+                result_.outputChanges.push_back(
+                    {run_.time(), kFirstAnalogOutput + static_cast<int>(i), analog[i]});
+            }
+        }
+        result_.analogOutputs = analog;
+    }
+
+    void followForce() {
+        if (const double force = run_.tcpForce(); force > result_.force.value) {
+            result_.force = {force, run_.time(), step_};
         }
     }
 
@@ -160,13 +278,21 @@ private:
         } else if (!askedAt_) {
             askedAt_ = run_.time();
         } else if (run_.time() - *askedAt_ >= options_.operatorTime) {
-            run_.answerOperator();
+            const bool isQuestion = run_.waitsForAnswer();
+            // The value is undefined if there are not enough answers.
+            const QJsonValue answer = isQuestion && result_.questions < options_.answers.size()
+                                          ? options_.answers.at(result_.questions)
+                                          : QJsonValue(QJsonValue::Undefined);
+            if (!run_.answerOperator(answer) && isQuestion) {
+                result_.unfitAnswers.push_back(result_.questions);
+            }
+            result_.questions += isQuestion ? 1 : 0;
             askedAt_.reset();
         }
     }
 
     bool isOver() {
-        if (cycles_ > kPreviewCycles) {
+        if (hasRunCycles()) {
             result_.isEndless = true;
             return true;
         }
@@ -193,31 +319,76 @@ private:
             contactSteps_.insert({step_, static_cast<int>(contact->with), contact->other}).second) {
             find(Finding::Kind::Collision, step_, contactText(*contact, cell_.around));
         }
+        if (options_.measuresClearance) {
+            measureClearance(now);
+        }
         result_.path.push_back(now);
+    }
+
+    void measureClearance(const PathSample& now) {
+        const collision::CollisionCheck::Placement placement = check_.place(now.q);
+        for (const collision::CollisionCheck::Pair& pair : check_.pairs()) {
+            if (pair.with != collision::Contact::With::Arm) {
+                const double distance = check_.distance(pair, placement);
+                if (!result_.clearance || distance < result_.clearance->value) {
+                    result_.clearance = {distance, now.time, now.step};
+                }
+            }
+        }
+    }
+
+    /// Runs until the arm is at standstill after a stop that ended the program at once.
+    void awaitStandstill() {
+        const double end = run_.time() + kMaxStoppingTime;
+        while (!run_.isStandstill() && run_.time() < end) {
+            run_.step();
+        }
     }
 
     void finish() {
         sample();
         if (step_ > 0) {
             timing(step_).total += run_.time() - stepBegan_;
+            result_.endStep = step_;
         }
+        result_.duration = run_.time();
         const auto failure = run_.failure();
         if (failure) {
-            find(Finding::Kind::RuntimeError, script_.stepAt(failure->line), failure->text);
+            const int step = script_.stepAt(text_.lineOf(failure->line));
+            find(Finding::Kind::RuntimeError, step, failure->text);
+            result_.endStep = step > 0 ? step : result_.endStep;
         }
-        const bool stopped = run_.safetyMode() != SafetyMode::Normal;
-        if (stopped) {
+        const bool hasSafetyStop = run_.safetyMode() != SafetyMode::Normal;
+        if (hasSafetyStop && run_.safetyMode() != SafetyMode::RobotEmergencyStop) {
             find(Finding::Kind::ProtectiveStop, step_, run_.stopText());
         }
+        // A program that has written the 0 at its end was not affected by the stop.
+        const bool stopped = hasSafetyStop || (isStopped_ && lastMark_ != 0);
         const bool cut =
             std::any_of(result_.findings.begin(), result_.findings.end(), [](const Finding& finding) {
                 return finding.kind == Finding::Kind::TimeLimit || finding.kind == Finding::Kind::Cancelled;
             });
-        result_.completed = !failure && !stopped && !cut && !failed_;
-        result_.duration = run_.time();
+        result_.end = cut                  ? Preview::End::Running
+                      : failure || failed_ ? Preview::End::Failed
+                      : stopped            ? Preview::End::Stopped
+                      : result_.isEndless  ? Preview::End::Running
+                                           : Preview::End::Completed;
+        result_.completed = result_.end == Preview::End::Completed ||
+                            (result_.end == Preview::End::Running && result_.isEndless);
+        if (stopped) {
+            awaitStandstill();
+        }
         result_.endJoints = run_.q();
         result_.endPose = run_.tcpPose();
         result_.outputs = run_.digitalOutputs();
+        for (const std::string& name : options_.variables) {
+            result_.variables[name] = run_.followedVariable(name);
+        }
+        for (std::size_t i = 0; i < options_.events.size(); ++i) {
+            if (!applied_.contains(i)) {
+                result_.unusedEvents.push_back(i);
+            }
+        }
     }
 
     const ProgramScript& script_;
@@ -226,9 +397,20 @@ private:
     Pose tcp_;
     collision::CollisionCheck check_;
     simulator::ScriptRun run_;
-    std::vector<InputChange> inputs_;
-    std::size_t nextInput_ = 0;
+    struct Due {
+        double time = 0;
+        std::size_t event = 0;  ///< index into events_
+    };
+    std::vector<PreviewEvent> events_;  ///< those of the options, then the inputs
+    std::vector<Due> due_;              ///< scheduled, in the order of their times
+    std::set<std::size_t> applied_;
+    script::SupervisedProgram text_;
     Preview result_;
+    std::optional<std::int32_t> lastMark_;  ///< last value of the step register
+    bool isStopped_ = false;                ///< by an event
+    bool hasHeartbeat_ = false;
+    std::int32_t heartbeat_ = 0;
+    std::uint64_t outputs_ = 0;
     int step_ = 0;
     double stepBegan_ = 0;
     double nextSample_ = 0;
@@ -242,6 +424,11 @@ private:
 };
 
 }  // namespace
+
+bool isStop(PreviewEvent::Kind kind) {
+    using Kind = PreviewEvent::Kind;
+    return kind != Kind::DigitalInput && kind != Kind::AnalogInput && kind != Kind::HandForce;
+}
 
 QString findingText(const project::Project& project, const ProgramScript& script, const Finding& finding) {
     const QString time = QLocale().toString(finding.time, 'f', 1);

@@ -5,10 +5,16 @@
 // time. The result contains the path, the time of each step, and problems by step. Everything is simulated:
 // there are no parts, and inputs have the values given in the options.
 
+#include <QJsonArray>
 #include <QString>
+#include <array>
 #include <functional>
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "robot/collision/collision_check.h"
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
 #include "robot/project/project_file.h"
@@ -26,9 +32,43 @@ struct InputChange {
     bool value = true;
 };
 
+/// An input or a stop from outside. It takes effect in the control period after its time.
+struct PreviewEvent {
+    enum class Kind {
+        DigitalInput,    ///< `channel` as in InputChange; on unless `value` is 0
+        AnalogInput,     ///< AI0 or AI1, `value` in [A or V]
+        HandForce,       ///< a hand at the TCP exerts `force`
+        ProtectiveStop,  ///< same stop as after a collision
+        OperatorStop,    ///< the stop button of the pendant
+        EmergencyStop,   ///< the emergency stop button of the pendant
+        PowerLoss,       ///< the supply of the arm fails
+        LinkLoss,        ///< the connection to the PC is lost
+    };
+    Kind kind = Kind::DigitalInput;
+    double time = 0;  ///< since the start or since the beginning of `step` [s]
+    int step = 0;     ///< step number; 0: `time` is since the start
+    int run = 1;      ///< the first, second ... beginning of the step counts
+    int channel = 0;
+    double value = 0;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< [N], base frame
+};
+
+/// True for an event that ends the program.
+bool isStop(PreviewEvent::Kind kind);
+
 struct PreviewOptions {
     std::optional<JointPositions> start;  ///< [rad]; if empty, see startPosition()
     std::vector<InputChange> inputs;
+    /// With a LinkLoss event, the script runs as in a run from this PC: it ends if the heartbeat is missing.
+    std::vector<PreviewEvent> events = {};
+    /// For the questions to the operator, in this order; afterwards "no", zero or an empty text.
+    QJsonArray answers = {};
+    std::vector<std::string> variables = {};  ///< names of the variables for Preview::variables
+    bool measuresClearance = false;           ///< whether Preview::clearance is measured
+    std::uint64_t seed = 1;                   ///< of the measurement noise and of random()
+    /// For several previews of the same arm in one thread, see CollisionCheck.
+    collision::NeverMeeting* known = nullptr;
+    int maxCycles = kPreviewCycles;          ///< of an endless loop; 0: no limit
     double timeLimit = 3600;                 ///< duration [s] after which the program is stopped
     double operatorTime = 1;                 ///< time until a message is closed or a question is answered [s]
     double sampleInterval = 0.02;            ///< time between two samples of the path [s]
@@ -65,17 +105,53 @@ struct Finding {
     QString text;     ///< translated text, or the message from the controller
 };
 
+/// An output that changed.
+struct OutputChange {
+    double time = 0;   ///< since the start [s]
+    int channel = 0;   ///< as in InputChange; 18 and 19: AO0 and AO1
+    double value = 0;  ///< 0 or 1; of analog outputs [A or V]
+    friend bool operator==(const OutputChange&, const OutputChange&) = default;
+};
+inline constexpr int kFirstAnalogOutput = 18;  ///< channel of AO0 in OutputChange
+
+/// The largest or smallest value of a quantity.
+struct Extreme {
+    double value = 0;
+    double time = 0;  ///< since the start [s]
+    int step = 0;     ///< step number; 0: none
+};
+
 struct Preview {
+    enum class End {
+        Completed,
+        Failed,   ///< by a step or by the script
+        Stopped,  ///< by a protective stop or an event
+        Running,  ///< the program was still running when the preview ended
+    };
     bool completed = false;  ///< the program ended normally, or is endless
-    bool isEndless = false;  ///< the preview ended after kPreviewCycles cycles of an endless loop
-    double duration = 0;     ///< until the end of the preview [s]
+    bool isEndless = false;  ///< the preview ended after PreviewOptions::maxCycles cycles of an endless loop
+    End end = End::Failed;
+    int endStep = 0;      ///< step that failed, or that was running at the end; 0: none
+    double duration = 0;  ///< until the end of the preview [s]
     std::vector<PathSample> path;
     std::vector<int> order;           ///< step numbers in the order of their start
+    std::vector<double> starts;       ///< start time of each item of `order` [s]
     std::vector<StepTiming> timings;  ///< one per step; step number 1 is at index 0
     std::vector<Finding> findings;    ///< in chronological order
     JointPositions endJoints;
-    Pose endPose;               ///< TCP pose in the base frame
-    std::uint64_t outputs = 0;  ///< digital outputs at the end
+    Pose endPose;                           ///< TCP pose in the base frame
+    std::uint64_t outputs = 0;              ///< digital outputs at the end
+    std::array<double, 2> analogOutputs{};  ///< at the end [A or V]
+    std::vector<OutputChange> outputChanges;
+    Extreme force;  ///< largest force at the TCP as a client of the robot receives it [N]
+    /// Smallest distance of the arm from the floor, planes and boxes of the cell [m], at the samples of the path.
+    /// Empty if it was not measured, or if the cell has none of these.
+    std::optional<Extreme> clearance;
+    /// Last values, see simulator::ScriptRun::followedVariable().
+    std::map<std::string, QJsonValue> variables;
+    std::vector<std::size_t> unusedEvents;  ///< indices of the events that did not take place
+    int questions = 0;                      ///< number of questions to the operator
+    std::vector<int> unfitAnswers;          ///< indices of the answers of another type than the question
 
     bool isGood() const { return completed && findings.empty(); }  ///< The program ended without a finding.
 };

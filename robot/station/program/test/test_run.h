@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Runs tests of programs in the simulated controller, in virtual time, and compares the runs with the
+// expectations. The same seed gives exactly the same outcome, whatever the number of threads.
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "robot/station/program/test/program_test.h"
+
+namespace tiller::program {
+
+/// The result of one expectation.
+struct Verdict {
+    QString name;      ///< e.g. "duration"
+    QString expected;  ///< e.g. "18 s to 25 s"
+    QString measured;  ///< e.g. "27.104 s"
+    bool passed = false;
+};
+
+struct TestOutcome {
+    std::size_t file = 0;  ///< index of the test file
+    std::size_t test = 0;  ///< index into TestFile::tests
+    Preview preview;       ///< without its path
+    std::vector<Verdict> verdicts;
+    bool hasRun = false;  ///< false if the program has errors
+    bool passed() const;  ///< True if all verdicts passed.
+};
+
+struct TestRunOptions {
+    std::uint64_t seed = 1;  ///< of the measurement noise and of random()
+    int threads = 1;
+    std::function<bool()> isCancelled = {};  ///< polled in the threads
+};
+
+/// Compares a run with the expectations of the test.
+std::vector<Verdict> judge(const TestFile& file, const ProgramTest& test, const Preview& preview);
+
+/// Runs all tests.
+/// Returns  the outcomes in the order of the files and their tests; incomplete if the run is cancelled
+/// Threads  any. Blocks: until all tests have run, in the given number of threads
+std::vector<TestOutcome> runTests(const std::vector<TestFile>& files, const TestRunOptions& options = {});
+
+/// A verdict as one line, e.g. "duration: 27.104 s (expected 18 s to 25 s)".
+QString verdictText(const Verdict& verdict);
+
+}  // namespace tiller::program
