@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <QCommandLineParser>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -17,28 +16,6 @@ namespace tiller::app {
 namespace {
 
 using divergence::Quantity;
-
-const QString kDivergenceHelp = QStringLiteral(
-    "tiller-cli divergence: compares the motion of an arm with its model\n"
-    "\n"
-    "Usage: tiller-cli divergence FILE [options]\n"
-    "\n"
-    "  FILE                 recording (.mcap, .h5 or .csv), such as that of an incident. The arm of the\n"
-    "                       simulated controller follows the targets of the recording, and its motion is\n"
-    "                       compared with that of the real arm. The simulated arm carries the payload that\n"
-    "                       is set on the controller, and has neither contact nor friction\n"
-    "  --model MODEL        robot model, such as ur5e (default: the model named in the recording)\n"
-    "  --joint DEGREES      largest permitted deviation of each joint (default 0.5); 0: not compared\n"
-    "  --tcp MM             the same for the TCP (default 5)\n"
-    "  --current A          the same for the current of each joint (default 2)\n"
-    "  --force N            the same for the force at the TCP (default 30)\n"
-    "  --lasting SECONDS    ignores shorter deviations (default 0.01)\n"
-    "  --from, --until SECONDS   compares only this part\n"
-    "  --json               prints one JSON object instead of text\n"
-    "  --quiet              shows no progress on the terminal\n"
-    "  --help               shows this text\n"
-    "\n"
-    "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 invalid arguments.\n");
 
 /// Output format of a quantity: its name, its unit, and the conversion factor from SI.
 struct Spelling {
@@ -165,69 +142,40 @@ void print(const divergence::Report& report) {
     }
 }
 
-/// Reads the value of an optional command line option.
-bool readLimit(const QCommandLineParser& parser, const QCommandLineOption& option, double factor,
-               double& limit) {
-    constexpr double kMaxValue = 1e6;
-    if (!parser.isSet(option)) {
-        return true;
-    }
-    const auto value = numberIn(parser, option, 0, kMaxValue);
-    limit = value ? *value * factor : limit;
-    return value.has_value();
-}
-
-}  // namespace
-
-int divergence(const QStringList& arguments) {
-    QCommandLineParser parser;
-    const QCommandLineOption help(QStringList{"h", "help"});
-    const QCommandLineOption model("model", {}, "MODEL");
-    const QCommandLineOption joint("joint", {}, "DEGREES");
-    const QCommandLineOption tcp("tcp", {}, "MM");
-    const QCommandLineOption current("current", {}, "A");
-    const QCommandLineOption force("force", {}, "N");
-    const QCommandLineOption lasting("lasting", {}, "SECONDS");
-    const QCommandLineOption from("from", {}, "SECONDS");
-    const QCommandLineOption until("until", {}, "SECONDS");
-    const QCommandLineOption json("json");
-    const QCommandLineOption quiet("quiet");
-    parser.addOptions({help, model, joint, tcp, current, force, lasting, from, until, json, quiet});
-    if (!parser.parse(arguments)) {
-        return wrongArguments(parser.errorText());
-    }
-    if (parser.isSet(help)) {
-        out() << kDivergenceHelp;
-        out().flush();
-        return kSuccess;
-    }
-    if (parser.positionalArguments().size() != 1) {
+int compare(const CommandArguments& arguments) {
+    if (arguments.operands().size() != 1) {
         return wrongArguments(QStringLiteral("divergence: exactly one recording is required"));
     }
     divergence::Choice choice;
-    if (parser.isSet(model)) {
-        choice.model = robotModelByName(parser.value(model));
+    if (arguments.isSet("model")) {
+        choice.model = robotModelByName(arguments.value("model"));
         if (!choice.model) {
             QStringList known;
             for (const RobotModel& each : robotModels()) {
                 known << QString::fromLatin1(each.name);
             }
             return wrongArguments(QStringLiteral("--model must be one of %1, not '%2'")
-                                      .arg(known.join(QStringLiteral(", ")), parser.value(model)));
+                                      .arg(known.join(QStringLiteral(", ")), arguments.value("model")));
         }
     }
     divergence::Limits& limits = choice.limits;
-    if (!readLimit(parser, joint, std::numbers::pi / 180, limits.jointPosition) ||
-        !readLimit(parser, tcp, 1e-3, limits.tcpPosition) || !readLimit(parser, current, 1, limits.current) ||
-        !readLimit(parser, force, 1, limits.force) || !readLimit(parser, lasting, 1, limits.lasting) ||
-        !readLimit(parser, from, 1, choice.from) || !readLimit(parser, until, 1, choice.until)) {
-        return kWrongArguments;
-    }
-    const auto opened = recording::openRecording(parser.positionalArguments().constFirst());
+    const auto read = [&arguments](const char* option, double factor, double& value) {
+        if (arguments.isSet(option)) {
+            value = arguments.number(option) * factor;
+        }
+    };
+    read("joint", std::numbers::pi / 180, limits.jointPosition);
+    read("tcp", 1e-3, limits.tcpPosition);
+    read("current", 1, limits.current);
+    read("force", 1, limits.force);
+    read("lasting", 1, limits.lasting);
+    read("from", 1, choice.from);
+    read("until", 1, choice.until);
+    const auto opened = recording::openRecording(arguments.operands().constFirst());
     if (!opened) {
         return complain(opened.error().toString(), kFailed);
     }
-    ProgressLine line(!parser.isSet(quiet));
+    ProgressLine line(!arguments.isSet("quiet"));
     constexpr double kPercent = 100;
     choice.progress = [&line](double done) {
         line.show(QStringLiteral("compared %1 %").arg(done * kPercent, 0, 'f', 0));
@@ -238,7 +186,7 @@ int divergence(const QStringList& arguments) {
     if (!report) {
         return complain(report.error().toString(), kFailed);
     }
-    if (parser.isSet(json)) {
+    if (arguments.isSet("json")) {
         out() << QJsonDocument(toJson(*report)).toJson();
     } else {
         print(*report);
@@ -249,6 +197,43 @@ int divergence(const QStringList& arguments) {
     }
     return report->firstCompared && !report->first() && opened.value()->problems().isEmpty() ? kSuccess
                                                                                              : kFailed;
+}
+
+}  // namespace
+
+const Command& divergenceCommand() {
+    constexpr double kMaxLimit = 1e6;
+    static const Command kCommand{
+        .name = "divergence",
+        .operands = "FILE",
+        .summary = "compares the motion of an arm with its model",
+        .title = "compares the motion of an arm with its model",
+        .usage = {"FILE [options]"},
+        .operandRows = {{"FILE",
+                         "recording (.mcap, .h5 or .csv), such as that of an incident. The arm of the "
+                         "simulated controller follows the targets of the recording, and its motion is "
+                         "compared with that of the real arm. The simulated arm carries the payload "
+                         "that is set on the controller, and has neither contact nor friction"}},
+        .options =
+            {{"model", "MODEL", "robot model, such as ur5e (default: the model named in the recording)"},
+             {"joint",
+              "DEGREES",
+              "largest permitted deviation of each joint (default 0.5); 0: not compared",
+              "",
+              {0, kMaxLimit}},
+             {"tcp", "MM", "the same for the TCP (default 5)", "", {0, kMaxLimit}},
+             {"current", "A", "the same for the current of each joint (default 2)", "", {0, kMaxLimit}},
+             {"force", "N", "the same for the force at the TCP (default 30)", "", {0, kMaxLimit}},
+             {"lasting", "SECONDS", "ignores shorter deviations (default 0.01)", "", {0, kMaxLimit}},
+             {"from", "SECONDS", "compares only the part from this time", "", {0, kMaxLimit}},
+             {"until", "SECONDS", "compares only the part until this time", "", {0, kMaxLimit}},
+             {"json", "", "prints one JSON object instead of text"},
+             {"quiet", "", "shows no progress on the terminal"}},
+        .notes =
+            "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 "
+            "invalid arguments.",
+        .run = compare};
+    return kCommand;
 }
 
 }  // namespace tiller::app

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <QCommandLineParser>
 #include <QFileInfo>
 
 #include "app/cli_command.h"
@@ -12,55 +11,16 @@ namespace tiller::app {
 
 namespace {
 
-const QString kEpisodesHelp = QStringLiteral(
-    "tiller-cli episodes: cuts recordings into demonstrations for imitation learning\n"
-    "\n"
-    "Usage: tiller-cli episodes FILE... --out FILE.h5 [options]\n"
-    "\n"
-    "  FILE...              recordings (.mcap, .h5 or .csv)\n"
-    "  --out FILE           HDF5 file in the layout of robomimic: /data/demo_0 with obs, next_obs, actions,\n"
-    "                       rewards and dones\n"
-    "  --cut HOW            program: one episode from each start of a program to its stop (default); notes:\n"
-    "                       from each note of the operator to the next; whole: one episode per recording\n"
-    "  --rate HZ            rows per second (default 20); 0: all rows\n"
-    "  --shortest SECONDS   shorter episodes are omitted (default 0.5)\n"
-    "  --observations A,B   observed fields (default actual_q,actual_qd,actual_TCP_pose,actual_TCP_force)\n"
-    "  --action FIELD       field with the commanded values (default target_q)\n"
-    "  --force              replaces an existing file\n"
-    "  --help               shows this text\n"
-    "\n"
-    "Exit code: 0 file written, 1 file not written or no episode found, 2 invalid arguments.\n");
-
-}  // namespace
-
-int episodes(const QStringList& arguments) {
-    QCommandLineParser parser;
-    const QCommandLineOption help(QStringList{"h", "help"});
-    const QCommandLineOption outFile("out", {}, "FILE");
-    const QCommandLineOption cut("cut", {}, "HOW", "program");
-    const QCommandLineOption rate("rate", {}, "HZ", "20");
-    const QCommandLineOption shortest("shortest", {}, "SECONDS", "0.5");
-    const QCommandLineOption observations("observations", {}, "A,B");
-    const QCommandLineOption action("action", {}, "FIELD", "target_q");
-    const QCommandLineOption force("force");
-    parser.addOptions({help, outFile, cut, rate, shortest, observations, action, force});
-    if (!parser.parse(arguments)) {
-        return wrongArguments(parser.errorText());
-    }
-    if (parser.isSet(help)) {
-        out() << kEpisodesHelp;
-        out().flush();
-        return kSuccess;
-    }
-    const QString target = parser.value(outFile);
-    if (parser.positionalArguments().isEmpty() || target.isEmpty()) {
+int episodes(const CommandArguments& arguments) {
+    const QString target = arguments.value("out");
+    if (arguments.operands().isEmpty() || target.isEmpty()) {
         return wrongArguments(QStringLiteral("episodes: recordings and --out FILE.h5 are required"));
     }
-    if (!parser.isSet(force) && QFileInfo::exists(target)) {
+    if (!arguments.isSet("force") && QFileInfo::exists(target)) {
         return wrongArguments(QStringLiteral("episodes: %1 already exists; --force replaces it").arg(target));
     }
     recording::EpisodeChoice choice;
-    const QString how = parser.value(cut);
+    const QString how = arguments.value("cut");
     if (how == QLatin1String("notes")) {
         choice.cut = recording::EpisodeChoice::Cut::Notes;
     } else if (how == QLatin1String("whole")) {
@@ -68,20 +28,15 @@ int episodes(const QStringList& arguments) {
     } else if (how != QLatin1String("program")) {
         return wrongArguments(QStringLiteral("--cut must be program, notes or whole, not '%1'").arg(how));
     }
-    const auto hertz = numberIn(parser, rate, 0, 10'000);
-    const auto least = numberIn(parser, shortest, 0, 1e6);
-    if (!hertz || !least) {
-        return kWrongArguments;
+    choice.rate = arguments.number("rate");
+    choice.shortest = arguments.number("shortest");
+    if (arguments.isSet("observations")) {
+        choice.observations = namesIn(arguments.value("observations"));
     }
-    choice.rate = *hertz;
-    choice.shortest = *least;
-    if (parser.isSet(observations)) {
-        choice.observations = namesIn(parser.value(observations));
-    }
-    choice.action = parser.value(action).toStdString();
+    choice.action = arguments.value("action").toStdString();
     std::vector<std::unique_ptr<recording::Recording>> opened;
     std::vector<const recording::Recording*> recordings;
-    for (const QString& path : parser.positionalArguments()) {
+    for (const QString& path : arguments.operands()) {
         auto file = recording::openRecording(path);
         if (!file) {
             return complain(file.error().toString(), kFailed);
@@ -100,6 +55,37 @@ int episodes(const QStringList& arguments) {
                  .arg(report.value().tooShort)
           << Qt::endl;
     return kSuccess;
+}
+
+}  // namespace
+
+const Command& episodesCommand() {
+    static const Command kCommand{
+        .name = "episodes",
+        .operands = "FILE...",
+        .summary = "cuts recordings into demonstrations for imitation learning",
+        .title = "cuts recordings into demonstrations for imitation learning",
+        .usage = {"FILE... --out FILE.h5 [options]"},
+        .operandRows = {{"FILE...", "recordings (.mcap, .h5 or .csv)"}},
+        .options = {{"out", "FILE",
+                     "HDF5 file in the layout of robomimic: /data/demo_0 with obs, next_obs, "
+                     "actions, rewards and dones"},
+                    {"cut", "HOW",
+                     "program: one episode from each start of a program to its stop (default); "
+                     "notes: from each note of the operator to the next; whole: one episode per "
+                     "recording",
+                     "program"},
+                    {"rate", "HZ", "rows per second (default %1); 0: all rows", "20", {0, 10'000}},
+                    {"shortest", "SECONDS", "shorter episodes are omitted (default %1)", "0.5", {0, 1e6}},
+                    {"observations", "A,B",
+                     "observed fields (default actual_q,actual_qd,actual_TCP_pose,actual_TCP_force)"},
+                    {"action", "FIELD", "field with the commanded values (default %1)", "target_q"},
+                    {"force", "", "replaces an existing file"}},
+        .notes =
+            "Exit code: 0 file written, 1 file not written or no episode found, 2 invalid "
+            "arguments.",
+        .run = episodes};
+    return kCommand;
 }
 
 }  // namespace tiller::app

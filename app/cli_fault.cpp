@@ -12,39 +12,22 @@ namespace {
 
 constexpr int kWaitTimeoutMs = 5000;
 
-const QString kFaultHelp = QStringLiteral(
-    "tiller-cli fault: triggers a fault on a simulated controller\n"
-    "\n"
-    "Usage: tiller-cli fault ADDRESS[:PORT] WORDS...\n"
-    "\n"
-    "ADDRESS is the address of 'tiller-cli simulate' or of the simulator of the application, PORT the port\n"
-    "that its 'ready' line lists as faults (default 29990). Any program can do the same over a TCP\n"
-    "connection: it sends one line of WORDS and receives one line, 'ok' or 'error: ' and the reason.\n"
-    "\n"
-    "WORDS is one of\n");
-
-}  // namespace
-
-int fault(const QStringList& arguments) {
-    if (arguments.size() < 2 || arguments[1] == QLatin1String("--help") ||
-        arguments[1] == QLatin1String("-h")) {
-        if (arguments.size() < 2) {
-            return wrongArguments(
-                QStringLiteral("fault: an address and words are required, such as 'tiller-cli fault "
-                               "127.0.0.1 protective-stop'"));
-        }
-        out() << kFaultHelp << simulator::faultHelp();
-        return kSuccess;
+int fault(const CommandArguments& arguments) {
+    const QStringList operands = arguments.operands();
+    if (operands.isEmpty()) {
+        return wrongArguments(
+            QStringLiteral("fault: an address and words are required, such as 'tiller-cli fault "
+                           "127.0.0.1 protective-stop'"));
     }
-    if (arguments.size() < 3) {
+    if (operands.size() < 2) {
         return wrongArguments(QStringLiteral("fault: words are required, such as 'protective-stop'"));
     }
-    const QStringList address = arguments[1].split(':');
+    const QStringList address = operands[0].split(':');
     bool ok = address.size() <= 2;
     const quint16 port = address.size() < 2 ? simulator::Ports().faults : address[1].toUShort(&ok);
     if (!ok || port == 0) {
         return wrongArguments(
-            QStringLiteral("fault: '%1' must be an address, optionally with a port").arg(arguments[1]));
+            QStringLiteral("fault: '%1' must be an address, optionally with a port").arg(operands[0]));
     }
     QTcpSocket socket;
     socket.connectToHost(address[0], port);
@@ -55,7 +38,7 @@ int fault(const QStringList& arguments) {
                             .arg(socket.errorString()),
                         kFailed);
     }
-    socket.write(arguments.mid(2).join(' ').replace('\n', ' ').toUtf8() + '\n');
+    socket.write(operands.mid(1).join(' ').replace('\n', ' ').toUtf8() + '\n');
     while (!socket.canReadLine() && socket.waitForReadyRead(kWaitTimeoutMs)) {
     }
     // Only the reply to `help` has several lines.
@@ -69,6 +52,25 @@ int fault(const QStringList& arguments) {
     out() << QString::fromUtf8(answer.mid(answer.startsWith("ok ") ? 3 : 0));
     out().flush();
     return kSuccess;
+}
+
+}  // namespace
+
+const Command& faultCommand() {
+    static const Command kCommand{
+        .name = "fault",
+        .summary = "triggers a fault on a simulated controller (see 'tiller-cli fault --help')",
+        .title = "triggers a fault on a simulated controller",
+        .usage = {"ADDRESS[:PORT] WORDS..."},
+        .notes = QStringLiteral(
+                     "ADDRESS is the address of 'tiller-cli simulate' or of the simulator of the "
+                     "application, PORT the port that its 'ready' line lists as faults (default 29990). Any "
+                     "program can do the same over a TCP connection: it sends one line of WORDS and receives "
+                     "one line, 'ok' or 'error: ' and the reason.\n\nWORDS is one of\n") +
+                 simulator::faultHelp().chopped(1),
+        .run = fault,
+        .optionsEndAtFirstOperand = true};
+    return kCommand;
 }
 
 }  // namespace tiller::app

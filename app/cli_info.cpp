@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <QCommandLineParser>
 #include <QDateTime>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -13,17 +12,6 @@
 namespace tiller::app {
 
 namespace {
-
-const QString kInfoHelp = QStringLiteral(
-    "tiller-cli info: describes the content of a recording\n"
-    "\n"
-    "Usage: tiller-cli info FILE [options]\n"
-    "\n"
-    "  FILE                 recording (.mcap, .h5 or .csv); the format is detected from the content\n"
-    "  --json               prints one JSON object instead of text\n"
-    "  --help               shows this text\n"
-    "\n"
-    "Exit code: 0 the whole file can be read, 1 it cannot be read or only in part, 2 invalid arguments.\n");
 
 double lengthOf(const recording::Recording& file) {
     const auto last = file.rows() == 0 ? Result<std::vector<double>>(std::vector<double>{0.0})
@@ -118,25 +106,11 @@ void print(const recording::Recording& file) {
     }
 }
 
-}  // namespace
-
-int info(const QStringList& arguments) {
-    QCommandLineParser parser;
-    const QCommandLineOption help(QStringList{"h", "help"});
-    const QCommandLineOption json("json");
-    parser.addOptions({help, json});
-    if (!parser.parse(arguments)) {
-        return wrongArguments(parser.errorText());
-    }
-    if (parser.isSet(help)) {
-        out() << kInfoHelp;
-        out().flush();
-        return kSuccess;
-    }
-    if (parser.positionalArguments().size() != 1) {
+int info(const CommandArguments& arguments) {
+    if (arguments.operands().size() != 1) {
         return wrongArguments(QStringLiteral("info: exactly one file is required"));
     }
-    auto opened = recording::openRecording(parser.positionalArguments().constFirst());
+    auto opened = recording::openRecording(arguments.operands().constFirst());
     if (!opened) {
         return complain(opened.error().toString(), kFailed);
     }
@@ -149,7 +123,7 @@ int info(const QStringList& arguments) {
             return complain(read.error().toString(), kFailed);
         }
     }
-    if (parser.isSet(json)) {
+    if (arguments.isSet("json")) {
         out() << QJsonDocument(toJson(file)).toJson();
     } else {
         print(file);
@@ -159,6 +133,24 @@ int info(const QStringList& arguments) {
         complain(problem, kFailed);
     }
     return file.problems().isEmpty() ? kSuccess : kFailed;
+}
+
+}  // namespace
+
+const Command& infoCommand() {
+    static const Command kCommand{
+        .name = "info",
+        .operands = "FILE",
+        .summary = "describes the content of a recording",
+        .title = "describes the content of a recording",
+        .usage = {"FILE [options]"},
+        .operandRows = {{"FILE", "recording (.mcap, .h5 or .csv); the format is detected from the content"}},
+        .options = {{"json", "", "prints one JSON object instead of text"}},
+        .notes =
+            "Exit code: 0 the whole file can be read, 1 it cannot be read or only in part, "
+            "2 invalid arguments.",
+        .run = info};
+    return kCommand;
 }
 
 }  // namespace tiller::app

@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli_options.h"
 
+#include <QStringList>
 #include <algorithm>
 
-#include "app/cli_command.h"
-
 namespace tiller::app {
-
-std::optional<double> numberIn(const QCommandLineParser& parser, const QCommandLineOption& option,
-                               double least, double most) {
-    bool ok = false;
-    const double value = parser.value(option).toDouble(&ok);
-    if (ok && value >= least && value <= most) {
-        return value;
-    }
-    wrongArguments(QStringLiteral("--%1 must be a number from %2 to %3, not '%4'")
-                       .arg(option.names().first())
-                       .arg(least)
-                       .arg(most)
-                       .arg(parser.value(option)));
-    return std::nullopt;
-}
 
 std::vector<std::string> namesIn(const QString& list) {
     std::vector<std::string> names;

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QCommandLineParser>
-#include <optional>
+#include <QString>
 #include <string>
 #include <vector>
 
+#include "app/cli_command.h"
+
 namespace tiller::app {
 
-/// Returns the number. If the text is not a number in the range, prints an error and returns an empty
-/// optional.
-std::optional<double> numberIn(const QCommandLineParser& parser, const QCommandLineOption& option,
-                               double least, double most);
+/// Values of --port-offset.
+inline constexpr NumberRange kPortOffsets{-29000, 35000, true};
 
 /// Splits "A,B, C" into names.
 std::vector<std::string> namesIn(const QString& list);

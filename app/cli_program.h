@@ -30,11 +30,4 @@ QString problemText(const LoadedProgram& loaded, int step, const QString& text);
 /// Returns the type of this step; empty if no step has this number.
 QString stepName(const LoadedProgram& loaded, int number);
 
-/// Runs a program in the simulator or on a robot.
-int run(const QStringList& arguments);
-/// Tests programs in the simulator.
-int test(const QStringList& arguments);
-/// Prints a program as URScript.
-int script(const QStringList& arguments);
-
 }  // namespace tiller::app

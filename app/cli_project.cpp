@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <QCommandLineParser>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -20,29 +19,6 @@
 namespace tiller::app {
 
 namespace {
-
-const QString kProjectHelp = QStringLiteral(
-    "tiller-cli project: inspects, checks and converts projects\n"
-    "\n"
-    "Usage: tiller-cli project info FILE [options]\n"
-    "       tiller-cli project check FILE [options]\n"
-    "       tiller-cli project convert FILE --out FILE [options]\n"
-    "\n"
-    "  info                 prints the content of the project\n"
-    "  check                checks every waypoint and every path: reach, singularities, and collisions with\n"
-    "                       the arm, the tool and the cell. Uses the nominal kinematics of the robot model\n"
-    "  convert              converts waypoints of a .tiller file to a .csv file, a .csv file to a .tiller\n"
-    "                       file, or a .tiller file of an earlier version to the current one\n"
-    "\n"
-    "  FILE                 project (.tiller); convert also accepts waypoints (.csv)\n"
-    "  --json               info, check: prints one JSON object instead of text\n"
-    "  --model MODEL        robot model for a file without one: ur3e, ur5e, ur10e, ur20, ur30...\n"
-    "  --out FILE           convert: file to write, .tiller or .csv\n"
-    "  --force              convert: replaces an existing file\n"
-    "  --help               shows this text\n"
-    "\n"
-    "Exit code: 0 done, and check found no error; 1 the file cannot be read or written, or check found an\n"
-    "error; 2 invalid arguments. A finding that only slows the arm down is a warning.\n");
 
 QString named(const QString& name) {
     return QStringLiteral("“%1”").arg(name);
@@ -237,39 +213,23 @@ Result<void> writeCsv(const QString& path, const project::Project& project) {
     return writeFileAtomically(path, waypoint_exchange::toCsv(waypoints, project.frames));
 }
 
-}  // namespace
-
-int projectCommand(const QStringList& arguments) {
-    QCommandLineParser parser;
-    const QCommandLineOption help(QStringList{"h", "help"});
-    const QCommandLineOption json("json");
-    const QCommandLineOption model("model", {}, "MODEL");
-    const QCommandLineOption outFile("out", {}, "FILE");
-    const QCommandLineOption force("force");
-    parser.addOptions({help, json, model, outFile, force});
-    if (!parser.parse(arguments)) {
-        return wrongArguments(parser.errorText());
-    }
-    if (parser.isSet(help)) {
-        out() << kProjectHelp;
-        out().flush();
-        return kSuccess;
-    }
-    const QStringList words = parser.positionalArguments();
+int runProjectAction(const CommandArguments& arguments) {
+    const QStringList words = arguments.operands();
     if (words.size() != 2 || !QStringList{"info", "check", "convert"}.contains(words.constFirst())) {
         return wrongArguments(
             QStringLiteral("project: an action (info, check or convert) and one file are required"));
     }
     const QString& action = words[0];
     const QString& path = words[1];
-    const auto chosen = robotModelByName(parser.value(model));
-    if (parser.isSet(model) && !chosen) {
-        return wrongArguments(QStringLiteral("project: '%1' is not a robot model").arg(parser.value(model)));
+    const auto chosen = robotModelByName(arguments.value("model"));
+    if (arguments.isSet("model") && !chosen) {
+        return wrongArguments(
+            QStringLiteral("project: '%1' is not a robot model").arg(arguments.value("model")));
     }
     const auto isCsv = [](const QString& file) {
         return QFileInfo(file).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0;
     };
-    const QString target = parser.value(outFile);
+    const QString target = arguments.value("out");
     const bool converts = action == QLatin1String("convert");
     if (converts) {
         if (!isCsv(target) &&
@@ -280,7 +240,7 @@ int projectCommand(const QStringList& arguments) {
             return wrongArguments(
                 QStringLiteral("project: a .csv file can be converted only to a .tiller file"));
         }
-        if (QFileInfo::exists(target) && !parser.isSet(force)) {
+        if (QFileInfo::exists(target) && !arguments.isSet("force")) {
             return wrongArguments(
                 QStringLiteral("project: %1 already exists; --force replaces it").arg(target));
         }
@@ -295,7 +255,7 @@ int projectCommand(const QStringList& arguments) {
         return complain(loaded.error().toString(), kFailed);
     }
     if (action == QLatin1String("info")) {
-        if (parser.isSet(json)) {
+        if (arguments.isSet("json")) {
             out() << QJsonDocument(infoOf(*loaded)).toJson();
         } else {
             print(path, *loaded);
@@ -313,7 +273,7 @@ int projectCommand(const QStringList& arguments) {
     }
     if (!converts) {
         return loaded->robot
-                   ? check(path, *loaded, *loaded->robot, parser.isSet(json))
+                   ? check(path, *loaded, *loaded->robot, arguments.isSet("json"))
                    : wrongArguments(
                          QStringLiteral("project: %1 contains no robot model; use --model").arg(path));
     }
@@ -328,6 +288,37 @@ int projectCommand(const QStringList& arguments) {
     }
     out() << QStringLiteral("%1: %2 waypoints").arg(target).arg(loaded->waypoints.size()) << Qt::endl;
     return kSuccess;
+}
+
+}  // namespace
+
+const Command& projectCommand() {
+    static const Command kCommand{
+        .name = "project",
+        .operands = "ACTION FILE",
+        .summary = "inspects, checks or converts a project (see 'tiller-cli project --help')",
+        .title = "inspects, checks and converts projects",
+        .usage = {"info FILE [options]", "check FILE [options]", "convert FILE --out FILE [options]"},
+        .operandRows = {{"info", "prints the content of the project"},
+                        {"check",
+                         "checks every waypoint and every path: reach, singularities, and collisions "
+                         "with the arm, the tool and the cell. Uses the nominal kinematics of the robot "
+                         "model"},
+                        {"convert",
+                         "converts waypoints of a .tiller file to a .csv file, a .csv file to a .tiller "
+                         "file, or a .tiller file of an earlier version to the current one"},
+                        {"FILE", "project (.tiller); convert also accepts waypoints (.csv)"}},
+        .options = {{"json", "", "info, check: prints one JSON object instead of text"},
+                    {"model", "MODEL",
+                     "robot model for a file without one: ur3e, ur5e, ur10e, ur20, ur30..."},
+                    {"out", "FILE", "convert: file to write, .tiller or .csv"},
+                    {"force", "", "convert: replaces an existing file"}},
+        .notes =
+            "Exit code: 0 done, and check found no error; 1 the file cannot be read or "
+            "written, or check found an error; 2 invalid arguments. A finding that only "
+            "slows the arm down is a warning.",
+        .run = runProjectAction};
+    return kCommand;
 }
 
 }  // namespace tiller::app

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <QCommandLineParser>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
@@ -30,40 +29,6 @@ using std::chrono::steady_clock;
 constexpr milliseconds kLookEvery{100};
 constexpr std::chrono::seconds kIdentityTimeout{2};
 
-const QString kRecordHelp = QStringLiteral(
-    "tiller-cli record: records every package that a robot sends\n"
-    "\n"
-    "Usage: tiller-cli record ADDRESS --out FILE [options]\n"
-    "       tiller-cli record ADDRESS --out-folder FOLDER [options]\n"
-    "\n"
-    "  ADDRESS              address or host name of the robot, or of a simulated robot\n"
-    "  --out FILE           FILE.mcap or FILE.csv. An existing file is replaced only with --force\n"
-    "  --out-folder FOLDER  writes a new .mcap file in this folder, named after the address and the time\n"
-    "                       (UTC)\n"
-    "  --fields A,B,...     RTDE outputs to record; the time stamp is always included. Default: for .mcap\n"
-    "                       everything that the window shows, for .csv the fields that ur_rtde records\n"
-    "  --duration SECONDS   stops this long after the first package; default: stops on Ctrl-C or SIGTERM\n"
-    "  --every N            records only every N-th package (default 1)\n"
-    "  --trigger CONDITION  records only while the condition is true, in numbered files FILE_001,\n"
-    "                       FILE_002...: 'actual_TCP_force_2 > 20', 'robot_mode = 7',\n"
-    "                       'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'\n"
-    "  --before SECONDS     with a trigger: also records this time before it (0 to 60, default 0)\n"
-    "  --after SECONDS      with a trigger: also records this time after it (default 0)\n"
-    "  --files N            with a trigger: stops after N files\n"
-    "  --attach FILE        stores a file, such as the project, inside the .mcap file\n"
-    "  --no-ros             omits joint state, wrench and transform for ROS tools from the .mcap file\n"
-    "  --keep-free MB       stops and completes the file when the disk has less free space (default 200)\n"
-    "  --wait SECONDS       time to wait for the first package (default 10)\n"
-    "  --force              replaces an existing file\n"
-    "  --quiet              shows no progress on the terminal\n"
-    "  --port-offset N      added to every port number (default 0)\n"
-    "  --help               shows this text\n"
-    "\n"
-    "If the connection is lost, it is restored automatically, and the file contains the gap with its\n"
-    "length. A restart of the controller is stored as an event with both times; \"info\" shows it. Data are\n"
-    "saved twice a second; a crash loses at most half a second. Exit code: 0 the file is complete, 1 the\n"
-    "file is incomplete or there are no data, 2 invalid arguments.\n");
-
 struct RecordOptions {
     receive::ReceiverOptions receiver;
     recording::RecorderOptions recorder;
@@ -89,53 +54,23 @@ QString newFileIn(const QString& folder, QString address) {
 }
 
 /// Returns the options; empty after an error was printed.
-std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& helped) {
-    QCommandLineParser parser;
-    const QCommandLineOption help(QStringList{"h", "help"});
-    const QCommandLineOption outFile("out", {}, "FILE");
-    const QCommandLineOption outFolder("out-folder", {}, "FOLDER");
-    const QCommandLineOption fields("fields", {}, "A,B");
-    const QCommandLineOption duration("duration", {}, "SECONDS", "0");
-    const QCommandLineOption every("every", {}, "N", "1");
-    const QCommandLineOption trigger("trigger", {}, "CONDITION");
-    const QCommandLineOption before("before", {}, "SECONDS", "0");
-    const QCommandLineOption after("after", {}, "SECONDS", "0");
-    const QCommandLineOption files("files", {}, "N", "0");
-    const QCommandLineOption attach("attach", {}, "FILE");
-    const QCommandLineOption noRos("no-ros");
-    const QCommandLineOption keepFree("keep-free", {}, "MB", "200");
-    const QCommandLineOption wait("wait", {}, "SECONDS", "10");
-    const QCommandLineOption force("force");
-    const QCommandLineOption quiet("quiet");
-    const QCommandLineOption offset("port-offset", {}, "N", "0");
-    parser.addOptions({help, outFile, outFolder, fields, duration, every, trigger, before, after, files,
-                       attach, noRos, keepFree, wait, force, quiet, offset});
-    if (!parser.parse(arguments)) {
-        wrongArguments(parser.errorText());
-        return std::nullopt;
-    }
-    helped = parser.isSet(help);
-    if (helped) {
-        out() << kRecordHelp;
-        out().flush();
-        return std::nullopt;
-    }
-    if (parser.positionalArguments().size() != 1) {
+std::optional<RecordOptions> optionsFrom(const CommandArguments& arguments) {
+    if (arguments.operands().size() != 1) {
         wrongArguments(QStringLiteral("record: the address of one robot is required, such as 192.168.0.10"));
         return std::nullopt;
     }
-    const QString address = parser.positionalArguments().constFirst();
+    const QString address = arguments.operands().constFirst();
     if (!isHostName(address)) {
         wrongArguments(QStringLiteral("record: '%1' is not an address or a host name").arg(address));
         return std::nullopt;
     }
-    if (parser.isSet(outFile) && parser.isSet(outFolder)) {
+    if (arguments.isSet("out") && arguments.isSet("out-folder")) {
         wrongArguments(QStringLiteral("record: --out and --out-folder cannot be combined"));
         return std::nullopt;
     }
     RecordOptions options;
-    const QString path =
-        parser.isSet(outFolder) ? newFileIn(parser.value(outFolder), address) : parser.value(outFile);
+    const QString path = arguments.isSet("out-folder") ? newFileIn(arguments.value("out-folder"), address)
+                                                       : arguments.value("out");
     options.format = recording::fileFormatOf(path);
     if (options.format == nullptr || options.format->recorder == nullptr) {
         wrongArguments(
@@ -144,57 +79,47 @@ std::optional<RecordOptions> optionsFrom(const QStringList& arguments, bool& hel
                 : QStringLiteral("record: '%1' must end in %2").arg(path, recording::suffixWords(true)));
         return std::nullopt;
     }
-    if (!parser.isSet(force) && !parser.isSet(trigger) && QFileInfo::exists(path)) {
+    if (!arguments.isSet("force") && !arguments.isSet("trigger") && QFileInfo::exists(path)) {
         wrongArguments(QStringLiteral("record: %1 already exists; --force replaces it").arg(path));
         return std::nullopt;
     }
-    const auto seconds = numberIn(parser, duration, 0, 1e9);
-    const auto nth = numberIn(parser, every, 1, 1e6);
-    const auto earlier = numberIn(parser, before, 0, 60);
-    const auto later = numberIn(parser, after, 0, 3600);
-    const auto most = numberIn(parser, files, 0, 1e6);
-    const auto megabytes = numberIn(parser, keepFree, 0, 1e9);
-    const auto patience = numberIn(parser, wait, 0, 1e6);
-    const auto portOffset = numberIn(parser, offset, -29000, 35000);
-    if (!seconds || !nth || !earlier || !later || !most || !megabytes || !patience || !portOffset) {
-        return std::nullopt;
-    }
-    options.duration = *seconds;
-    options.wait = *patience;
-    options.quiet = parser.isSet(quiet);
+    options.duration = arguments.number("duration");
+    options.wait = arguments.number("wait");
+    options.quiet = arguments.isSet("quiet");
     options.receiver.host = address;
-    options.receiver.port = static_cast<std::uint16_t>(rtde::kPort + static_cast<int>(*portOffset));
-    options.portOffset = static_cast<int>(*portOffset);
+    options.receiver.port =
+        static_cast<std::uint16_t>(rtde::kPort + static_cast<int>(arguments.number("port-offset")));
+    options.portOffset = static_cast<int>(arguments.number("port-offset"));
     options.recorder.path = path;
-    options.recorder.every = static_cast<int>(*nth);
-    options.recorder.keepFree = static_cast<std::int64_t>(*megabytes * 1e6);
-    options.recorder.fields = namesIn(parser.value(fields));
+    options.recorder.every = static_cast<int>(arguments.number("every"));
+    options.recorder.keepFree = static_cast<std::int64_t>(arguments.number("keep-free") * 1e6);
+    options.recorder.fields = namesIn(arguments.value("fields"));
     if (!options.recorder.fields.empty()) {
         options.receiver.fields = options.recorder.fields;
     } else if (!options.format->isComplete) {
         options.recorder.fields = recording::defaultRecordedFields();
     }
-    if (parser.isSet(trigger)) {
-        auto parsed = recording::RecordingTrigger::parse(parser.value(trigger));
+    if (arguments.isSet("trigger")) {
+        auto parsed = recording::RecordingTrigger::parse(arguments.value("trigger"));
         if (!parsed) {
             wrongArguments(QStringLiteral("--trigger: ") + parsed.error().controllerMessage);
             return std::nullopt;
         }
         options.recorder.trigger = std::move(parsed).value();
-        options.recorder.trigger->before = *earlier;
-        options.recorder.trigger->after = *later;
-        options.recorder.trigger->files = static_cast<int>(*most);
+        options.recorder.trigger->before = arguments.number("before");
+        options.recorder.trigger->after = arguments.number("after");
+        options.recorder.trigger->files = static_cast<int>(arguments.number("files"));
     }
-    options.extras.ros = !parser.isSet(noRos);
-    if (parser.isSet(attach)) {
+    options.extras.ros = !arguments.isSet("no-ros");
+    if (arguments.isSet("attach")) {
         constexpr qint64 kMaxValue = 64 << 20;
-        const Result<QByteArray> attached = readWholeFile(parser.value(attach), kMaxValue);
+        const Result<QByteArray> attached = readWholeFile(arguments.value("attach"), kMaxValue);
         if (!attached) {
             wrongArguments(QStringLiteral("--attach: '%1' cannot be read, or is larger than 64 MB")
-                               .arg(parser.value(attach)));
+                               .arg(arguments.value("attach")));
             return std::nullopt;
         }
-        options.extras.attachmentName = QFileInfo(parser.value(attach)).fileName().toStdString();
+        options.extras.attachmentName = QFileInfo(arguments.value("attach")).fileName().toStdString();
         options.extras.attachment = attached->toStdString();
     }
     return options;
@@ -216,13 +141,10 @@ QString describe(const recording::RecorderProgress& progress, const receive::Rec
         .arg(QLocale::c().formattedDataSize(progress.freeBytes));
 }
 
-}  // namespace
-
-int record(const QStringList& arguments) {
-    bool helped = false;
-    std::optional<RecordOptions> options = optionsFrom(arguments, helped);
+int record(const CommandArguments& arguments) {
+    std::optional<RecordOptions> options = optionsFrom(arguments);
     if (!options) {
-        return helped ? kSuccess : kWrongArguments;
+        return kWrongArguments;
     }
     holdTerminationSignals();
     receive::Receiver receiver(options->receiver);
@@ -283,6 +205,66 @@ int record(const QStringList& arguments) {
         return complain(recorder.error().toString(), kFailed);
     }
     return kSuccess;
+}
+
+}  // namespace
+
+const Command& recordCommand() {
+    static const Command kCommand{
+        .name = "record",
+        .operands = "ADDRESS",
+        .summary = "records the data of a robot (see 'tiller-cli record --help')",
+        .title = "records every package that a robot sends",
+        .usage = {"ADDRESS --out FILE [options]", "ADDRESS --out-folder FOLDER [options]"},
+        .operandRows = {{"ADDRESS", "address or host name of the robot, or of a simulated robot"}},
+        .options = {{"out", "FILE", "FILE.mcap or FILE.csv. An existing file is replaced only with --force"},
+                    {"out-folder", "FOLDER",
+                     "writes a new .mcap file in this folder, named after the address and the time "
+                     "(UTC)"},
+                    {"fields", "A,B,...",
+                     "RTDE outputs to record; the time stamp is always included. Default: for .mcap "
+                     "everything that the window shows, for .csv the fields that ur_rtde records"},
+                    {"duration",
+                     "SECONDS",
+                     "stops this long after the first package; default: stops on Ctrl-C or SIGTERM",
+                     "0",
+                     {0, 1e9}},
+                    {"every", "N", "records only every N-th package (default %1)", "1", {1, 1e6}},
+                    {"trigger", "CONDITION",
+                     "records only while the condition is true, in numbered files FILE_001, "
+                     "FILE_002...: 'actual_TCP_force_2 > 20', 'robot_mode = 7', "
+                     "'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'"},
+                    {"before",
+                     "SECONDS",
+                     "with a trigger: also records this time before it (0 to 60, default %1)",
+                     "0",
+                     {0, 60}},
+                    {"after",
+                     "SECONDS",
+                     "with a trigger: also records this time after it (default %1)",
+                     "0",
+                     {0, 3600}},
+                    {"files", "N", "with a trigger: stops after N files", "0", {0, 1e6}},
+                    {"attach", "FILE", "stores a file, such as the project, inside the .mcap file"},
+                    {"no-ros", "",
+                     "omits joint state, wrench and transform for ROS tools from the .mcap file"},
+                    {"keep-free",
+                     "MB",
+                     "stops and completes the file when the disk has less free space (default %1)",
+                     "200",
+                     {0, 1e9}},
+                    {"wait", "SECONDS", "time to wait for the first package (default %1)", "10", {0, 1e6}},
+                    {"force", "", "replaces an existing file"},
+                    {"quiet", "", "shows no progress on the terminal"},
+                    {"port-offset", "N", "added to every port number (default %1)", "0", kPortOffsets}},
+        .notes =
+            "If the connection is lost, it is restored automatically, and the file "
+            "contains the gap with its length. A restart of the controller is stored as an "
+            "event with both times; \"info\" shows it. Data are saved twice a second; a "
+            "crash loses at most half a second. Exit code: 0 the file is complete, 1 the "
+            "file is incomplete or there are no data, 2 invalid arguments.",
+        .run = record};
+    return kCommand;
 }
 
 }  // namespace tiller::app

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <QCommandLineParser>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -25,30 +24,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using program::Preview;
-
-const QString kRunHelp = QStringLiteral(
-    "tiller-cli run: runs a program of a project\n"
-    "\n"
-    "Usage: tiller-cli run FILE.tiller --simulate [options]\n"
-    "       tiller-cli run FILE.tiller --robot ADDRESS [options]\n"
-    "\n"
-    "  --simulate           runs the script in the simulated controller, faster than real time\n"
-    "  --robot ADDRESS      runs it on a robot, after a simulated run from the current position of the arm\n"
-    "  --program NAME       name of the program; not needed if the project has only one\n"
-    "  --from STEP          starts at the step with this number\n"
-    "  --input CHANNEL=on|off[@SECONDS]\n"
-    "                       sets a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be\n"
-    "                       repeated\n"
-    "  --time-limit SECONDS stops the run after this time (default 3600)\n"
-    "  --port-offset N      added to every port number of the robot (default 0)\n"
-    "  --json               prints one JSON object instead of text\n"
-    "  --help               shows this text\n"
-    "\n"
-    "A run on a robot moves the arm at once, at the speeds of the program: keep clear of the arm. Ctrl-C,\n"
-    "the end of this command and a lost connection stop the run. The run is refused if a simulated run of\n"
-    "the first ten minutes finds a collision or a stop, or if the robot is a different model than the\n"
-    "project's.\n"
-    "Exit code: 0 the program ended without findings, 1 it did not, 2 invalid arguments.\n");
 
 /// Parses an input change, e.g. "DI3=on@2.5".
 std::optional<program::InputChange> inputFrom(const QString& text) {
@@ -261,40 +236,19 @@ int runOnRobot(LoadedProgram loaded, const QString& address, int portOffset,
                     : kSuccess;
 }
 
-}  // namespace
-
-int run(const QStringList& arguments) {
-    QCommandLineParser parser;
-    const QCommandLineOption help(QStringList{"h", "help"});
-    const QCommandLineOption simulate("simulate");
-    const QCommandLineOption robot("robot", {}, "ADDRESS");
-    const QCommandLineOption name("program", {}, "NAME");
-    const QCommandLineOption from("from", {}, "STEP", "0");
-    const QCommandLineOption input("input", {}, "CHANNEL=on|off[@SECONDS]");
-    const QCommandLineOption timeLimit("time-limit", {}, "SECONDS", "3600");
-    const QCommandLineOption offset("port-offset", {}, "N", "0");
-    const QCommandLineOption json("json");
-    parser.addOptions({help, simulate, robot, name, from, input, timeLimit, offset, json});
-    if (!parser.parse(arguments)) {
-        return wrongArguments(parser.errorText());
-    }
-    if (parser.isSet(help)) {
-        out() << kRunHelp;
-        out().flush();
-        return kSuccess;
-    }
-    if (parser.positionalArguments().size() != 1) {
+int runProgram(const CommandArguments& arguments) {
+    if (arguments.operands().size() != 1) {
         return wrongArguments(QStringLiteral("run: one project file is required"));
     }
-    if (parser.isSet(simulate) == parser.isSet(robot)) {
+    if (arguments.isSet("simulate") == arguments.isSet("robot")) {
         return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is required"));
     }
-    if (parser.isSet(robot) && !isHostName(parser.value(robot))) {
+    if (arguments.isSet("robot") && !isHostName(arguments.value("robot"))) {
         return wrongArguments(
-            QStringLiteral("run: '%1' is not an address or a host name").arg(parser.value(robot)));
+            QStringLiteral("run: '%1' is not an address or a host name").arg(arguments.value("robot")));
     }
     program::PreviewOptions options;
-    for (const QString& text : parser.values(input)) {
+    for (const QString& text : arguments.values("input")) {
         const auto change = inputFrom(text);
         if (!change) {
             return wrongArguments(
@@ -302,35 +256,62 @@ int run(const QStringList& arguments) {
         }
         options.inputs.push_back(*change);
     }
-    const auto limit = numberIn(parser, timeLimit, 0.001, 1e6);
-    const auto first = numberIn(parser, from, 0, 1e6);
-    const auto ports = numberIn(parser, offset, -29000, 35000);
-    if (!limit || !first || !ports) {
-        return kWrongArguments;
-    }
-    options.timeLimit = *limit;
-    auto loaded =
-        loadProgram(parser.positionalArguments().constFirst(), parser.value(name), static_cast<int>(*first));
+    options.timeLimit = arguments.number("time-limit");
+    auto loaded = loadProgram(arguments.operands().constFirst(), arguments.value("program"),
+                              static_cast<int>(arguments.number("from")));
     if (!loaded) {
         return complain(loaded.error().toString(), kFailed);
     }
     if (!loaded->script.ok()) {
-        return refuse(*loaded, parser.isSet(json));
+        return refuse(*loaded, arguments.isSet("json"));
     }
     holdTerminationSignals();
-    if (parser.isSet(robot)) {
-        return runOnRobot(std::move(*loaded), parser.value(robot), static_cast<int>(*ports), options);
+    if (arguments.isSet("robot")) {
+        return runOnRobot(std::move(*loaded), arguments.value("robot"),
+                          static_cast<int>(arguments.number("port-offset")), options);
     }
     options.isCancelled = [] { return waitForTermination(std::chrono::milliseconds(0)); };
     const Preview preview =
         program::previewProgram(loaded->project, loaded->script, loaded->options, options);
-    if (parser.isSet(json)) {
+    if (arguments.isSet("json")) {
         out() << QJsonDocument(toJson(*loaded, preview)).toJson();
     } else {
         print(*loaded, preview);
     }
     out().flush();
     return preview.isGood() ? kSuccess : kFailed;
+}
+
+}  // namespace
+
+const Command& runProgramCommand() {
+    static const Command kCommand{
+        .name = "run",
+        .operands = "FILE",
+        .summary = "runs a program of a project, simulated or on a robot",
+        .title = "runs a program of a project",
+        .usage = {"FILE.tiller --simulate [options]", "FILE.tiller --robot ADDRESS [options]"},
+        .options =
+            {{"simulate", "", "runs the script in the simulated controller, faster than real time"},
+             {"robot", "ADDRESS",
+              "runs it on a robot, after a simulated run from the current position of the arm"},
+             {"program", "NAME", "name of the program; not needed if the project has only one"},
+             {"from", "STEP", "starts at the step with this number", "0", {0, 1e6}},
+             {"input", "CHANNEL=on|off[@SECONDS]",
+              "sets a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be "
+              "repeated"},
+             {"time-limit", "SECONDS", "stops the run after this time (default %1)", "3600", {0.001, 1e6}},
+             {"port-offset", "N", "added to every port number of the robot (default %1)", "0", kPortOffsets},
+             {"json", "", "prints one JSON object instead of text"}},
+        .notes =
+            "A run on a robot moves the arm at once, at the speeds of the program: keep "
+            "clear of the arm. Ctrl-C, the end of this command and a lost connection stop "
+            "the run. The run is refused if a simulated run of the first ten minutes finds "
+            "a collision or a stop, or if the robot is a different model than the "
+            "project's.\nExit code: 0 the program ended without findings, 1 it did not, 2 "
+            "invalid arguments.",
+        .run = runProgram};
+    return kCommand;
 }
 
 }  // namespace tiller::app

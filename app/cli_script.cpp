@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <QCommandLineParser>
 #include <QFile>
 
 #include "app/cli_command.h"
@@ -11,46 +10,17 @@ namespace tiller::app {
 
 namespace {
 
-const QString kScriptHelp = QStringLiteral(
-    "tiller-cli script: writes a program of a project as URScript\n"
-    "\n"
-    "Usage: tiller-cli script FILE.tiller [options]\n"
-    "\n"
-    "  --program NAME       name of the program; not needed if the project has only one\n"
-    "  --from STEP          starts at the step with this number\n"
-    "  --out FILE           writes to this file instead of standard output\n"
-    "  --help               shows this text\n"
-    "\n"
-    "The script runs on the robot without a PC, so this PC cannot stop it. Exit code: 0 written, 1 the\n"
-    "program has errors or the file cannot be read or written, 2 invalid arguments.\n");
-
-}  // namespace
-
-int script(const QStringList& arguments) {
-    QCommandLineParser parser;
-    const QCommandLineOption help(QStringList{"h", "help"});
-    const QCommandLineOption name("program", {}, "NAME");
-    const QCommandLineOption from("from", {}, "STEP", "0");
-    const QCommandLineOption outFile("out", {}, "FILE");
-    parser.addOptions({help, name, from, outFile});
-    if (!parser.parse(arguments)) {
-        return wrongArguments(parser.errorText());
-    }
-    if (parser.isSet(help)) {
-        out() << kScriptHelp;
-        out().flush();
-        return kSuccess;
-    }
-    if (parser.positionalArguments().size() != 1) {
+int script(const CommandArguments& arguments) {
+    if (arguments.operands().size() != 1) {
         return wrongArguments(QStringLiteral("script: one project file is required"));
     }
     bool isNumber = false;
-    const int first = parser.value(from).toInt(&isNumber);
+    const int first = arguments.value("from").toInt(&isNumber);
     if (!isNumber || first < 0) {
         return wrongArguments(
-            QStringLiteral("--from must be a step number, not '%1'").arg(parser.value(from)));
+            QStringLiteral("--from must be a step number, not '%1'").arg(arguments.value("from")));
     }
-    const auto loaded = loadProgram(parser.positionalArguments().constFirst(), parser.value(name), first);
+    const auto loaded = loadProgram(arguments.operands().constFirst(), arguments.value("program"), first);
     if (!loaded) {
         return complain(loaded.error().toString(), kFailed);
     }
@@ -60,13 +30,33 @@ int script(const QStringList& arguments) {
     if (!loaded->script.ok()) {
         return kFailed;
     }
-    if (parser.isSet(outFile)) {
-        const auto written = writeFileAtomically(parser.value(outFile), loaded->script.text.toUtf8());
+    if (arguments.isSet("out")) {
+        const auto written = writeFileAtomically(arguments.value("out"), loaded->script.text.toUtf8());
         return written ? kSuccess : complain(written.error().toString(), kFailed);
     }
     out() << loaded->script.text;
     out().flush();
     return kSuccess;
+}
+
+}  // namespace
+
+const Command& scriptCommand() {
+    static const Command kCommand{
+        .name = "script",
+        .operands = "FILE",
+        .summary = "writes a program of a project as URScript",
+        .title = "writes a program of a project as URScript",
+        .usage = {"FILE.tiller [options]"},
+        .options = {{"program", "NAME", "name of the program; not needed if the project has only one"},
+                    {"from", "STEP", "starts at the step with this number", "0"},
+                    {"out", "FILE", "writes to this file instead of standard output"}},
+        .notes =
+            "The script runs on the robot without a PC, so this PC cannot stop it. Exit "
+            "code: 0 written, 1 the program has errors or the file cannot be read or "
+            "written, 2 invalid arguments.",
+        .run = script};
+    return kCommand;
 }
 
 }  // namespace tiller::app

@@ -15,6 +15,40 @@ struct CommandLineText {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
+struct Row {
+    const char* name;
+    const char* value;  ///< name of the value in the help; empty: the option has no value
+    const char* text;
+    bool isHidden = false;  ///< true for the name of an option in earlier versions
+};
+
+constexpr char kProjectText[] = QT_TRANSLATE_NOOP("CommandLine", "Open this project file (.tiller).");
+
+/// All options except those of Qt. The parser, the help and the shell completions are made from this table.
+constexpr Row kRows[] = {
+    {"simulator", "", QT_TRANSLATE_NOOP("CommandLine", "Start with the built-in simulated UR5e.")},
+    {"robot", "host", QT_TRANSLATE_NOOP("CommandLine", "Connect to the robot at this address or host name.")},
+    {"demo", "folder",
+     QT_TRANSLATE_NOOP("CommandLine",
+                       "Run the scripted demonstration on the simulated robot, write its files to this "
+                       "folder, and exit.")},
+    {"project", "file", kProjectText},
+    {"session", "file", kProjectText, true},
+    {"theme", "name", QT_TRANSLATE_NOOP("CommandLine", "Colour theme: light or dark.")},
+    {"monitor-only", "",
+     QT_TRANSLATE_NOOP("CommandLine",
+                       "Monitor only: do not change anything on the robot; STOP still works. Cannot be "
+                       "turned off in Settings.")},
+};
+
+QCommandLineOption optionOf(const Row& row) {
+    QCommandLineOption option(row.name, CommandLineText::tr(row.text), row.value);
+    if (row.isHidden) {
+        option.setFlags(QCommandLineOption::HiddenFromHelp);
+    }
+    return option;
+}
+
 }  // namespace
 
 bool isRecordingName(const QString& path) {
@@ -27,27 +61,12 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
         CommandLineText::tr("Jog, teach, run and monitor a Universal Robots arm from a PC."));
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
-    const QCommandLineOption simulator("simulator",
-                                       CommandLineText::tr("Start with the built-in simulated UR5e."));
-    const QCommandLineOption robot(
-        "robot", CommandLineText::tr("Connect to the robot at this address or host name."), "host");
-    const QCommandLineOption demo("demo",
-                                  CommandLineText::tr("Run the scripted demonstration on the simulated "
-                                                      "robot, write its files to this folder, and exit."),
-                                  "folder");
-    const QCommandLineOption project("project", CommandLineText::tr("Open this project file (.tiller)."),
-                                     "file");
-    // Name of the option in earlier versions.
-    QCommandLineOption session("session", project.description(), "file");
-    session.setFlags(QCommandLineOption::HiddenFromHelp);
-    const QCommandLineOption theme("theme", CommandLineText::tr("Colour theme: light or dark."), "name");
-    const QCommandLineOption monitorOnly(
-        "monitor-only", CommandLineText::tr("Monitor only: do not change anything on the robot; STOP still "
-                                            "works. Cannot be turned off in Settings."));
-    parser.addPositionalArgument("file", project.description(), "[file.tiller]");
+    for (const Row& row : kRows) {
+        parser.addOption(optionOf(row));
+    }
+    parser.addPositionalArgument("file", CommandLineText::tr(kProjectText), "[file.tiller]");
     parser.addPositionalArgument("recording", CommandLineText::tr("Open these recordings in the plots."),
                                  "[file.mcap|file.h5|file.csv ...]");
-    parser.addOptions({simulator, robot, demo, project, session, theme, monitorOnly});
 
     const auto wrong = [&](const QString& what) {
         return Error{ErrorCode::InvalidArgument, what, CommandLineText::tr("see tiller --help")};
@@ -66,42 +85,42 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (!files.isEmpty()) {
         return wrong(CommandLineText::tr("unexpected argument \"%1\"").arg(files.constFirst()));
     }
-    if (opened && parser.isSet(project)) {
+    if (opened && parser.isSet("project")) {
         return wrong(CommandLineText::tr("only one project can be opened; remove \"%1\"").arg(file));
     }
 
     line.showHelp = parser.isSet(help);
     line.showVersion = parser.isSet(version);
     line.helpText = parser.helpText();
-    line.demoDirectory = parser.value(demo);
-    line.projectFile = opened ? file : parser.value(parser.isSet(project) ? project : session);
-    line.theme = parser.value(theme).toLower();
+    line.demoDirectory = parser.value("demo");
+    line.projectFile = opened ? file : parser.value(parser.isSet("project") ? "project" : "session");
+    line.theme = parser.value("theme").toLower();
     if (!line.theme.isEmpty() && line.theme != "light" && line.theme != "dark") {
         return wrong(CommandLineText::tr("--theme must be light or dark, not \"%1\"").arg(line.theme));
     }
-    line.monitorOnly = parser.isSet(monitorOnly);
-    if (parser.isSet(demo) && line.monitorOnly) {
+    line.monitorOnly = parser.isSet("monitor-only");
+    if (parser.isSet("demo") && line.monitorOnly) {
         return wrong(CommandLineText::tr(
             "--demo moves the simulated robot and cannot be combined with --monitor-only"));
     }
-    if (parser.isSet(robot) && parser.isSet(simulator)) {
+    if (parser.isSet("robot") && parser.isSet("simulator")) {
         return wrong(CommandLineText::tr("--robot and --simulator cannot be combined"));
     }
-    if (parser.isSet(demo) && parser.isSet(robot)) {
+    if (parser.isSet("demo") && parser.isSet("robot")) {
         // The demonstration moves the arm automatically, so it must not run on a real robot.
         return wrong(CommandLineText::tr(
             "--demo works only on the simulated robot and cannot be combined with --robot"));
     }
-    if (parser.isSet(demo) && line.demoDirectory.isEmpty()) {
+    if (parser.isSet("demo") && line.demoDirectory.isEmpty()) {
         return wrong(CommandLineText::tr("--demo requires a folder"));
     }
-    if (parser.isSet(robot)) {
-        line.robotHost = parser.value(robot).trimmed();
+    if (parser.isSet("robot")) {
+        line.robotHost = parser.value("robot").trimmed();
         if (line.robotHost.isEmpty()) {
             return wrong(CommandLineText::tr("--robot requires an address, e.g. --robot 192.168.0.10"));
         }
         line.start = CommandLine::Start::Robot;
-    } else if (parser.isSet(simulator) || parser.isSet(demo)) {
+    } else if (parser.isSet("simulator") || parser.isSet("demo")) {
         line.start = CommandLine::Start::Simulator;
     }
     return line;

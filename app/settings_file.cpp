@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include "app/preference_table.h"
 #include "robot/core/atomic_file.h"
 #include "robot/core/file_reading.h"
 
@@ -151,8 +152,11 @@ SettingsPart partOf(const QString& key) {
 
 bool travels(const QString& key) {
     const QString group = key.section(u'/', 0, 0);
+    const std::vector<PreferenceRow>& rows = preferenceRows();
     return group != QLatin1String("projects") && group != QLatin1String("session") &&
-           key != QLatin1String("window/geometry") && key != QLatin1String("motion/monitorOnly");
+           key != QLatin1String("window/geometry") &&
+           std::none_of(rows.begin(), rows.end(),
+                        [&key](const PreferenceRow& row) { return row.isLocal && row.key == key; });
 }
 
 QMap<QString, QVariant> SettingsBundle::part(SettingsPart which) const {

@@ -22,6 +22,7 @@
 #include "app/device_settings.h"
 #include "app/interface_size.h"
 #include "app/language.h"
+#include "app/preference_table.h"
 #include "app/recording_settings.h"
 #include "widgets/common/choice_box.h"
 #include "widgets/common/decimal_spin_box.h"
@@ -119,9 +120,90 @@ QComboBox* SettingsPage::choice(const QString& name, const QString& accessible, 
 
 QWidget* SettingsPage::buildLook(const QString& theme) {
     auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(0, 16, 0, 0);
+    form->setVerticalSpacing(12);
+    form->setHorizontalSpacing(20);
+    for (const PreferenceRow& row : preferenceRows()) {
+        if (row.editor != PreferenceRow::Editor::Custom) {
+            addRow(*form, row);
+        } else if (row.key == QLatin1String("look/language")) {
+            languageNote_ = note({}, "secondary");
+            languageNote_->setObjectName("settings.languageNote");
+            form->addRow(tr("Language"), buildLanguage());
+            form->addRow(QString(), languageNote_);
+            addTheme(*form, theme);
+        } else if (row.key == QLatin1String("look/size")) {
+            addSize(*form);
+        } else if (row.key == QLatin1String("motion/speedCap")) {
+            addCap(*form);
+        }
+    }
+    monitorOnly_ = page->findChild<QCheckBox*>("settings.monitorOnly");
+    holdNote_ = note({}, "secondary");
+    holdNote_->setObjectName("settings.holdNote");
+    form->addRow(QString(), holdNote_);
+    return page;
+}
+
+void SettingsPage::addRow(QFormLayout& form, const PreferenceRow& row) {
+    form.addRow(tr(row.label), fieldOf(row));
+    if (*row.note != '\0') {
+        const QString text = row.noteNumber == 0 ? tr(row.note) : tr(row.note).arg(row.noteNumber);
+        form.addRow(QString(), note(text, "secondary"));
+    }
+}
+
+QWidget* SettingsPage::fieldOf(const PreferenceRow& row) {
+    const QString name = "settings." + row.key.section(u'/', 1);
+    const QVariant value = row.value(preferences_);
+    if (row.editor == PreferenceRow::Editor::Choice) {
+        QStringList titles;
+        for (const char* title : row.titles) {
+            titles << tr(title);
+        }
+        const auto chosen = std::find(row.words.begin(), row.words.end(), value.toString());
+        auto* box = choice(name, tr(row.name), titles, static_cast<int>(chosen - row.words.begin()));
+        connect(box, &QComboBox::activated, this, [this, &row](int index) {
+            change(row, QString::fromLatin1(row.words.at(static_cast<std::size_t>(index))));
+        });
+        return box;
+    }
+    if (row.editor == PreferenceRow::Editor::Flag) {
+        auto* box = new QCheckBox(tr(row.name));
+        box->setObjectName(name);
+        box->setChecked(value.toBool());
+        connect(box, &QCheckBox::toggled, this, [this, &row](bool on) { change(row, on); });
+        return box;
+    }
+    auto* box = new DecimalSpinBox;
+    box->setObjectName(name);
+    box->setAccessibleName(tr(row.name));
+    box->setDecimals(0);
+    box->setRange(row.min, row.max);
+    box->setSingleStep(row.step);
+    box->setSuffix(tr(row.unit));
+    box->setValue(value.toInt());
+    box->setToolTip(tr(row.toolTip));
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [this, &row](double number) { change(row, static_cast<int>(number)); });
+    return box;
+}
+
+void SettingsPage::change(const PreferenceRow& row, const QVariant& value) {
+    row.setValue(preferences_, value);
+    Q_EMIT preferencesChanged(preferences_);
+    showCommandNames();  // some command names contain a length
+}
+
+void SettingsPage::addTheme(QFormLayout& form, const QString& theme) {
     theme_ = choice("settings.theme", tr("Colours"), {tr("Light"), tr("Dark")}, theme == "dark" ? 1 : 0);
-    density_ = choice("settings.density", tr("Size of controls"), {tr("Compact"), tr("Mouse"), tr("Touch")},
-                      static_cast<int>(preferences_.density));
+    connect(theme_, &QComboBox::activated, this,
+            [this](int index) { Q_EMIT themeChosen(index == 1 ? "dark" : "light"); });
+    form.addRow(tr("Colours"), theme_);
+}
+
+void SettingsPage::addSize(QFormLayout& form) {
     QStringList sizes;
     for (const int size : kInterfaceSizes) {
         sizes << tr("%1 %").arg(size);
@@ -132,100 +214,30 @@ QWidget* SettingsPage::buildLook(const QString& theme) {
     sizeNote_ = note({}, "secondary");
     sizeNote_->setObjectName("settings.sizeNote");
     showSizeNote();
-    languageNote_ = note({}, "secondary");
-    languageNote_->setObjectName("settings.languageNote");
-    lengths_ = choice("settings.lengths", tr("Lengths"), {tr("Millimetres"), tr("Inches")},
-                      static_cast<int>(preferences_.notation.length));
-    rotations_ = choice("settings.rotations", tr("Rotations"),
-                        {tr("Roll, pitch, yaw in degrees"), tr("Rotation vector in radians, as in scripts")},
-                        static_cast<int>(preferences_.notation.rotation));
-    monitorOnly_ = new QCheckBox(tr("Monitor only"));
-    monitorOnly_->setObjectName("settings.monitorOnly");
-    monitorOnly_->setChecked(preferences_.monitorOnly);
+    connect(size_, &QComboBox::activated, this, [this](int index) {
+        preferences_.interfaceSize = kInterfaceSizes.at(static_cast<std::size_t>(index));
+        showSizeNote();
+        Q_EMIT preferencesChanged(preferences_);
+    });
+    form.addRow(tr("Interface size"), size_);
+    form.addRow(QString(), sizeNote_);
+}
+
+void SettingsPage::addCap(QFormLayout& form) {
     cap_ = new DecimalSpinBox;
     cap_->setObjectName("settings.speedCap");
     cap_->setAccessibleName(tr("Tiller speed cap"));
     showCapValue();
     capNote_ = note({}, "secondary");
     capNote_->setObjectName("settings.speedCapNote");
-
-    longestHold_ = new DecimalSpinBox;
-    longestHold_->setObjectName("settings.longestHold");
-    longestHold_->setAccessibleName(tr("Maximum hold time"));
-    longestHold_->setDecimals(0);
-    longestHold_->setRange(Preferences::kShortestLongestHold, Preferences::kMaxHoldLimit);
-    longestHold_->setSingleStep(5);
-    longestHold_->setSuffix(tr(" s"));
-    longestHold_->setValue(preferences_.longestHold);
-    longestHold_->setToolTip(
-        tr("After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move "
-           "to a position: its duration plus 5 s."));
-    holdNote_ = note({}, "secondary");
-    holdNote_->setObjectName("settings.holdNote");
-
-    auto* form = new QFormLayout(page);
-    form->setContentsMargins(0, 16, 0, 0);
-    form->setVerticalSpacing(12);
-    form->setHorizontalSpacing(20);
-    form->addRow(tr("Language"), buildLanguage());
-    form->addRow(QString(), languageNote_);
-    form->addRow(tr("Colours"), theme_);
-    form->addRow(tr("Interface size"), size_);
-    form->addRow(QString(), sizeNote_);
-    form->addRow(tr("Size of controls"), density_);
-    form->addRow(QString(), note(tr("Touch: large enough for fingers. In windows less than %1 px high, joint "
-                                    "buttons, tabs and title bars remain smaller.")
-                                     .arg(kRoomForTouch),
-                                 "secondary"));
-    form->addRow(tr("Lengths"), lengths_);
-    form->addRow(tr("Rotations"), rotations_);
-    form->addRow(QString(), note(tr("Units for displaying and entering lengths, TCP speeds and orientations. "
-                                    "Plots and files always use metres, millimetres and degrees."),
-                                 "secondary"));
-    form->addRow(tr("Robot"), monitorOnly_);
-    form->addRow(QString(), note(tr("For PCs that only monitor: this window does not take control, set "
-                                    "outputs or start programs. STOP still works."),
-                                 "secondary"));
-    form->addRow(tr("Speed cap"), cap_);
-    form->addRow(QString(), capNote_);
-    form->addRow(tr("Maximum hold time"), longestHold_);
-    form->addRow(QString(), holdNote_);
     showCap();
-
-    connect(theme_, &QComboBox::activated, this,
-            [this](int index) { Q_EMIT themeChosen(index == 1 ? "dark" : "light"); });
-    connect(size_, &QComboBox::activated, this, [this](int index) {
-        preferences_.interfaceSize = kInterfaceSizes.at(static_cast<std::size_t>(index));
-        showSizeNote();
-        Q_EMIT preferencesChanged(preferences_);
-    });
-    connect(density_, &QComboBox::activated, this, [this](int index) {
-        preferences_.density = static_cast<Density>(index);
-        Q_EMIT preferencesChanged(preferences_);
-    });
-    connect(lengths_, &QComboBox::activated, this, [this](int index) {
-        preferences_.notation.length = static_cast<LengthUnit>(index);
-        Q_EMIT preferencesChanged(preferences_);
-        showCommandNames();  // some command names contain a length
-    });
-    connect(rotations_, &QComboBox::activated, this, [this](int index) {
-        preferences_.notation.rotation = static_cast<RotationNotation>(index);
-        Q_EMIT preferencesChanged(preferences_);
-    });
-    connect(longestHold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        preferences_.longestHold = static_cast<int>(value);
-        Q_EMIT preferencesChanged(preferences_);
-    });
-    connect(monitorOnly_, &QCheckBox::toggled, this, [this](bool on) {
-        preferences_.monitorOnly = on;
-        Q_EMIT preferencesChanged(preferences_);
-    });
     connect(cap_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         preferences_.speedCap = value * format::metresPerUnit();
         showCap();
         Q_EMIT preferencesChanged(preferences_);
     });
-    return page;
+    form.addRow(tr("Speed cap"), cap_);
+    form.addRow(QString(), capNote_);
 }
 
 QWidget* SettingsPage::buildLanguage() {

@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QPushButton;
 class QTableWidget;
@@ -23,6 +24,7 @@ class DecimalSpinBox;
 namespace tiller::app {
 
 class ActionTable;
+struct PreferenceRow;
 
 class SettingsPage : public QDialog {
     Q_OBJECT
@@ -64,6 +66,12 @@ Q_SIGNALS:
 
 private:
     QWidget* buildLook(const QString& theme);
+    void addRow(QFormLayout& form, const PreferenceRow& row);
+    QWidget* fieldOf(const PreferenceRow& row);
+    void addTheme(QFormLayout& form, const QString& theme);
+    void addSize(QFormLayout& form);
+    void addCap(QFormLayout& form);
+    void change(const PreferenceRow& row, const QVariant& value);
     QWidget* buildShortcuts();
     QWidget* buildDevices(DeviceJog& devices);
     QPushButton* fileKey(const QString& name, const QString& text, const QString& tip,
@@ -81,18 +89,14 @@ private:
     Preferences preferences_;
     const ActionTable& actions_;
     QComboBox* theme_ = nullptr;
-    QComboBox* density_ = nullptr;
     QComboBox* size_ = nullptr;
     QLabel* sizeNote_ = nullptr;
     QComboBox* language_ = nullptr;
     QLabel* languageNote_ = nullptr;
     QPushButton* anew_ = nullptr;
-    QComboBox* lengths_ = nullptr;
-    QComboBox* rotations_ = nullptr;
     QCheckBox* monitorOnly_ = nullptr;
     DecimalSpinBox* cap_ = nullptr;
     QLabel* capNote_ = nullptr;
-    DecimalSpinBox* longestHold_ = nullptr;
     QLabel* holdNote_ = nullptr;
     QTableWidget* shortcuts_ = nullptr;
     QTabWidget* pages_ = nullptr;

@@ -9,9 +9,9 @@ import re
 import subprocess
 import sys
 
-OPTION = re.compile(r"^ +(?:-\w, )?--([a-z][a-z-]*)(?:[ =]+(<[^>]+>|[A-Z][A-Z=.]*))?(?:  +(.*))?$")
+OPTION = re.compile(r"^ +(?:-\S, )*--([a-z][a-z-]*)(?: <?(\S+?)>?)?(?:  +(.*))?$")
 COMMAND = re.compile(r"^  ([a-z][a-z-]*)(?: [A-Z .\[\]]+)?  +(.+)$")
-FILES = ("file", "folder", "programs", "output", "project", "demo", "junit", "coverage")
+PATHS = ("FILE", "FOLDER")  # values that are completed as paths
 
 
 def help_of(*words):
@@ -20,13 +20,19 @@ def help_of(*words):
 
 
 def options_of(text):
-    """For each option, its name, whether it needs a value, and the first line of its help."""
+    """For each option, the name of its value or None, and the first sentence of its help."""
     found = {}
+    words = []
     for line in text.splitlines():
         match = OPTION.match(line)
         if match:
-            found[match[1]] = (bool(match[2]), (match[3] or "").strip())
-    return found
+            words = [match[3]] if match[3] else []
+            found[match[1]] = (match[2] and match[2].upper(), words)
+        elif line.startswith(" " * 20):
+            words.append(line.strip())
+        else:
+            words = []
+    return {name: (value, " ".join(words).partition(". ")[0].removesuffix(".")) for name, (value, words) in found.items()}
 
 
 def commands_of(text):
@@ -42,18 +48,18 @@ def bash(program, options, commands):
     function = "_" + program.replace("-", "_")
     cases = "".join(f"        {name}) words=\"{' '.join('--' + option for option in own)}\" ;;\n"
                     for name, (_, own) in commands.items())
-    every = {**options}
-    for _, own in commands.values():
-        every.update(own)
-    valued = "|".join(f"--{name}" for name, (takes, _) in sorted(every.items()) if takes and name not in FILES)
-    filed = "|".join(f"--{name}" for name, (takes, _) in sorted(every.items()) if takes and name in FILES)
+    # An option can need a value in one command and not in another.
+    contexts = [(f"{name} ", own) for name, (_, own) in commands.items()] or [("", options)]
+    previous = '"${COMP_WORDS[1]} ${COMP_WORDS[COMP_CWORD-1]}"' if commands else '"${COMP_WORDS[COMP_CWORD-1]}"'
+
+    def patterns(wanted):
+        return "|".join(f'"{context}--{name}"' for context, of in contexts for name, (value, _) in of.items()
+                        if value and (value in PATHS) == wanted)
     first = " ".join([*commands, *("--" + name for name in options)])
     text = f"# Completion of {program} for bash.\n{function}() {{\n    local word=${{COMP_WORDS[COMP_CWORD]}} words=\n"
-    text += "    COMPREPLY=()\n    case ${COMP_WORDS[COMP_CWORD-1]} in\n"
-    if filed:
-        text += f"        {filed}) compopt -o default; return ;;\n"
-    if valued:
-        text += f"        {valued}) return ;;\n"
+    text += f"    COMPREPLY=()\n    case {previous} in\n"
+    for found, action in ((patterns(True), "compopt -o default; return"), (patterns(False), "return")):
+        text += f"        {found}) {action} ;;\n" if found else ""
     text += "    esac\n"
     if commands:
         text += f"    if [ \"$COMP_CWORD\" -eq 1 ]; then\n        words=\"{first}\"\n    else case ${{COMP_WORDS[1]}} in\n{cases}    esac; fi\n"
@@ -67,9 +73,9 @@ def bash(program, options, commands):
 
 def zsh(program, options, commands):
     def specs(of):
-        for name, (takes, words) in of.items():
+        for name, (value, words) in of.items():
             what = re.sub(r"[\[\]:]", " ", words).strip()
-            action = (":value:_files" if name in FILES else ":value: ") if takes else ""
+            action = (":value:_files" if value in PATHS else ":value: ") if value else ""
             yield "    " + quoted(f"*--{name}[{what}]{action}")
     text = f"#compdef {program}\n# Completion of {program} for zsh.\n"
     if not commands:
@@ -88,9 +94,9 @@ def fish(program, options, commands):
 
     def lines(of, condition):
         out = ""
-        for name, (takes, words) in of.items():
-            value = (" -rF" if name in FILES else " -x") if takes else ""
-            out += f"complete -c {program}{condition} -l {name}{value} -d {quoted(words)}\n"
+        for name, (value, words) in of.items():
+            takes = (" -rF" if value in PATHS else " -x") if value else ""
+            out += f"complete -c {program}{condition} -l {name}{takes} -d {quoted(words)}\n"
         return out
     if not commands:
         return text + lines(options, "")

@@ -4,6 +4,7 @@
 // Actions executed one after the other at a waypoint: outputs, waits, the gripper.
 
 #include <QJsonObject>
+#include <span>
 #include <vector>
 
 #include "robot/core/text.h"
@@ -42,15 +43,44 @@ struct WaypointAction {
     double seconds = 0;  ///< 0 ... kMaxActionTime
     QJsonObject extra;   ///< unknown fields of the file, preserved when saving
 
-    bool usesPin() const {  ///< True if `group`, `pin` and `value` are used.
-        return kind == Kind::SetOutput || kind == Kind::PulseOutput || kind == Kind::WaitForInput;
-    }
-    bool usesTime() const {  ///< True if `seconds` is used.
-        return kind == Kind::PulseOutput || kind == Kind::WaitForInput || kind == Kind::WaitTime;
-    }
+    bool usesPin() const;   ///< True if `group`, `pin` and `value` are used.
+    bool usesTime() const;  ///< True if `seconds` is used.
     friend bool operator==(const WaypointAction&, const WaypointAction&) = default;
 };
 inline constexpr double kMaxActionTime = 3600;  ///< [s]
+
+/// Properties of a kind of action. The file format, the texts, the editor, the execution in the window and the
+/// script of a program follow from them.
+struct WaypointActionKind {
+    enum class Pin {
+        None,
+        Output,  ///< sets an output to `value`
+        Input,   ///< waits until an input has `value`
+    };
+    enum class Time {
+        None,
+        Duration,  ///< waits for `seconds`, then sets the output, if any, to the opposite
+        Limit,     ///< the wait for the input fails after `seconds`; 0: no limit
+    };
+    enum class Grip { None, Open, Close };
+
+    WaypointAction::Kind kind;
+    const char* key;  ///< in project files
+    Pin pin;
+    Time time;
+    Grip grip;
+    double usualSeconds;  ///< initial value in the editor [s]
+    // Texts in the translation context ActionWords. The arguments are the terminal and `seconds`, if used.
+    const char* title;
+    const char* text;          ///< if a pin is used, with the value on
+    const char* offText = "";  ///< with the value off
+    const char* unlimitedText = "";
+    const char* unlimitedOffText = "";
+};
+
+/// The kinds in the order of the enumeration.
+std::span<const WaypointActionKind> waypointActionKinds();
+const WaypointActionKind& kindOf(const WaypointAction& action);
 
 using WaypointActions = std::vector<WaypointAction>;
 

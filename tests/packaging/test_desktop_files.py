@@ -23,6 +23,11 @@ def options_in(text):
     return set(re.findall(r"--([a-z][a-z-]+)", text))
 
 
+def rows_in(text):
+    """The options that a help lists, with the names of their values."""
+    return {name: value.upper() for name, value in re.findall(r"^ +(?:-\S, )*--([a-z][a-z-]*)(?: <?([^\s>]+)>?)?", text, re.M)}
+
+
 def commands():
     part = help_of("tiller-cli").partition("Commands:\n")[2].partition("\n\n")[0]
     return re.findall(r"^  ([a-z]+)", part, re.MULTILINE)
@@ -58,12 +63,14 @@ class TestDesktopFiles(unittest.TestCase):
 
     def test_the_manual_pages_name_every_option_and_no_other(self):
         man = (SOURCE / "packaging/manual/man/tiller.1.rst").read_text()
-        said = options_in(help_of("tiller")) - {"help-all", "platform"}  # options of Qt
-        self.assertEqual(options_in(man), said)
+        rows = rows_in(help_of("tiller"))
+        del rows["help-all"]  # options of Qt
+        self.assertEqual({name: value for name, value in re.findall(r"``--([a-z-]+)(?: ([A-Z]+))?``", man)}, rows)
         page = self.page_of_the_commands()
         for command in commands():
             self.assertRegex(page, rf"(?m)^{command}$")
-            self.assertLessEqual(options_in(help_of("tiller-cli", command)), options_in(page))
+            help_text = "".join(f"    {line}".rstrip() + "\n" for line in help_of("tiller-cli", command).splitlines())
+            self.assertIn(help_text, page)
 
     def page_of_the_commands(self):
         return subprocess.run(["python3", "-B", str(SOURCE / "packaging/manual/man_page.py"), PROGRAMS["tiller-cli"],
@@ -89,11 +96,32 @@ class TestDesktopFiles(unittest.TestCase):
             self.assertEqual(self.completed(folder, "tiller-cli", "simulate", "--mo"), {"--model"})
             self.assertEqual(self.completed(folder, "tiller-cli", "simulate", "--model", ""), set())
             self.assertIn("--demo", self.completed(folder, "tiller", "--d"))
+            for command in commands():
+                self.check_completions(folder, "tiller-cli", command)
+            self.check_completions(folder, "tiller")
+
+    def check_completions(self, folder, program, *command):
+        rows = rows_in(help_of(program, *command))
+        self.assertEqual(self.completed(folder, program, *command, "--"), {f"--{name}" for name in rows})
+        fish = (pathlib.Path(folder) / f"{program}.fish").read_text()
+        zsh = (pathlib.Path(folder) / f"_{program}").read_text()
+        if command:
+            zsh = zsh.partition(f"\n{command[0]})\n")[2].partition(";;")[0]
+        condition = f" -n '__fish_seen_subcommand_from {command[0]}'" if command else ""
+        for name, value in rows.items():
+            # Without a value, the next word is completed as an option. A path is completed by the shell.
+            words = self.completed(folder, program, *command, f"--{name}", "--")
+            takes = " -rF" if value in ("FILE", "FOLDER") else " -x" if value else ""
+            self.assertEqual(words == {"PATH"}, takes == " -rF", (command, name))
+            self.assertEqual(words == set(), takes == " -x", (command, name))
+            self.assertIn(f"complete -c {program}{condition} -l {name}{takes} -d ", fish)
+            ending = ":value:_files'" if takes == " -rF" else ":value: '" if takes else "'"
+            self.assertRegex(zsh, rf"(?m)'\*--{name}\[[^]]*\]{re.escape(ending)}")
 
     def completed(self, folder, program, *words):
         line = " ".join(f"'{word}'" for word in (program, *words))
         function = "_" + program.replace("-", "_")
-        script = (f". {folder}/{program}.bash; compopt() {{ :; }}; COMP_WORDS=({line}); COMP_CWORD={len(words)}; {function}; "
+        script = (f". {folder}/{program}.bash; compopt() {{ COMPREPLY=(PATH); }}; COMP_WORDS=({line}); COMP_CWORD={len(words)}; {function}; "
                   'printf "%s\\n" "${COMPREPLY[@]}"')
         return set(subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True).stdout.split())
 

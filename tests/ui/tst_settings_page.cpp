@@ -21,6 +21,7 @@
 
 #include "app/action_table.h"
 #include "app/command_palette.h"
+#include "app/preference_table.h"
 #include "app/settings_page.h"
 #include "resources/resources.h"
 #include "tests/support/pictures.h"
@@ -66,6 +67,26 @@ private Q_SLOTS:
         applyTheme(*qApp, Theme::light());
         applyDensity(*qApp, Density::Mouse);
         applyNotation(*qApp, {});
+    }
+
+    void everyRowOfTheTableHasAField() {
+        Bench bench;
+        const app::SettingsPage* page = bench.open();
+        QVERIFY(page != nullptr);
+        for (const app::PreferenceRow& row : app::preferenceRows()) {
+            const QString group = row.key.section('/', 0, 0);
+            const QString name = row.key == QLatin1String("recording/fields") ? QStringLiteral("signals")
+                                                                              : row.key.section('/', 1);
+            const auto* field = page->findChild<QWidget*>(
+                (group == QLatin1String("recording") ? "settings.recording." : "settings.") + name);
+            QVERIFY2(field != nullptr, qPrintable(row.key));
+            const QString text = app::SettingsPage::tr(row.name);
+            if (const auto* box = qobject_cast<const QCheckBox*>(field)) {
+                QCOMPARE(box->text(), text);
+            } else if (row.editor != app::PreferenceRow::Editor::Custom) {
+                QCOMPARE(field->accessibleName(), text);
+            }
+        }
     }
 
     void everyChoiceAppliesAtOnceAndIsSaved() {

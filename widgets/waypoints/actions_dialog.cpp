@@ -22,17 +22,6 @@ namespace {
 using project::IoGroup;
 using Action = project::WaypointAction;
 
-/// Longer delays than this [s] of a sensor usually indicate a fault.
-constexpr double kUsualWait = 10;
-constexpr double kUsualPulse = 0.5;  // [s]
-
-double usualSeconds(Action::Kind kind) {
-    return kind == Action::Kind::WaitForInput  ? kUsualWait
-           : kind == Action::Kind::PulseOutput ? kUsualPulse
-           : kind == Action::Kind::WaitTime    ? 1.0
-                                               : 0.0;
-}
-
 QLabel* labelFor(const QString& text, QWidget* field) {
     auto* label = new QLabel(text);
     label->setBuddy(field);
@@ -201,7 +190,7 @@ void ActionsDialog::change() {
     const auto kind = static_cast<Action::Kind>(kind_->currentIndex());
     if (kind != action.kind) {
         action.kind = kind;
-        action.seconds = usualSeconds(kind);
+        action.seconds = kindOf(action).usualSeconds;
     } else {
         action.seconds = action.usesTime() ? seconds_->value() : 0;
     }
@@ -261,9 +250,9 @@ void ActionsDialog::refresh() {
     for (QWidget* part : {static_cast<QWidget*>(seconds_), static_cast<QWidget*>(secondsText_)}) {
         part->setVisible(any && action.usesTime());
     }
-    secondsText_->setText(action.kind == Action::Kind::WaitForInput ? tr("Timeout in seconds")
-                                                                    : tr("Seconds"));
-    seconds_->setToolTip(action.kind == Action::Kind::WaitForInput
+    const bool isLimit = kindOf(action).time == project::WaypointActionKind::Time::Limit;
+    secondsText_->setText(isLimit ? tr("Timeout in seconds") : tr("Seconds"));
+    seconds_->setToolTip(isLimit
                              ? tr("After this time, the wait fails with a message. With 0, it waits while "
                                   "the button is held, up to one hour.")
                              : QString());

@@ -28,7 +28,7 @@ QString kindOf(const QJsonValue& value) {
 }
 
 /// Example: "\"C\" is neither \"J\" nor \"L\""; "\"C\" is not one of \"a\", \"b\", \"c\"".
-QString isNoneOf(const QString& text, std::initializer_list<const char*> words) {
+QString isNoneOf(const QString& text, std::span<const char* const> words) {
     QStringList quoted;
     for (const char* word : words) {
         quoted << QStringLiteral("\"%1\"").arg(QLatin1String(word));
@@ -149,7 +149,7 @@ bool FieldReader::flag(const QString& where, const QJsonObject& object, const ch
 }
 
 int FieldReader::word(const QString& where, const QJsonObject& object, const char* key,
-                      std::initializer_list<const char*> words) {
+                      std::span<const char* const> words) {
     const QString read = text(where, object, key);
     int index = 0;
     for (const char* word : words) {

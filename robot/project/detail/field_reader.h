@@ -7,7 +7,7 @@
 #include <QJsonObject>
 #include <QJsonValue>
 #include <QUuid>
-#include <initializer_list>
+#include <span>
 
 #include "robot/core/joints.h"
 #include "robot/core/spatial.h"
@@ -52,7 +52,7 @@ public:
     /// words    permitted values
     /// Returns  the index of the value; 0 if it is not permitted
     int word(const QString& where, const QJsonObject& object, const char* key,
-             std::initializer_list<const char*> words);
+             std::span<const char* const> words);
     std::array<double, 6> six(const QString& where, const QJsonObject& object, const char* key);
     Eigen::Vector3d point(const QString& where, const QJsonObject& object, const char* key,
                           double most = kMaxCoordinate);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/project/detail/part_reader.h"
+#include "robot/project/detail/file_words.h"
 
 #include "robot/project/detail/waypoint_reader.h"
 
@@ -83,7 +84,7 @@ Pattern PartReader::pattern(const QString& where, const QJsonObject& object) {
     }
     pattern.layerStep = fields_.number(where, object, "layerStep", -FieldReader::kMaxCoordinate,
                                        FieldReader::kMaxCoordinate, "m");
-    pattern.order = static_cast<PatternOrder>(fields_.word(where, object, "order", {"rows", "meander"}));
+    pattern.order = static_cast<PatternOrder>(fields_.word(where, object, "order", kOrderWords));
     const QJsonArray excluded = fields_.optionalList(where, object, "excluded");
     for (int i = 0; i < excluded.size(); ++i) {
         const QString at = fieldAt(fieldAt(where, "excluded"), i);

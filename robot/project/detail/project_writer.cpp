@@ -3,6 +3,7 @@
 
 #include <QJsonArray>
 
+#include "robot/project/detail/file_words.h"
 #include "robot/project/waypoint_revision.h"
 
 namespace tiller::project {
@@ -62,13 +63,10 @@ QJsonObject entryOf(const Frame& frame) {
 }
 
 QJsonObject actionOf(const WaypointAction& action) {
-    static constexpr const char* kKinds[] = {"setOutput", "pulseOutput", "waitForInput",
-                                             "wait",      "openGripper", "closeGripper"};
-    static constexpr const char* kGroups[] = {"standard", "configurable", "tool"};
     QJsonObject object = action.extra;
-    object["do"] = QLatin1String(kKinds[static_cast<int>(action.kind)]);
+    object["do"] = QLatin1String(kindOf(action).key);
     if (action.usesPin()) {
-        object["group"] = QLatin1String(kGroups[static_cast<int>(action.group)]);
+        object["group"] = QLatin1String(kIoGroupWords[static_cast<std::size_t>(action.group)]);
         object["pin"] = action.pin;
         object["value"] = action.value;
     }
@@ -80,11 +78,10 @@ QJsonObject actionOf(const WaypointAction& action) {
 
 /// All fields of a waypoint except id and history.
 QJsonObject factsOf(const Waypoint& point) {
-    static constexpr const char* kColours[] = {"none", "blue", "orange", "green", "pink", "yellow", "sky"};
     QJsonObject object = point.extra;
     object["name"] = point.name;
-    object["move"] = QLatin1String(point.move == MoveKind::Joint ? "J" : "L");
-    object["rules"] = QLatin1String(point.ruling == TargetKind::Joints ? "joints" : "pose");
+    object["move"] = QLatin1String(kMoveWords[static_cast<std::size_t>(point.move)]);
+    object["rules"] = QLatin1String(kTargetWords[static_cast<std::size_t>(point.ruling)]);
     object["frame"] = idOrNull(point.frame);
     object["tcpOffset"] = arrayOf(point.tcpOffset.array());
     object["joints"] = arrayOf(point.joints.array());
@@ -94,7 +91,7 @@ QJsonObject factsOf(const Waypoint& point) {
     object["blend"] = point.blend;
     putText(object, "group", point.group);
     if (point.colour != WaypointColour::None) {
-        object["colour"] = QLatin1String(kColours[static_cast<int>(point.colour)]);
+        object["colour"] = QLatin1String(kColourWords[static_cast<std::size_t>(point.colour)]);
     }
     putText(object, "note", point.note);
     QJsonArray actions;
@@ -165,7 +162,7 @@ QJsonObject entryOf(const Pattern& pattern) {
     object["rows"] = pattern.rows;
     object["layers"] = pattern.layers;
     object["layerStep"] = pattern.layerStep;
-    object["order"] = QLatin1String(pattern.order == PatternOrder::Rows ? "rows" : "meander");
+    object["order"] = QLatin1String(kOrderWords[static_cast<std::size_t>(pattern.order)]);
     QJsonArray excluded;
     for (const PatternCell& cell : pattern.excluded) {
         excluded.append(QJsonObject{{"column", cell.column}, {"row", cell.row}});

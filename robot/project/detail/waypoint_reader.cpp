@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "robot/project/detail/waypoint_reader.h"
 
+#include "robot/project/detail/file_words.h"
 #include "robot/project/pattern.h"
 #include "robot/project/waypoint_revision.h"
 
@@ -17,8 +18,8 @@ Waypoint WaypointReader::read(const QString& where, const QJsonObject& object) {
 Waypoint WaypointReader::facts(const QString& where, const QJsonObject& object, Frames frames) {
     Waypoint point;
     point.name = fields_.text(where, object, "name");
-    point.move = static_cast<MoveKind>(fields_.word(where, object, "move", {"J", "L"}));
-    point.ruling = static_cast<TargetKind>(fields_.word(where, object, "rules", {"joints", "pose"}));
+    point.move = static_cast<MoveKind>(fields_.word(where, object, "move", kMoveWords));
+    point.ruling = static_cast<TargetKind>(fields_.word(where, object, "rules", kTargetWords));
     point.frame = frames == Frames::MustBeHere ? fields_.frame(where, object, frames_)
                                                : fields_.optionalId(where, object, "frame");
     point.tcpOffset = fields_.pose(where, object, "tcpOffset");
@@ -30,8 +31,7 @@ Waypoint WaypointReader::facts(const QString& where, const QJsonObject& object, 
     point.group = fields_.optionalText(where, object, "group");
     point.note = fields_.optionalText(where, object, "note");
     if (object.contains(QLatin1String("colour"))) {
-        point.colour = static_cast<WaypointColour>(fields_.word(
-            where, object, "colour", {"none", "blue", "orange", "green", "pink", "yellow", "sky"}));
+        point.colour = static_cast<WaypointColour>(fields_.word(where, object, "colour", kColourWords));
     }
     if (const QJsonValue place = object.value(QLatin1String("place")); place.isObject()) {
         const QString at = fieldAt(where, "place");
@@ -59,13 +59,14 @@ Waypoint WaypointReader::facts(const QString& where, const QJsonObject& object, 
 }
 
 WaypointAction WaypointReader::action(const QString& where, const QJsonObject& object) {
+    std::vector<const char*> keys;
+    for (const WaypointActionKind& kind : waypointActionKinds()) {
+        keys.push_back(kind.key);
+    }
     WaypointAction action;
-    action.kind = static_cast<WaypointAction::Kind>(
-        fields_.word(where, object, "do",
-                     {"setOutput", "pulseOutput", "waitForInput", "wait", "openGripper", "closeGripper"}));
+    action.kind = static_cast<WaypointAction::Kind>(fields_.word(where, object, "do", keys));
     if (action.usesPin()) {
-        action.group =
-            static_cast<IoGroup>(fields_.word(where, object, "group", {"standard", "configurable", "tool"}));
+        action.group = static_cast<IoGroup>(fields_.word(where, object, "group", kIoGroupWords));
         action.pin = fields_.whole(where, object, "pin", 0, pinCount(action.group) - 1);
         action.value = fields_.flag(where, object, "value");
     }

@@ -10,7 +10,9 @@ namespace tiller {
 
 namespace {
 
-using ActionKind = project::WaypointAction::Kind;
+using Pin = project::WaypointActionKind::Pin;
+using Time = project::WaypointActionKind::Time;
+using Grip = project::WaypointActionKind::Grip;
 
 /// Robot data that are older than this are not used [ms].
 constexpr double kOldest = 100;
@@ -20,7 +22,7 @@ constexpr double kMaxGripTime = 15;
 constexpr double kMaxConfirmation = 3;
 
 bool isGrip(const project::WaypointAction& action) {
-    return action.kind == ActionKind::OpenGripper || action.kind == ActionKind::CloseGripper;
+    return kindOf(action).grip != Grip::None;
 }
 
 Error sentence(const QString& text) {
@@ -43,18 +45,14 @@ QString ActionStep::obstacle(const project::WaypointAction& action, const Grippe
 }
 
 double ActionStep::longestOf(const project::WaypointAction& action) {
-    switch (action.kind) {
-        case ActionKind::SetOutput:
-            return kMaxConfirmation;
-        case ActionKind::PulseOutput:
-            return 2 * kMaxConfirmation + action.seconds;
-        case ActionKind::WaitForInput:
-            return action.seconds > 0 ? action.seconds : project::kMaxActionTime;
-        case ActionKind::WaitTime:
-            return action.seconds;
-        default:
-            return kMaxGripTime;
+    const project::WaypointActionKind& kind = kindOf(action);
+    if (kind.time == Time::Limit) {
+        return action.seconds > 0 ? action.seconds : project::kMaxActionTime;
     }
+    // The opposite level at the end of a pulse is confirmed too.
+    const int confirmations = kind.pin != Pin::Output ? 0 : kind.time == Time::Duration ? 2 : 1;
+    return (kind.time == Time::Duration ? action.seconds : 0) + confirmations * kMaxConfirmation +
+           (isGrip(action) ? kMaxGripTime : 0);
 }
 
 std::shared_ptr<ActionStep::Order> ActionStep::send(std::uint32_t mask, std::uint32_t values) const {
@@ -62,7 +60,7 @@ std::shared_ptr<ActionStep::Order> ActionStep::send(std::uint32_t mask, std::uin
     OutputOrder asked;
     asked.token = order->token;
     asked.done = [order](const Result<void>& result) { order->result = result; };
-    if (action_.kind == ActionKind::PulseOutput) {
+    if (kindOf(action_).time == Time::Duration) {
         asked.pulse = {action_.seconds, [order] { return order->holds.load(); }};
     }
     port_.setOutputs(mask, values, tr("Run route"), asked);
@@ -82,8 +80,8 @@ Result<void> ActionStep::begin(std::uint64_t) {
         return sentence(why);
     }
     beganAt_ = state_.robotTime;
-    const bool close = action_.kind == ActionKind::CloseGripper;
-    if (action_.kind == ActionKind::SetOutput || action_.kind == ActionKind::PulseOutput) {
+    const bool close = kindOf(action_).grip == Grip::Close;
+    if (kindOf(action_).pin == Pin::Output) {
         order_ = send(pin(), action_.value ? pin() : 0);
     } else if (isGrip(action_) && gripper.usesOutputs()) {
         order_ = send(gripper.outputs(), gripper.outputsTo(close));
@@ -102,14 +100,16 @@ Result<SequenceStep::State> ActionStep::hold() {
         giveUp();
         return State::Ended;
     }
-    switch (action_.kind) {
-        case ActionKind::WaitTime:
-            return elapsed() >= action_.seconds ? State::Done : State::Going;
-        case ActionKind::WaitForInput:
-            return holdInput();
-        default:
-            return order_ ? holdOutput() : holdRobotiq();
+    if (order_) {
+        return holdOutput();
     }
+    if (isGrip(action_)) {
+        return holdRobotiq();
+    }
+    if (kindOf(action_).pin == Pin::Input) {
+        return holdInput();
+    }
+    return elapsed() >= action_.seconds ? State::Done : State::Going;
 }
 
 Result<SequenceStep::State> ActionStep::holdInput() const {
@@ -141,8 +141,7 @@ Result<SequenceStep::State> ActionStep::holdOutput() {
 }
 
 Result<SequenceStep::State> ActionStep::holdRobotiq() {
-    const std::optional<Result<void>> outcome =
-        port_.gripper.outcome(action_.kind == ActionKind::CloseGripper);
+    const std::optional<Result<void>> outcome = port_.gripper.outcome(kindOf(action_).grip == Grip::Close);
     if (outcome) {
         gripping_ = false;
         return *outcome ? Result<State>(State::Done) : outcome->error();

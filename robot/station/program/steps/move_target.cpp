@@ -21,32 +21,28 @@ Pose along(double before) {
 }
 
 void writeActions(StepWriter& writer, const project::Waypoint& waypoint) {
-    using Kind = project::WaypointAction::Kind;
+    using Kind = project::WaypointActionKind;
     for (const project::WaypointAction& action : waypoint.actions) {
+        const Kind& kind = kindOf(action);
         const int channel = project::channelOf(action.group, action.pin);
-        switch (action.kind) {
-            case Kind::SetOutput:
-                writer.line(outputCall(channel, action.value));
-                break;
-            case Kind::PulseOutput:
-                writer.line(outputCall(channel, action.value));
-                writer.line(QStringLiteral("sleep(%1)").arg(scriptNumber(action.seconds)));
+        if (kind.grip != Kind::Grip::None) {
+            writer.error("actions",
+                         ProgramText::tr("The waypoint “%1” moves the gripper. In a program, use the "
+                                         "Gripper step and turn off the actions of the waypoint.")
+                             .arg(waypoint.name));
+        }
+        if (kind.pin == Kind::Pin::Input) {
+            writer.waitUntil(QStringLiteral("%1 == %2").arg(inputCall(channel), scriptFlag(action.value)),
+                             action.seconds > 0 ? std::optional(action.seconds) : std::nullopt);
+        }
+        if (kind.pin == Kind::Pin::Output) {
+            writer.line(outputCall(channel, action.value));
+        }
+        if (kind.time == Kind::Time::Duration) {
+            writer.line(QStringLiteral("sleep(%1)").arg(scriptNumber(action.seconds)));
+            if (kind.pin == Kind::Pin::Output) {
                 writer.line(outputCall(channel, !action.value));
-                break;
-            case Kind::WaitForInput:
-                writer.waitUntil(QStringLiteral("%1 == %2").arg(inputCall(channel), scriptFlag(action.value)),
-                                 action.seconds > 0 ? std::optional(action.seconds) : std::nullopt);
-                break;
-            case Kind::WaitTime:
-                writer.line(QStringLiteral("sleep(%1)").arg(scriptNumber(action.seconds)));
-                break;
-            case Kind::OpenGripper:
-            case Kind::CloseGripper:
-                writer.error("actions",
-                             ProgramText::tr("The waypoint “%1” moves the gripper. In a program, use the "
-                                             "Gripper step and turn off the actions of the waypoint.")
-                                 .arg(waypoint.name));
-                break;
+            }
         }
     }
 }
