@@ -557,9 +557,7 @@ void ProgramTab::showPreview(const program::Preview& preview) {
     const QString duration = QLocale().toString(preview.duration, 'f', 1);
     showStatus(
         preview.isGood() && preview.isEndless
-            ? tr("Simulated: an endless program. %n cycle(s) take %1 s. No problems found.", nullptr,
-                 program::kPreviewCycles)
-                  .arg(duration)
+            ? tr("Simulated: two cycles of the endless program take %1 s. No problems found.").arg(duration)
         : preview.isGood()
             ? tr("Simulated: the program takes %1 s. No problems found.").arg(duration)
             : tr("⚠ Simulated: %n problem(s) found. %1", nullptr, static_cast<int>(preview.findings.size()))
