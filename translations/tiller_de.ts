@@ -8670,6 +8670,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Pausing after step %1 (%2)</source>
         <translation>Pausiert nach Schritt %1 (%2)</translation>
     </message>
+    <message>
+        <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
+        <translation>Simuliert: Zwei Zyklen des Endlosprogramms dauern %1 s. Keine Probleme gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>

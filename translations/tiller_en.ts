@@ -8657,6 +8657,10 @@ Release the button to stop the arm.</source>
         <source>Pausing after step %1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>

@@ -8670,6 +8670,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>Pausing after step %1 (%2)</source>
         <translation>Se pausará tras el paso %1 (%2)</translation>
     </message>
+    <message>
+        <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
+        <translation>Simulado: dos ciclos del programa sin fin duran %1 s. No se han encontrado problemas.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>

@@ -8670,6 +8670,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Pausing after step %1 (%2)</source>
         <translation>Pause après l&apos;étape %1 (%2)</translation>
     </message>
+    <message>
+        <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
+        <translation>Simulé : deux cycles du programme sans fin durent %1 s. Aucun problème trouvé.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>

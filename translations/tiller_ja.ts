@@ -8651,6 +8651,10 @@ Release the button to stop the arm.</source>
         <source>Pausing after step %1 (%2)</source>
         <translation>ステップ %1 (%2) の後で一時停止します</translation>
     </message>
+    <message>
+        <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
+        <translation>シミュレーション：エンドレスプログラムの2サイクルは%1秒です。問題はありません。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>

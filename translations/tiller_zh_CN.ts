@@ -8651,6 +8651,10 @@ Release the button to stop the arm.</source>
         <source>Pausing after step %1 (%2)</source>
         <translation>将在步骤 %1（%2）之后暂停</translation>
     </message>
+    <message>
+        <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
+        <translation>仿真：循环程序的两个周期用时%1 s。未发现问题。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
