@@ -38,6 +38,15 @@ struct Boundary {
     std::size_t order = 0;  ///< number of steps that have begun
 };
 
+/// Values at the beginning of a step in a group.
+struct Snapshot {
+    ControllerState state;
+    SwitchCounts switches{};
+    JointPositions q;
+    bool isStandstill = false;
+    std::map<QString, QString> variables;
+};
+
 /// A step at the top level of the program with the steps that must follow it, e.g. if and else.
 struct Group {
     int first = 0;  ///< step numbers
@@ -45,11 +54,12 @@ struct Group {
     QUuid step;
     int iterationStep = 0;         ///< first step in an endless loop; 0: the group is no endless loop
     bool isIterationCall = false;  ///< that step marks its beginning and its end
+    bool isScript = false;         ///< contains URScript text, whose variables are unknown
     bool isRelative = false;       ///< the steps depend on the exact position of the arm
     QSet<QString> variables;       ///< set by the steps
     JointPositions start;          ///< [rad]
     std::vector<Boundary> boundaries;
-    bool isClosed = false;  ///< the last boundary is the end of the group
+    std::map<std::size_t, Snapshot> snapshots;  ///< up to the second boundary, by number of steps begun
 
     bool contains(int number) const { return number >= first && number <= last; }
 };
@@ -121,6 +131,8 @@ public:
         , options_(options) {
         findSteps();
         findGroups();
+        hasConstantInputs_ = std::all_of(options.preview.inputs.begin(), options.preview.inputs.end(),
+                                         [](const InputChange& change) { return change.time <= 0; });
     }
 
     RecoveryMap check() {
@@ -217,6 +229,7 @@ private:
             if (step.disabled || kind == nullptr || depth > kMaxDepth) {
                 continue;
             }
+            group.isScript = group.isScript || step.kind == QLatin1String("script");
             group.isRelative = group.isRelative || kind->partlyDone != nullptr;
             for (const StepField& field : kind->fields()) {
                 const QString value = fieldValue(step, field).toString();
@@ -244,6 +257,31 @@ private:
         return isCancelled_;
     }
 
+    static std::map<QString, QString> valuesOf(const SimulatedRun& run, const QSet<QString>& variables) {
+        std::map<QString, QString> values;
+        for (const QString& name : variables) {
+            if (const auto value = run.controller().variable(name)) {
+                values.emplace(name, *value);
+            }
+        }
+        return values;
+    }
+
+    /// before  values before the control period
+    static Snapshot snapshotOf(const SimulatedRun& run, const SwitchCounts& switches,
+                               const JointPositions& before, bool wasStandstill,
+                               const QSet<QString>& variables) {
+        return {run.controller().controllerState(), switches, before, wasStandstill,
+                valuesOf(run, variables)};
+    }
+
+    /// True if the rest of the group is the same from both snapshots on.
+    bool isSame(const Snapshot& a, const Snapshot& b) const {
+        return hasConstantInputs_ && a.state == b.state && a.variables == b.variables &&
+               a.isStandstill == b.isStandstill &&
+               (a.q.values - b.q.values).cwiseAbs().maxCoeff() < kSamePosition;
+    }
+
     static Boundary boundaryOf(const SimulatedRun& run, const SwitchCounts& switches, std::size_t order,
                                const QSet<QString>& variables) {
         Boundary boundary;
@@ -253,11 +291,7 @@ private:
         boundary.q = run.controller().q();
         boundary.isStandstill = run.controller().isStandstill();
         boundary.order = order;
-        for (const QString& name : variables) {
-            if (const auto value = run.controller().variable(name)) {
-                boundary.variables.emplace(name, *value);
-            }
-        }
+        boundary.variables = valuesOf(run, variables);
         return boundary;
     }
 
@@ -276,6 +310,11 @@ private:
             const bool wasMarked = followMarks(run, counter.counts(), before);
             if (isOver_) {
                 return;
+            }
+            if (group_ < groups_.size() && wasMarked && groups_[group_].boundaries.size() == 1) {
+                Group& group = groups_[group_];
+                group.snapshots[order_.size() - group.boundaries.front().order] =
+                    snapshotOf(run, counter.counts(), before.q, before.isStandstill, group.variables);
             }
             const bool isDue =
                 !moments_.empty() && run.time() >= moments_.back().time + options_.interval - 1e-6;
@@ -352,7 +391,6 @@ private:
         if (group_ < groups_.size()) {
             Group& group = groups_[group_];
             group.boundaries.push_back(boundaryOf(run, switches, order_.size(), group.variables));
-            group.isClosed = true;
             group_ = groups_.size();
         }
     }
@@ -431,6 +469,12 @@ private:
         bool isReached = false;
         bool hasFailed = false;
         bool runs = true;
+        const std::size_t firstOrder = group.boundaries.front().order;
+        // A section restores the TCP that was set before it.
+        bool isSameOrder =
+            group.boundaries.size() > 1 && !group.isScript && state.tcp == group.boundaries.front().state.tcp;
+        JointPositions before = run.controller().q();
+        bool wasStandstill = true;
         while (runs && !isReached) {
             if (isCancelled()) {
                 result.end = Repetition::End::Cancelled;
@@ -442,6 +486,7 @@ private:
             }
             runs = run.step();
             counter.add(run.controller().digitalOutputs());
+            bool wasMarked = false;
             for (const std::int32_t value : run.controller().takeWritten()) {
                 hasFailed = hasFailed || value < 0;
                 const bool isStep = value > 0 && value <= static_cast<int>(rest.numbers.size());
@@ -451,9 +496,23 @@ private:
                             (isMain && isIteration(group, number, marks));
                 if (!isReached && isStep) {
                     result.step = number;
+                    isSameOrder = isSameOrder && firstOrder + result.order.size() < order_.size() &&
+                                  order_[firstOrder + result.order.size()] == number;
                     result.order.push_back(number);
+                    wasMarked = true;
                 }
             }
+            const auto snapshot = wasMarked && isSameOrder && !isReached && !hasFailed && runs
+                                      ? group.snapshots.find(result.order.size())
+                                      : group.snapshots.end();
+            if (snapshot != group.snapshots.end() &&
+                isSame(snapshot->second,
+                       snapshotOf(run, counter.counts(), before, wasStandstill, group.variables))) {
+                finishAs(group, snapshot->second, counter.counts(), result);
+                return result;
+            }
+            before = run.controller().q();
+            wasStandstill = run.controller().isStandstill();
         }
         if (hasFailed || run.controller().failure() || run.controller().safetyMode() != SafetyMode::Normal) {
             result.end = Repetition::End::Fails;
@@ -461,6 +520,18 @@ private:
         }
         result.boundary = boundaryOf(run, counter.counts(), result.order.size(), group.variables);
         return result;
+    }
+
+    /// Completes the result of a repetition that has reached a state of the undisturbed run.
+    void finishAs(const Group& group, const Snapshot& reached, const SwitchCounts& switches,
+                  Repetition& result) const {
+        const Boundary& begin = group.boundaries[0];
+        result.boundary = group.boundaries[1];
+        for (std::size_t i = 0; i < switches.size(); ++i) {
+            result.boundary.switches[i] += switches[i] - reached.switches[i];
+        }
+        result.order.assign(order_.begin() + static_cast<std::ptrdiff_t>(begin.order),
+                            order_.begin() + static_cast<std::ptrdiff_t>(result.boundary.order));
     }
 
     // ---- marks ------------------------------------------------------------------------------------------
@@ -651,6 +722,7 @@ private:
     std::vector<std::optional<Rest>> rests_;
     std::vector<std::vector<KnownRepetition>> repetitions_;
 
+    bool hasConstantInputs_ = true;
     ControllerState installation_;  ///< of a started controller
     std::size_t group_ = 0;         ///< the running group; groups_.size(): none
     int mainStep_ = 0;
