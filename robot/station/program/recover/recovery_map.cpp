@@ -759,11 +759,17 @@ Recovery worstWithPower(const StepRecovery& recovery) {
 
 QString recoveryMark(const StepRecovery& recovery) {
     const Recovery worst = worstWithPower(recovery);
-    const QString symbol = worst == Recovery::Continue   ? QStringLiteral("✔ ")
-                           : worst == Recovery::MoveBack ? QStringLiteral("↩ ")
-                           : worst == Recovery::Unsafe   ? QStringLiteral("✖ ")
-                                                         : QString();
-    return symbol + recoveryText(worst);
+    switch (worst) {
+        case Recovery::NotReached:
+            break;
+        case Recovery::Continue:
+            return ProgramText::tr("✔ Continue");
+        case Recovery::MoveBack:
+            return ProgramText::tr("↩ Move back");
+        case Recovery::Unsafe:
+            return ProgramText::tr("✖ Unsafe");
+    }
+    return {};
 }
 
 QString recoveryDetails(const StepRecovery& recovery) {

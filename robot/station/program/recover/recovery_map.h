@@ -22,7 +22,7 @@ namespace tiller::program {
 enum class StopKind {
     Protective,  ///< the arm stops, and the controller keeps outputs and registers
     Operator,    ///< as Protective
-    LinkLoss,    ///< the program runs for up to kMaxLinkLossTime after the fault
+    LinkLoss,    ///< the program runs for up to kMaxLinkLossTime after the fault, perhaps into later steps
     PowerLoss,   ///< outputs switch off; registers, TCP and payload have the values of a started controller
 };
 inline constexpr std::array kStopKinds{StopKind::Protective, StopKind::Operator, StopKind::LinkLoss,
@@ -79,7 +79,7 @@ struct RecoveryOptions {
 RecoveryMap checkRecovery(const project::Project& project, const QUuid& program, const ProgramScript& script,
                           const ScriptOptions& scriptOptions = {}, const RecoveryOptions& options = {});
 
-/// The worst mark of the stops without a power loss, e.g. "✔ can continue".
+/// The worst mark of the stops without a power loss, e.g. "✔ Continue".
 QString recoveryMark(const StepRecovery& recovery);
 /// One line for each kind of stop with its mark and the reason.
 QString recoveryDetails(const StepRecovery& recovery);
