@@ -17,6 +17,7 @@
 #include "robot/receive/robot_state.h"
 #include "robot/rtde/fields.h"
 #include "robot/station/program/preview/preview.h"
+#include "robot/station/program/recover/recovery_map.h"
 
 namespace tiller::app {
 
@@ -102,6 +103,85 @@ void print(const LoadedProgram& loaded, const Preview& preview) {
         out() << QStringLiteral("%1 s  %2\n")
                      .arg(finding.time, 0, 'f', 3)
                      .arg(problemText(loaded, finding.step, finding.text));
+    }
+}
+
+const char* wordOf(program::StopKind kind) {
+    switch (kind) {
+        case program::StopKind::Protective:
+            return "protectiveStop";
+        case program::StopKind::Operator:
+            return "operatorStop";
+        case program::StopKind::LinkLoss:
+            return "linkLoss";
+        case program::StopKind::PowerLoss:
+            return "powerLoss";
+    }
+    return "";
+}
+
+const char* wordOf(program::Recovery recovery) {
+    switch (recovery) {
+        case program::Recovery::NotReached:
+            return "notReached";
+        case program::Recovery::Continue:
+            return "continue";
+        case program::Recovery::MoveBack:
+            return "moveBack";
+        case program::Recovery::Unsafe:
+            return "unsafe";
+    }
+    return "";
+}
+
+QJsonObject marksJson(const program::StopMarks& marks) {
+    QJsonObject object;
+    for (const program::StopKind kind : program::kStopKinds) {
+        const program::StopMark& mark = marks[static_cast<std::size_t>(kind)];
+        object.insert(QLatin1String(wordOf(kind)),
+                      QJsonObject{{"mark", QLatin1String(wordOf(mark.recovery))}, {"reason", mark.reason}});
+    }
+    return object;
+}
+
+QJsonObject recoveryJson(const LoadedProgram& loaded, const program::RecoveryMap& map) {
+    QJsonArray steps;
+    for (std::size_t i = 0; i < map.steps.size(); ++i) {
+        steps.append(QJsonObject{{"number", static_cast<int>(i) + 1},
+                                 {"name", stepName(loaded, static_cast<int>(i) + 1)},
+                                 {"from", map.steps[i].from},
+                                 {"stops", marksJson(map.steps[i].marks)}});
+    }
+    QJsonArray points;
+    for (const program::StopPoint& point : map.points) {
+        points.append(
+            QJsonObject{{"time", point.time}, {"step", point.step}, {"stops", marksJson(point.marks)}});
+    }
+    return {{"simulated", true}, {"completed", map.isComplete}, {"steps", steps}, {"points", points}};
+}
+
+void print(const LoadedProgram& loaded, const program::RecoveryMap& map) {
+    const program::RecoveryCount count = program::countRecoverable(map);
+    out() << QStringLiteral("simulated: %1 of %2 steps can continue after a stop\n")
+                 .arg(count.recoverable)
+                 .arg(count.steps);
+    for (std::size_t i = 0; i < map.steps.size(); ++i) {
+        const program::StepRecovery& recovery = map.steps[i];
+        if (recovery.from == 0) {
+            continue;
+        }
+        const int number = static_cast<int>(i) + 1;
+        out() << QStringLiteral("%1  %2  continues from step %3\n")
+                     .arg(number, 4)
+                     .arg(stepName(loaded, number), -24)
+                     .arg(recovery.from);
+        for (const program::StopKind kind : program::kStopKinds) {
+            const program::StopMark& mark = recovery.of(kind);
+            out() << QStringLiteral("      %1  %2  %3\n")
+                         .arg(QLatin1String(wordOf(kind)), -15)
+                         .arg(QLatin1String(wordOf(mark.recovery)), -10)
+                         .arg(mark.reason);
+        }
     }
 }
 
@@ -243,6 +323,9 @@ int runProgram(const CommandArguments& arguments) {
     if (arguments.isSet("simulate") == arguments.isSet("robot")) {
         return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is required"));
     }
+    if (arguments.isSet("recoverability") && (arguments.isSet("robot") || arguments.isSet("from"))) {
+        return wrongArguments(QStringLiteral("--recoverability requires --simulate, without --from"));
+    }
     if (arguments.isSet("robot") && !isHostName(arguments.value("robot"))) {
         return wrongArguments(
             QStringLiteral("run: '%1' is not an address or a host name").arg(arguments.value("robot")));
@@ -271,6 +354,19 @@ int runProgram(const CommandArguments& arguments) {
                           static_cast<int>(arguments.number("port-offset")), options);
     }
     options.isCancelled = [] { return waitForTermination(std::chrono::milliseconds(0)); };
+    if (arguments.isSet("recoverability")) {
+        program::RecoveryOptions recovery;
+        recovery.preview = options;
+        const program::RecoveryMap map = program::checkRecovery(loaded->project, loaded->program,
+                                                                loaded->script, loaded->options, recovery);
+        if (arguments.isSet("json")) {
+            out() << QJsonDocument(recoveryJson(*loaded, map)).toJson();
+        } else {
+            print(*loaded, map);
+        }
+        out().flush();
+        return map.isComplete ? kSuccess : kFailed;
+    }
     const Preview preview =
         program::previewProgram(loaded->project, loaded->script, loaded->options, options);
     if (arguments.isSet("json")) {
@@ -302,6 +398,9 @@ const Command& runProgramCommand() {
               "repeated"},
              {"time-limit", "SECONDS", "stops the run after this time (default %1)", "3600", {0.001, 1e6}},
              {"port-offset", "N", "added to every port number of the robot (default %1)", "0", kPortOffsets},
+             {"recoverability", "",
+              "prints, for each step, whether the program can continue after a stop in the step. "
+              "Requires --simulate, without --from"},
              {"json", "", "prints one JSON object instead of text"}},
         .notes =
             "A run on a robot moves the arm at once, at the speeds of the program: keep "

@@ -150,6 +150,39 @@ std::uint64_t ScriptRun::digitalOutputs() const {
 SafetyMode ScriptRun::safetyMode() const {
     return d_->plant.safety().mode();
 }
+ControllerState ScriptRun::controllerState() const {
+    const RegisterBank& registers = d_->plant.registers().output;
+    ControllerState state{d_->plant.pins().digitalOutputs,
+                          d_->plant.pins().analogOutputLevels,
+                          registers.bits,
+                          registers.ints,
+                          registers.doubles,
+                          d_->plant.arm().tcp(),
+                          d_->plant.arm().payload().mass,
+                          d_->plant.arm().payload().centreOfGravity};
+    if (const auto followed = d_->plant.registers().followed.number) {
+        state.integerRegisters.at(*followed) = 0;
+    }
+    return state;
+}
+void ScriptRun::setControllerState(const ControllerState& state) {
+    d_->plant.pins().digitalOutputs = state.digitalOutputs;
+    d_->plant.pins().analogOutputLevels = state.analogOutputs;
+    RegisterBank& registers = d_->plant.registers().output;
+    registers.bits = state.boolRegisters;
+    registers.ints = state.integerRegisters;
+    registers.doubles = state.floatRegisters;
+    d_->plant.arm().setTcp(state.tcp);
+    arm::Payload payload;
+    payload.mass = state.payload;
+    payload.centreOfGravity = state.payloadCentre;
+    d_->plant.arm().setPayload(payload);
+}
+std::optional<QString> ScriptRun::variable(const QString& name) const {
+    const urscript::Interpreter* program = d_->plant.programs().mainProgram();
+    const urscript::Value* value = program != nullptr ? program->global(name.toStdString()) : nullptr;
+    return value != nullptr ? std::optional(QString::fromStdString(urscript::toStr(*value))) : std::nullopt;
+}
 std::vector<std::int32_t> ScriptRun::takeWritten() {
     return std::exchange(d_->plant.registers().followed.values, {});
 }

@@ -45,6 +45,20 @@ struct ScriptFault {
     QString text;  ///< message of the controller
 };
 
+/// What the controller keeps when a script ends.
+struct ControllerState {
+    std::uint64_t digitalOutputs = 0;                 ///< 0-7 standard, 8-15 configurable, 16-17 tool
+    std::array<double, 2> analogOutputs{};            ///< 0..1 of the range
+    std::array<bool, 128> boolRegisters{};            ///< output registers
+    std::array<std::int32_t, 48> integerRegisters{};  ///< output registers; 0 for the followed register
+    std::array<double, 48> floatRegisters{};          ///< output registers
+    Pose tcp;                                         ///< flange to TCP [m, rad]
+    double payload = 0;                               ///< [kg]
+    Eigen::Vector3d payloadCentre = Eigen::Vector3d::Zero();  ///< in the flange frame [m]
+
+    friend bool operator==(const ControllerState&, const ControllerState&) = default;
+};
+
 /// Threads  one at a time. No function blocks.
 class ScriptRun {
 public:
@@ -77,6 +91,10 @@ public:
     /// script has not set it.
     QJsonValue followedVariable(const std::string& name) const;
     SafetyMode safetyMode() const;
+    ControllerState controllerState() const;
+    void setControllerState(const ControllerState& state);
+    /// Value of a global variable of the running script, as text; empty if there is none.
+    std::optional<QString> variable(const QString& name) const;
     /// Returns the values that the script has written to the followed register since the last call.
     std::vector<std::int32_t> takeWritten();
     /// The reason why the script failed; empty if it is running or ended normally.

@@ -25,9 +25,10 @@ struct ProgramModel::Node {
     int row = 0;
     int number = 0;
     std::vector<std::unique_ptr<Node>> children;
-    QString problem;          ///< the reason why the program cannot run
-    QString result;           ///< result of the preview
-    bool hasFinding = false;  ///< true if the preview has a finding for this step
+    QString problem;                 ///< the reason why the program cannot run
+    QString result;                  ///< result of the preview
+    bool hasFinding = false;         ///< true if the preview has a finding for this step
+    program::StepRecovery recovery;  ///< marks of the recoverability check
 
     bool isMarked() const { return !problem.isEmpty() || hasFinding; }
     bool isComment() const { return step->kind == QLatin1String("comment"); }
@@ -163,6 +164,19 @@ void ProgramModel::setRun(const program::ProgramScript* script, const program::S
     changed();
 }
 
+void ProgramModel::setRecovery(const program::ProgramScript* script, const program::RecoveryMap* map) {
+    for (Node* node : nodes_) {
+        node->recovery = {};
+    }
+    for (std::size_t i = 0; map != nullptr && i < map->steps.size(); ++i) {
+        if (Node* node = nodes_.value(script->steps[i].step);
+            node != nullptr && script->steps[i].program == program_.id) {
+            node->recovery = map->steps[i];
+        }
+    }
+    changed();
+}
+
 ProgramModel::Node* ProgramModel::nodeAt(const QModelIndex& index) const {
     return index.isValid() ? static_cast<Node*>(index.internalPointer()) : root_.get();
 }
@@ -221,7 +235,9 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
             case Values:
                 return program::summaryOf(*project_, *node.step);
             default:
-                return node.problem.isEmpty() ? node.result : node.problem;
+                return !node.problem.isEmpty()                      ? node.problem
+                       : node.hasFinding || node.recovery.from == 0 ? node.result
+                                                                    : program::recoveryMark(node.recovery);
         }
     };
     switch (role) {
@@ -230,7 +246,9 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
                    : node.isMarked() && index.column() != Values ? QStringLiteral("⚠ ") + text()
                                                                  : text();
         case Qt::ToolTipRole:
-            return text();
+            return index.column() == Result && !node.isMarked() && node.recovery.from > 0
+                       ? program::recoveryDetails(node.recovery)
+                       : text();
         case Qt::AccessibleTextRole:
             return node.step->disabled && index.column() == Step ? tr("%1, disabled").arg(text())
                    : isRunning(node) && index.column() == Step   ? tr("%1, running").arg(text())

@@ -10,6 +10,7 @@
 
 #include "robot/station/program/preview/preview.h"
 #include "robot/station/program/program_edit.h"
+#include "robot/station/program/recover/recovery_map.h"
 #include "robot/station/program/run/step_log.h"
 
 namespace tiller {
@@ -31,6 +32,10 @@ public:
     void setProblems(const std::vector<program::ProgramProblem>& problems);
     /// script  script of the preview; null: no preview
     void setPreview(const program::ProgramScript* script, const program::Preview* preview);
+
+    /// Sets the marks of the recoverability check.
+    /// script  script of the check; null: no marks
+    void setRecovery(const program::ProgramScript* script, const program::RecoveryMap* map);
 
     /// Shows the steps of a run: the running step, and the number of runs and the mean time of each step.
     /// script  script of the run; null: no run

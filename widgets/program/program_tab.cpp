@@ -167,6 +167,11 @@ void ProgramTab::setRobot(RobotSession& session, HoldPolicy& policy, std::functi
     connect(runBar_, &RunBar::refused, this,
             [this](const QString& reason) { showStatus(tr("⚠ %1").arg(reason)); });
     connect(runBar_, &RunBar::runChanged, this, &ProgramTab::showRun);
+    connect(runBar_, &RunBar::powerLost, this, [this] {
+        if (const QString text = offerContinuation(); !text.isEmpty()) {
+            showStatus(text);
+        }
+    });
     connect(runBar_, &RunBar::startStepChanged, this, [this] {
         check();
         if (runBar_->startStep()) {
@@ -196,6 +201,7 @@ void ProgramTab::showRun() {
         case program::ProgramRunner::State::Idle:
             break;
         case program::ProgramRunner::State::Sending:
+            offerContinuation();
             showStatus(tr("Starting…"));
             break;
         case program::ProgramRunner::State::Running:
@@ -205,7 +211,8 @@ void ProgramTab::showRun() {
             showStatus(tr("Stopping…"));
             break;
         case program::ProgramRunner::State::Ended:
-            showStatus(runner.endText(document_.project()));
+            showStatus(
+                QStringList{runner.endText(document_.project()), offerContinuation()}.join(u' ').trimmed());
             Q_EMIT session_->message(Severity::Info, runner.endText(document_.project()));
             break;
     }
@@ -226,10 +233,12 @@ void ProgramTab::showRunningStep(const program::ProgramRunner& runner) {
 
 void ProgramTab::addCommands() {
     auto* menu = findChild<QMenu*>("program.menu");
-    menu->addActions({addCommand("new", tr("New program"), {}, &ProgramTab::addProgram),
-                      addCommand("rename", tr("Rename program…"), {}, &ProgramTab::renameProgram),
-                      addCommand("remove", tr("Delete program"), {}, &ProgramTab::removeProgram),
-                      addCommand("export", tr("Export script…"), {}, &ProgramTab::exportScript)});
+    menu->addActions(
+        {addCommand("new", tr("New program"), {}, &ProgramTab::addProgram),
+         addCommand("rename", tr("Rename program…"), {}, &ProgramTab::renameProgram),
+         addCommand("remove", tr("Delete program"), {}, &ProgramTab::removeProgram),
+         addCommand("export", tr("Export script…"), {}, &ProgramTab::exportScript),
+         recoverAction_ = addCommand("recover", tr("Check recoverability"), {}, &ProgramTab::checkRecovery)});
     tree_->addAction(addCommand("paste", tr("Paste steps"), QKeySequence::Paste, &ProgramTab::paste));
     selectionActions_ = {
         addCommand("cut", tr("Cut steps"), QKeySequence::Cut, &ProgramTab::cut),
@@ -316,10 +325,16 @@ program::ScriptOptions ProgramTab::scriptOptions() const {
 }
 
 // Compares everything that affects the simulation in addition to the script.
-bool ProgramTab::isPreviewedCell() const {
+bool ProgramTab::isSameCell(const project::Project& before) const {
     const project::Project now = document_.project();
-    return previewedProject_.cell == now.cell && previewedProject_.frames == now.frames &&
-           previewedProject_.tooling == now.tooling && previewedProject_.robot == now.robot;
+    return before.cell == now.cell && before.frames == now.frames && before.tooling == now.tooling &&
+           before.robot == now.robot;
+}
+
+program::ProgramScript ProgramTab::completeScript() const {
+    program::ScriptOptions options = scriptOptions();
+    options.from = {};
+    return program::writeScript(document_.project(), program_, options);
 }
 
 void ProgramTab::check() {
@@ -330,7 +345,7 @@ void ProgramTab::check() {
         runBar_->setProgram(program_, script_);
     }
     model_->setProblems(script_.problems);
-    const bool isStale = !script_.ok() || previewed_.text != script_.text || !isPreviewedCell();
+    const bool isStale = !script_.ok() || previewed_.text != script_.text || !isSameCell(previewedProject_);
     if (isStale) {
         clearPreview();
         marks_.clear();
@@ -341,7 +356,12 @@ void ProgramTab::check() {
             }
         }
     }
+    if (!recovered_.text.isEmpty() &&
+        (!isSameCell(recoveredProject_) || completeScript().text != recovered_.text)) {
+        clearRecovery();
+    }
     previewKey_->setEnabled(script_.ok());
+    recoverAction_->setEnabled(script_.ok());
     if (program == nullptr || program->steps.empty()) {
         showStatus(tr("Drag steps into the program, or double-click them."));
     } else if (!script_.problems.empty()) {
@@ -577,6 +597,73 @@ void ProgramTab::clearPreview() {
         path_.clear();
         Q_EMIT previewPathChanged();
     }
+}
+
+void ProgramTab::checkRecovery() {
+    if (recoveryRunner_.isRunning()) {
+        clearRecovery();
+        showStatus(tr("The check was cancelled."));
+        return;
+    }
+    check();
+    const program::ProgramScript script = completeScript();
+    if (!script.ok()) {
+        return;
+    }
+    clearRecovery();
+    recovered_ = script;
+    recoveredProject_ = document_.project();
+    recoverAction_->setText(tr("Cancel the check"));
+    showStatus(tr("Simulating stops…"));
+    program::ScriptOptions options = scriptOptions();
+    options.from = {};
+    recoveryRunner_.start(document_.project(), program_, script, options,
+                          [this, text = script.text](const program::RecoveryMap& map) {
+                              QMetaObject::invokeMethod(this, [this, map, text] {
+                                  if (recovered_.text == text) {
+                                      showRecovery(map);
+                                  }
+                              });
+                          });
+}
+
+void ProgramTab::showRecovery(const program::RecoveryMap& map) {
+    recovery_ = map;
+    recoverAction_->setText(tr("Check recoverability"));
+    model_->setRecovery(&recovered_, &map);
+    const program::RecoveryCount count = program::countRecoverable(map);
+    const QString text =
+        tr("Simulated: %1 of %2 steps can continue after a stop.").arg(count.recoverable).arg(count.steps);
+    const QString offer = offerContinuation();
+    showStatus(offer.isEmpty() ? text : offer);
+}
+
+void ProgramTab::clearRecovery() {
+    recoveryRunner_.cancel();
+    recovered_ = {};
+    recovery_.reset();
+    recoverAction_->setText(tr("Check recoverability"));
+    model_->setRecovery(nullptr, nullptr);
+    if (runBar_ != nullptr) {
+        runBar_->setContinuation({});
+    }
+}
+
+QString ProgramTab::offerContinuation() {
+    if (runBar_ == nullptr) {
+        return {};
+    }
+    const RunBar::StoppedAt stop = runBar_->stoppedAt();
+    const program::Continuation continuation =
+        recovery_ && stop.step > 0
+            ? program::chooseContinuation(document_.project(), recovered_, *recovery_,
+                                          runBar_->runner().script(), stop.step, stop.kind)
+            : program::Continuation();
+    runBar_->setContinuation(continuation);
+    if (continuation.start) {
+        tree_->selectIds({continuation.start->step});
+    }
+    return continuation.text;
 }
 
 void ProgramTab::exportScript() {

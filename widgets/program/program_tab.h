@@ -14,6 +14,7 @@
 
 #include "robot/station/program/preview/preview_runner.h"
 #include "robot/station/program/program_edit.h"
+#include "robot/station/program/recover/recovery_runner.h"
 
 class QAction;
 class QComboBox;
@@ -76,8 +77,10 @@ private:
     void addCommands();
     void follow();
     void check();
-    bool isPreviewedCell() const;
+    bool isSameCell(const project::Project& before) const;
     program::ScriptOptions scriptOptions() const;
+    /// The script of the program from its beginning, for the connected robot.
+    program::ProgramScript completeScript() const;
     void showSelection();
     void showSides();
     void showStatus(const QString& text);
@@ -104,6 +107,12 @@ private:
     void preview();
     void showPreview(const program::Preview& preview);
     void clearPreview();
+    void checkRecovery();
+    void showRecovery(const program::RecoveryMap& map);
+    void clearRecovery();
+    /// Offers the step at which a stopped program can continue.
+    /// Returns  a sentence with the mark of the stop; empty without marks
+    QString offerContinuation();
     void exportScript();
     void showRun();
     void showRunningStep(const program::ProgramRunner& runner);
@@ -140,6 +149,11 @@ private:
     QTimer checkTimer_;
     bool wasWaiting_ = false;  ///< the program waited before a step
     program::PreviewRunner runner_;
+    QAction* recoverAction_ = nullptr;
+    program::ProgramScript recovered_;  ///< script of the displayed or running recoverability check
+    project::Project recoveredProject_;
+    std::optional<program::RecoveryMap> recovery_;
+    program::RecoveryRunner recoveryRunner_;
 };
 
 }  // namespace tiller

@@ -36,7 +36,8 @@ QPushButton* keyNamed(const char* name, const QString& text) {
 
 /// The minimum width fits both texts, so that the button keeps its size.
 void reserveWidth(QPushButton& key, const QString& otherText) {
-    key.setMinimumWidth(std::max(key.sizeHint().width(), EnterKey(otherText).sizeHint().width()));
+    key.setMinimumWidth(
+        std::max({key.minimumWidth(), key.sizeHint().width(), EnterKey(otherText).sizeHint().width()}));
 }
 
 /// Every assignment sends an event, also without a change.
@@ -100,6 +101,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     reserveWidth(*pause_, tr("Resume"));
     finish_->setCheckable(true);
     reserveWidth(*from_, tr("From step %1").arg(999));
+    reserveWidth(*from_, tr("Continue at %1").arg(999));
     from_->setCheckable(true);
     hold_->setMotion(runner_.motion([this] {
         isHeld_ = true;
@@ -235,6 +237,23 @@ void RunBar::setSelectedStep(const QUuid& step) {
     updateGateKeys();
 }
 
+void RunBar::setContinuation(const program::Continuation& continuation) {
+    continuation_ = continuation;
+    updateGateKeys();
+}
+
+bool RunBar::continues() const {
+    return continuation_.start && continuation_.start->step == selected_;
+}
+
+RunBar::StoppedAt RunBar::stoppedAt() const {
+    if (!runner_.isStoppedInLastStep()) {
+        return {};
+    }
+    return {runner_.log().lastStep(),
+            hasLostPower_ ? program::StopKind::PowerLoss : program::StopKind::Operator};
+}
+
 void RunBar::clearStartStep() {
     if (startStep_) {
         stop(control::StopCause::SelectionChanged);
@@ -249,9 +268,11 @@ void RunBar::toggleStartStep() {
         Q_EMIT startStepChanged();
         return;
     }
-    const program::StartStepChoice choice = program::chooseStartStep(
-        document_.project(), program_, selected_, program::optionsFor(document_.project(), session_.state()),
-        previewed_, preview_ ? &*preview_ : nullptr);
+    const program::StartStepChoice choice =
+        continues() ? program::StartStepChoice{continuation_.start, {}}
+                    : program::chooseStartStep(document_.project(), program_, selected_,
+                                               program::optionsFor(document_.project(), session_.state()),
+                                               previewed_, preview_ ? &*preview_ : nullptr);
     startStep_ = choice.start;
     updateAvailability();
     if (startStep_) {
@@ -270,6 +291,10 @@ void RunBar::stop(control::StopCause cause) {
 void RunBar::follow(const SessionState& state) {
     hold_->setConfirmed(hold_->isHolding() && state.moving);
     start_->setConfirmed(start_->isHolding() && state.moving);
+    if (!runner_.isActive() && state.robotMode == RobotMode::PowerOff &&
+        !std::exchange(hasLostPower_, true)) {
+        Q_EMIT powerLost();
+    }
     updateAvailability();
 }
 
@@ -333,20 +358,23 @@ void RunBar::updateGateKeys() {
                                                 : QString(),
               tr("Ends the program before the next cycle of its endless loop"));
     setReason(*from_,
-              runner_.isActive()   ? cannotMoveReason(session_.state())
-              : startStep_         ? QString()
-              : !preview_          ? runObstacle()
-              : selected_.isNull() ? tr("Select one step.")
-                                   : QString(),
+              runner_.isActive()          ? cannotMoveReason(session_.state())
+              : startStep_ || continues() ? QString()
+              : !preview_                 ? runObstacle()
+              : selected_.isNull()        ? tr("Select one step.")
+                                          : QString(),
               tr("Starts the program at the selected step, or at its beginning again. Move the arm to the "
                  "start position of the step first."));
     from_->setChecked(startStep_.has_value());
-    from_->setText(startStep_ ? tr("From step %1").arg(script_.numberOf(startStep_->step)) : tr("From here"));
+    from_->setText(startStep_    ? tr("From step %1").arg(script_.numberOf(startStep_->step))
+                   : continues() ? tr("Continue at %1").arg(continuation_.number)
+                                 : tr("From here"));
     const QSignalBlocker blocker(finish_);
     finish_->setChecked(runs && runner_.endsWithCycle());
 }
 
 void RunBar::showRun() {
+    hasLostPower_ = hasLostPower_ && !runner_.isActive();
     run_->setText(runner_.isActive() && !isHeld_ ? tr("Stop") : tr("Run"));
     updateAvailability();
     Q_EMIT runChanged();

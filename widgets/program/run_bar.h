@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "robot/station/link/move_time.h"
+#include "robot/station/program/run/continue_step.h"
 #include "robot/station/program/run/program_runner.h"
 
 class QPushButton;
@@ -35,6 +36,15 @@ public:
     void setProgram(const QUuid& program, const program::ProgramScript& script);
     /// Sets the preview of this script; empty: none.
     void setPreview(const program::ProgramScript& script, const std::optional<program::Preview>& preview);
+    /// Sets the step at which the stopped program can continue; without a start step: none. While that step is
+    /// selected, "From here" continues there.
+    void setContinuation(const program::Continuation& continuation);
+    /// The step in which the last run was stopped, with the kind of the stop; step 0: unknown.
+    struct StoppedAt {
+        int step = 0;
+        program::StopKind kind = program::StopKind::Operator;
+    };
+    StoppedAt stoppedAt() const;
     /// Sets the selected step; null: none, or more than one.
     void setSelectedStep(const QUuid& step);
     /// The step at which the program starts; empty: at its beginning.
@@ -55,6 +65,8 @@ Q_SIGNALS:
     void startStepChanged();
     /// State or running step of the program have changed.
     void runChanged();
+    /// stoppedAt() has changed without a run.
+    void powerLost();
 
 protected:
     /// The focus of a button that is disabled does not move to a field of the step.
@@ -71,6 +83,7 @@ private:
     void pauseOrResume();
     void stepOnce();
     void toggleStartStep();
+    bool continues() const;
     void follow(const SessionState& state);
     QString programObstacle() const;
     QString runObstacle() const;
@@ -88,6 +101,8 @@ private:
     program::ProgramScript previewed_;
     std::optional<program::Preview> preview_;
     QUuid selected_;
+    program::Continuation continuation_;
+    bool hasLostPower_ = false;  ///< since the end of the last run
     std::optional<program::StartStep> startStep_;
     MoveRequest startMove_;  ///< of the current "Move to start"
     HoldToRunButton* hold_;

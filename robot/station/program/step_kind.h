@@ -31,6 +31,11 @@ struct StepKind {
     /// Kinds of steps that may directly precede this one; empty: any.
     std::vector<const char*> follows = {};
     const char* inside = "";  ///< kind of section that must contain this step; empty: any
+    /// Why a program cannot continue after a stop in this step or in the steps in it, as a translated
+    /// sentence; null: that depends on the effects of the steps.
+    QString (*cannotContinue)() = nullptr;
+    /// What a stop in this step leaves unfinished, as a translated sentence; null: a motion to its target.
+    QString (*partlyDone)() = nullptr;
 };
 
 std::span<const StepKind* const> stepKinds();     ///< All kinds, in the order of the palette.

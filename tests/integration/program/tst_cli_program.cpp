@@ -92,6 +92,24 @@ private Q_SLOTS:
         QCOMPARE(again.out, answer.out);
     }
 
+    void recoverabilityIsPrintedForEachStep() {
+        const Answer answer =
+            run({"run", path(), "--simulate", "--program", "short", "--recoverability", "--json"});
+        QVERIFY2(answer.code == 0, qPrintable(answer.out + answer.err));
+        const QJsonObject result = QJsonDocument::fromJson(answer.out.toUtf8()).object();
+        QVERIFY(result["completed"].toBool() && result["simulated"].toBool());
+        const QJsonArray steps = result["steps"].toArray();
+        QCOMPARE(steps.size(), 3);
+        const QJsonObject last = steps[2].toObject();
+        QCOMPARE(last["from"].toInt(), 3);
+        QCOMPARE(last["stops"]["operatorStop"]["mark"].toString(), QString("moveBack"));
+        QCOMPARE(last["stops"]["powerLoss"]["mark"].toString(), QString("unsafe"));
+        QVERIFY(last["stops"]["powerLoss"]["reason"].toString().contains("DO 2"));
+        QVERIFY(result["points"].toArray().size() > 5);
+        const Answer text = run({"run", path(), "--simulate", "--program", "short", "--recoverability"});
+        QVERIFY2(text.out.startsWith("simulated: 3 of 3 steps"), qPrintable(text.out));
+    }
+
     void findingsGiveAFailureExitCode() {
         const Answer answer =
             run({"run", path(), "--simulate", "--program", "to and fro", "--time-limit", "5"});
@@ -178,6 +196,9 @@ private Q_SLOTS:
         QTest::newRow("address") << QStringList{"run", file, "--robot", "a b"} << 2 << "not an address";
         QTest::newRow("input") << QStringList{"run", file, "--simulate", "--input", "TI2=on"} << 2
                                << "--input must have";
+        QTest::newRow("recoverability")
+            << QStringList{"run", file, "--robot", "127.0.0.1", "--recoverability"} << 2
+            << "--recoverability requires --simulate";
         QTest::newRow("no name") << QStringList{"run", file, "--simulate"} << 1
                                  << "--program NAME is missing";
         QTest::newRow("name") << QStringList{"script", file, "--program", "x"} << 1 << "no program 'x'";

@@ -82,6 +82,7 @@ public:
 
     Preview follow() {
         result_.timings.resize(script_.steps.size());
+        result_.startJoints.resize(script_.steps.size());
         for (const collision::UnplacedObject& object : cell_.unplaced) {
             find(
                 Finding::Kind::Collision, 0,
@@ -97,8 +98,10 @@ public:
             return std::move(result_);
         }
         sample();
+        JointPositions before = run_.q();
         while (run_.step() && !isOver()) {
-            followMarks();
+            followMarks(before);
+            before = run_.q();
             followOutputs();
             followForce();
             applyEvents();
@@ -108,7 +111,7 @@ public:
                 sample();
             }
         }
-        followMarks();
+        followMarks(before);
         followOutputs();
         finish();
         return std::move(result_);
@@ -139,7 +142,8 @@ private:
         result_.findings.push_back({kind, step, run_.time(), text});
     }
 
-    void followMarks() {
+    /// before  position before the last control period, in which the steps of this period start
+    void followMarks(const JointPositions& before) {
         for (const std::int32_t value : run_.takeWritten()) {
             const double now = run_.time();
             if (step_ > 0) {
@@ -164,7 +168,10 @@ private:
                 result_.order.push_back(step_);
                 result_.starts.push_back(now);
                 StepTiming& first = timing(step_);
-                first.first = first.count++ == 0 ? now : first.first;
+                if (first.count++ == 0) {
+                    first.first = now;
+                    result_.startJoints[static_cast<std::size_t>(step_ - 1)] = before;
+                }
                 scheduleAtStep(first.count);
             }
         }

@@ -137,7 +137,9 @@ struct Preview {
     std::vector<int> order;           ///< step numbers in the order of their start
     std::vector<double> starts;       ///< start time of each item of `order` [s]
     std::vector<StepTiming> timings;  ///< one per step; step number 1 is at index 0
-    std::vector<Finding> findings;    ///< in chronological order
+    std::vector<JointPositions>
+        startJoints;                ///< at the first start of each step [rad]; index as in `timings`
+    std::vector<Finding> findings;  ///< in chronological order
     JointPositions endJoints;
     Pose endPose;                           ///< TCP pose in the base frame
     std::uint64_t outputs = 0;              ///< digital outputs at the end

@@ -3,6 +3,7 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -293,6 +294,14 @@ void ProgramRunner::finish(const Result<control::MotionProgress>& progress) {
     }
     state_ = State::Ended;
     Q_EMIT changed();
+}
+
+bool ProgramRunner::isStoppedInLastStep() const {
+    using control::StopCause;
+    constexpr std::array kWithoutData{StopCause::DataStale, StopCause::LinkLost, StopCause::ControlLost,
+                                      StopCause::EventLoopStalled, StopCause::Sleep};
+    return state_ == State::Ended && end_ == End::Stopped && log_.lastStep() > 0 &&
+           std::find(kWithoutData.begin(), kWithoutData.end(), cause_) == kWithoutData.end();
 }
 
 QString ProgramRunner::endText(const project::Project& project) const {

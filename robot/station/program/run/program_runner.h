@@ -105,6 +105,9 @@ public:
     State state() const { return state_; }
     bool isActive() const { return state_ != State::Idle && state_ != State::Ended; }
     End end() const { return end_; }  ///< Valid in State::Ended.
+    /// True if the program was stopped in log().lastStep(). After a connection loss, it may have begun later
+    /// steps.
+    bool isStoppedInLastStep() const;
     /// Describes the end in one sentence, with the step if the program did not complete.
     QString endText(const project::Project& project) const;
     const ProgramScript& script() const { return script_; }  ///< Script of the current or last run.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/program/run/start_step.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "robot/station/program/program_text.h"
 
 namespace tiller::program {
@@ -19,16 +16,13 @@ StartStepChoice chooseStartStep(const project::Project& project, const QUuid& pr
         return {{}, ProgramText::tr("Preview the program first.")};
     }
     const int number = script.numberOf(step);
-    const StepTiming timing = number > 0 && number <= static_cast<int>(preview->timings.size())
+    const StepTiming timing = number > 0 && number <= static_cast<int>(preview->startJoints.size())
                                   ? preview->timings[static_cast<std::size_t>(number - 1)]
                                   : StepTiming();
     if (timing.count == 0) {
         return {{}, ProgramText::tr("The preview does not reach this step.")};
     }
-    const auto after = std::find_if(preview->path.begin(), preview->path.end(),
-                                    [&](const PathSample& sample) { return sample.time > timing.first; });
-    const PathSample& at = after == preview->path.begin() ? *after : *std::prev(after);
-    return {StartStep{step, at.q}, {}};
+    return {StartStep{step, preview->startJoints[static_cast<std::size_t>(number - 1)]}, {}};
 }
 
 }  // namespace tiller::program

@@ -58,6 +58,8 @@ const StepKind& forceStep() {
                 writer.line(QStringLiteral("end_force_mode()"));
             },
         .isSection = true,
+        .cannotContinue =
+            [] { return ProgramText::tr("The force section is open: its contact cannot be restored."); },
     };
     return kind;
 }

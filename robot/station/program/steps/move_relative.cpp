@@ -48,6 +48,7 @@ const StepKind& moveRelativeStep() {
             },
         .moves = true,
         .takesTime = true,
+        .partlyDone = [] { return ProgramText::tr("The relative move is partly done."); },
     };
     return kind;
 }

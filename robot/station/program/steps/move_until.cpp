@@ -84,6 +84,7 @@ const StepKind& moveUntilStep() {
             },
         .moves = true,
         .takesTime = true,
+        .partlyDone = [] { return ProgramText::tr("The relative move is partly done."); },
     };
     return kind;
 }

@@ -29,6 +29,7 @@ const StepKind& scriptTextStep() {
                 }
                 writer.noteMove(std::nullopt, 0);
             },
+        .cannotContinue = [] { return ProgramText::tr("The URScript text is partly done."); },
     };
     return kind;
 }

@@ -176,6 +176,44 @@ private Q_SLOTS:
         QCOMPARE(first.data().toString(), QString());
     }
 
+    void recoverabilityIsShownUntilTheProgramChanges() {
+        project::ProgramList programs;
+        programs.append(makeProgram(
+            "p", {step("moveJ", {{"waypoint", waypointId(document_->project(), "home")}}),
+                  step("moveL", {{"waypoint", waypointId(document_->project(), "pick")}}),
+                  step("wait", {{"time", 0.5}}), step("force", {}, {step("wait", {{"time", 0.2}})}),
+                  step("moveL", {{"waypoint", waypointId(document_->project(), "home")}})}));
+        document_->changePrograms(programs, "open");
+        auto* action = tab_->findChild<QAction*>("program.action.recover");
+        QTRY_VERIFY_WITH_TIMEOUT(action->isEnabled() && key("program.preview")->isEnabled(), 60'000);
+        action->trigger();
+        QVERIFY2(action->text().startsWith("Cancel"), qPrintable(action->text()));
+        QTRY_VERIFY2_WITH_TIMEOUT(status().startsWith("Simulated: 3 of 6"), qPrintable(status()), 60'000);
+        QCOMPARE(action->text(), QStringLiteral("Check recoverability"));
+        const auto cell = [&](const QUuid& id) {
+            return model().indexOf(id).siblingAtColumn(ProgramModel::Result);
+        };
+        const QModelIndex second = cell(steps()[1].id);
+        QVERIFY2(second.data().toString().contains("Move back"), qPrintable(second.data().toString()));
+        QVERIFY(
+            second.data(Qt::ToolTipRole).toString().contains("Power loss: can continue after moving back"));
+        const QModelIndex inside = cell(steps()[3].steps[0].id);
+        QVERIFY2(inside.data().toString().contains("Unsafe"), qPrintable(inside.data().toString()));
+        QVERIFY(inside.data(Qt::ToolTipRole).toString().contains("force section"));
+        // A connection loss at the end of the wait stops the program in the force section.
+        QVERIFY(cell(steps()[2].id).data().toString().contains("Unsafe"));
+        // An edit makes the marks outdated.
+        tree().selectIds({steps()[2].id});
+        type(*field<QLineEdit>("time"), "0.3");
+        QTRY_COMPARE_WITH_TIMEOUT(second.data().toString(), QString(), 60'000);
+        // The command cancels a running check.
+        QTRY_VERIFY_WITH_TIMEOUT(action->isEnabled(), 60'000);
+        action->trigger();
+        action->trigger();
+        QVERIFY2(status().contains("cancelled") || status().startsWith("Simulat"), qPrintable(status()));
+        QCOMPARE(action->text().startsWith("Cancel"), !status().contains("cancelled"));
+    }
+
     void selectionStaysWhileTheProgramChanges() {
         openTray();
         const QUuid id = steps()[3].steps[0].steps[2].id;

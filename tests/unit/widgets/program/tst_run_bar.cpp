@@ -2,6 +2,7 @@
 //
 // The buttons that run a program in the Program tab, with the simulated controller in virtual time.
 
+#include <QAction>
 #include <QApplication>
 #include <QPushButton>
 #include <QTest>
@@ -409,6 +410,52 @@ private Q_SLOTS:
         QVERIFY(bench.from().isChecked());
         bench.setSteps({"pick", "place"});
         QVERIFY(!bench.from().isChecked());
+    }
+
+    void stoppedProgramContinuesAtTheStepOfTheMark() {
+        TabBench bench;
+        std::vector<project::ProgramStep> steps = bench.moves({"pick", "place", "pick"});
+        steps.insert(steps.begin() + 2,
+                     program::step("force", {{"force", 0}}, {program::step("wait", {{"time", 1}})}));
+        bench.setProgram(steps);
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.cell.advanceMs(20);
+        bench.find<QAction>("program.action.recover").trigger();
+        QVERIFY(QTest::qWaitFor([&] { return bench.status().startsWith("Simulated: "); }, kLongMs));
+        QVERIFY(bench.preview());
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(20);
+        QVERIFY2(bench.run().isEnabled(), qPrintable(bench.run().toolTip()));
+        // A stop in the second move.
+        bench.run().click();
+        QVERIFY(bench.cell.advanceUntil(
+            [&] { return bench.runner().log().step() == 2 && bench.speedNow() > 0.03; }, kLongMs));
+        bench.cell.advanceMs(400);
+        bench.run().click();
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(bench.status().contains("can continue from step 2"), qPrintable(bench.status()));
+        QCOMPARE(bench.from().text(), QStringLiteral("Continue at 2"));
+        bench.cell.advanceMs(200);
+        QVERIFY2(bench.from().isEnabled(), qPrintable(bench.from().toolTip()));
+        bench.from().click();
+        QCOMPARE(bench.from().text(), QStringLiteral("From step 2"));
+        QVERIFY(
+            QTest::qWaitFor([&] { return bench.status().startsWith("Simulated: the program"); }, kLongMs));
+        bench.cell.advanceMs(200);
+        QVERIFY2(bench.run().toolTip().contains("start position"), qPrintable(bench.run().toolTip()));
+        QVERIFY(bench.moveToStart());
+        bench.cell.advanceMs(200);
+        QVERIFY2(bench.run().isEnabled(), qPrintable(bench.run().toolTip()));
+        bench.run().click();
+        QVERIFY(bench.cell.advanceUntil([&] { return bench.runner().log().step() == 4; }, kLongMs));
+        QCOMPARE(bench.runner().log().timings()[0].count, 0);
+        // A stop in the open force section.
+        bench.run().click();
+        QVERIFY(bench.awaitEnd());
+        QVERIFY2(
+            bench.status().contains("cannot continue safely") && bench.status().contains("force section"),
+            qPrintable(bench.status()));
+        QVERIFY(!bench.from().text().startsWith("Continue"));
     }
 
     void moveToStartEndsWithTheButton() {

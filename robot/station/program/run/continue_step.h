@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The step at which a stopped program continues, according to the recoverability check.
+
+#include <QString>
+#include <optional>
+
+#include "robot/station/program/recover/recovery_map.h"
+#include "robot/station/program/run/start_step.h"
+
+namespace tiller::program {
+
+struct Continuation {
+    std::optional<StartStep> start;  ///< empty: the program must not continue, or nothing is known
+    int number = 0;                  ///< number of the step to run in the complete script
+    QString text;                    ///< one sentence with the mark and its reason; empty: nothing is known
+};
+
+/// script   of the check
+/// stopped  script of the stopped run, which may begin at a later step
+/// step     number of the last step in `stopped`
+Continuation chooseContinuation(const project::Project& project, const ProgramScript& script,
+                                const RecoveryMap& map, const ProgramScript& stopped, int step,
+                                StopKind kind);
+
+}  // namespace tiller::program
