@@ -2904,6 +2904,134 @@
         <source>The preview does not reach this step.</source>
         <translation>Die Vorschau erreicht diesen Schritt nicht.</translation>
     </message>
+    <message>
+        <source>The simulated program does not complete step %1 (%2).</source>
+        <translation>Das simulierte Programm schließt Schritt %1 (%2) nicht ab.</translation>
+    </message>
+    <message>
+        <source>The arm has left the start position of step %1 (%2).</source>
+        <translation>Der Arm hat die Startposition von Schritt %1 (%2) verlassen.</translation>
+    </message>
+    <message>
+        <source>The gripper may hold a part and would close again (%1).</source>
+        <translation>Der Greifer hält möglicherweise ein Teil und würde erneut schließen (%1).</translation>
+    </message>
+    <message>
+        <source>The gripper may have lost a part (%1).</source>
+        <translation>Der Greifer hat möglicherweise ein Teil verloren (%1).</translation>
+    </message>
+    <message>
+        <source>%1 would switch on again.</source>
+        <translation>%1 würde erneut eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>%1 would have a different value.</source>
+        <translation>%1 hätte einen anderen Wert.</translation>
+    </message>
+    <message>
+        <source>The program would wait in step %1 (%2).</source>
+        <translation>Das Programm würde in Schritt %1 (%2) warten.</translation>
+    </message>
+    <message>
+        <source>The program would fail in step %1 (%2).</source>
+        <translation>Das Programm würde in Schritt %1 (%2) fehlschlagen.</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>Die Prüfung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>An analog output would have a different value.</source>
+        <translation>Ein Analogausgang hätte einen anderen Wert.</translation>
+    </message>
+    <message>
+        <source>A register would have a different value.</source>
+        <translation>Ein Register hätte einen anderen Wert.</translation>
+    </message>
+    <message>
+        <source>The value of the variable “%1” is not saved.</source>
+        <translation>Der Wert der Variablen „%1“ ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>TCP or payload would differ.</source>
+        <translation>TCP oder Nutzlast wären anders.</translation>
+    </message>
+    <message>
+        <source>The program would run other steps.</source>
+        <translation>Das Programm würde andere Schritte ausführen.</translation>
+    </message>
+    <message>
+        <source>The arm would end at a different position.</source>
+        <translation>Der Arm würde an einer anderen Position enden.</translation>
+    </message>
+    <message>
+        <source>✔ Continue</source>
+        <translation>✔ Fortsetzen</translation>
+    </message>
+    <message>
+        <source>↩ Move back</source>
+        <translation>↩ Zurückfahren</translation>
+    </message>
+    <message>
+        <source>✖ Unsafe</source>
+        <translation>✖ Unsicher</translation>
+    </message>
+    <message>
+        <source>Simulated, after a stop in this step:</source>
+        <translation>Simuliert, nach einem Stopp in diesem Schritt:</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
+        <source>can continue</source>
+        <translation>kann fortgesetzt werden</translation>
+    </message>
+    <message>
+        <source>can continue after moving back</source>
+        <translation>nach Zurückfahren fortsetzbar</translation>
+    </message>
+    <message>
+        <source>cannot continue safely</source>
+        <translation>nicht sicher fortsetzbar</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Schutzstopp</translation>
+    </message>
+    <message>
+        <source>Stop by the operator</source>
+        <translation>Stopp durch den Bediener</translation>
+    </message>
+    <message>
+        <source>Connection loss</source>
+        <translation>Verbindungsverlust</translation>
+    </message>
+    <message>
+        <source>Power loss</source>
+        <translation>Stromausfall</translation>
+    </message>
+    <message>
+        <source>Simulated: the program cannot continue safely. %1</source>
+        <translation>Simuliert: Das Programm kann nicht sicher fortgesetzt werden. %1</translation>
+    </message>
+    <message>
+        <source>Simulated: the program can continue from step %1 (%2).</source>
+        <translation>Simuliert: Das Programm kann ab Schritt %1 (%2) fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>The force section is open: its contact cannot be restored.</source>
+        <translation>Der Kraftabschnitt ist offen: Sein Kontakt lässt sich nicht wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>The relative move is partly done.</source>
+        <translation>Die relative Bewegung ist teilweise ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The URScript text is partly done.</source>
+        <translation>Der URScript-Text ist teilweise ausgeführt.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8674,6 +8802,26 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
         <translation>Simuliert: Zwei Zyklen des Endlosprogramms dauern %1 s. Keine Probleme gefunden.</translation>
     </message>
+    <message>
+        <source>Check recoverability</source>
+        <translation>Fortsetzbarkeit prüfen</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>Die Prüfung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cancel the check</source>
+        <translation>Prüfung abbrechen</translation>
+    </message>
+    <message>
+        <source>Simulating stops…</source>
+        <translation>Stopps werden simuliert…</translation>
+    </message>
+    <message>
+        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
+        <translation>Simuliert: %1 von %2 Schritten sind nach einem Stopp fortsetzbar.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9544,6 +9692,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
         <translation>Fährt alle Gelenke zur Startposition, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Continue at %1</source>
+        <translation>Weiter bei %1</translation>
     </message>
 </context>
 <context>

@@ -2904,6 +2904,134 @@
         <source>The preview does not reach this step.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The simulated program does not complete step %1 (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has left the start position of step %1 (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper may hold a part and would close again (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gripper may have lost a part (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 would switch on again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 would have a different value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program would wait in step %1 (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program would fail in step %1 (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An analog output would have a different value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A register would have a different value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The value of the variable “%1” is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP or payload would differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program would run other steps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm would end at a different position.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✔ Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>↩ Move back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✖ Unsafe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated, after a stop in this step:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>can continue after moving back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot continue safely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop by the operator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connection loss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power loss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated: the program cannot continue safely. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated: the program can continue from step %1 (%2).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force section is open: its contact cannot be restored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The relative move is partly done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The URScript text is partly done.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8661,6 +8789,26 @@ Release the button to stop the arm.</source>
         <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Check recoverability</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel the check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulating stops…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9530,6 +9678,10 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue at %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

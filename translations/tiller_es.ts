@@ -2904,6 +2904,134 @@
         <source>The preview does not reach this step.</source>
         <translation>La vista previa no llega a este paso.</translation>
     </message>
+    <message>
+        <source>The simulated program does not complete step %1 (%2).</source>
+        <translation>El programa simulado no termina el paso %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The arm has left the start position of step %1 (%2).</source>
+        <translation>El brazo ha abandonado la posición inicial del paso %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The gripper may hold a part and would close again (%1).</source>
+        <translation>La pinza puede sujetar una pieza y volvería a cerrarse (%1).</translation>
+    </message>
+    <message>
+        <source>The gripper may have lost a part (%1).</source>
+        <translation>La pinza puede haber perdido una pieza (%1).</translation>
+    </message>
+    <message>
+        <source>%1 would switch on again.</source>
+        <translation>%1 se activaría de nuevo.</translation>
+    </message>
+    <message>
+        <source>%1 would have a different value.</source>
+        <translation>%1 tendría otro valor.</translation>
+    </message>
+    <message>
+        <source>The program would wait in step %1 (%2).</source>
+        <translation>El programa esperaría en el paso %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The program would fail in step %1 (%2).</source>
+        <translation>El programa fallaría en el paso %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>La comprobación se ha cancelado.</translation>
+    </message>
+    <message>
+        <source>An analog output would have a different value.</source>
+        <translation>Una salida analógica tendría otro valor.</translation>
+    </message>
+    <message>
+        <source>A register would have a different value.</source>
+        <translation>Un registro tendría otro valor.</translation>
+    </message>
+    <message>
+        <source>The value of the variable “%1” is not saved.</source>
+        <translation>El valor de la variable «%1» no está guardado.</translation>
+    </message>
+    <message>
+        <source>TCP or payload would differ.</source>
+        <translation>El TCP o la carga útil serían diferentes.</translation>
+    </message>
+    <message>
+        <source>The program would run other steps.</source>
+        <translation>El programa ejecutaría otros pasos.</translation>
+    </message>
+    <message>
+        <source>The arm would end at a different position.</source>
+        <translation>El brazo terminaría en otra posición.</translation>
+    </message>
+    <message>
+        <source>✔ Continue</source>
+        <translation>✔ Continuar</translation>
+    </message>
+    <message>
+        <source>↩ Move back</source>
+        <translation>↩ Retroceder</translation>
+    </message>
+    <message>
+        <source>✖ Unsafe</source>
+        <translation>✖ No seguro</translation>
+    </message>
+    <message>
+        <source>Simulated, after a stop in this step:</source>
+        <translation>Simulado, tras una parada en este paso:</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>no alcanzado</translation>
+    </message>
+    <message>
+        <source>can continue</source>
+        <translation>puede continuar</translation>
+    </message>
+    <message>
+        <source>can continue after moving back</source>
+        <translation>puede continuar tras retroceder</translation>
+    </message>
+    <message>
+        <source>cannot continue safely</source>
+        <translation>no puede continuar con seguridad</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Parada de protección</translation>
+    </message>
+    <message>
+        <source>Stop by the operator</source>
+        <translation>Parada del operador</translation>
+    </message>
+    <message>
+        <source>Connection loss</source>
+        <translation>Pérdida de conexión</translation>
+    </message>
+    <message>
+        <source>Power loss</source>
+        <translation>Corte de alimentación</translation>
+    </message>
+    <message>
+        <source>Simulated: the program cannot continue safely. %1</source>
+        <translation>Simulado: el programa no puede continuar con seguridad. %1</translation>
+    </message>
+    <message>
+        <source>Simulated: the program can continue from step %1 (%2).</source>
+        <translation>Simulado: el programa puede continuar desde el paso %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The force section is open: its contact cannot be restored.</source>
+        <translation>La sección de fuerza está abierta: su contacto no se puede restablecer.</translation>
+    </message>
+    <message>
+        <source>The relative move is partly done.</source>
+        <translation>El movimiento relativo se ha ejecutado en parte.</translation>
+    </message>
+    <message>
+        <source>The URScript text is partly done.</source>
+        <translation>El texto URScript se ha ejecutado en parte.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8674,6 +8802,26 @@ Suelte el botón para detener el brazo.</translation>
         <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
         <translation>Simulado: dos ciclos del programa sin fin duran %1 s. No se han encontrado problemas.</translation>
     </message>
+    <message>
+        <source>Check recoverability</source>
+        <translation>Comprobar reanudación</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>La comprobación se ha cancelado.</translation>
+    </message>
+    <message>
+        <source>Cancel the check</source>
+        <translation>Cancelar comprobación</translation>
+    </message>
+    <message>
+        <source>Simulating stops…</source>
+        <translation>Simulando paradas…</translation>
+    </message>
+    <message>
+        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
+        <translation>Simulado: %1 de %2 pasos pueden continuar tras una parada.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9544,6 +9692,10 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
         <translation>Mueve todas las articulaciones a la posición inicial mientras se mantiene el botón</translation>
+    </message>
+    <message>
+        <source>Continue at %1</source>
+        <translation>Continuar en %1</translation>
     </message>
 </context>
 <context>

@@ -2904,6 +2904,134 @@
         <source>The preview does not reach this step.</source>
         <translation>L&apos;aperçu n&apos;atteint pas cette étape.</translation>
     </message>
+    <message>
+        <source>The simulated program does not complete step %1 (%2).</source>
+        <translation>Le programme simulé ne termine pas l&apos;étape %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The arm has left the start position of step %1 (%2).</source>
+        <translation>Le bras a quitté la position de départ de l&apos;étape %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The gripper may hold a part and would close again (%1).</source>
+        <translation>Le préhenseur tient peut-être une pièce et se refermerait (%1).</translation>
+    </message>
+    <message>
+        <source>The gripper may have lost a part (%1).</source>
+        <translation>Le préhenseur a peut-être perdu une pièce (%1).</translation>
+    </message>
+    <message>
+        <source>%1 would switch on again.</source>
+        <translation>%1 s&apos;activerait à nouveau.</translation>
+    </message>
+    <message>
+        <source>%1 would have a different value.</source>
+        <translation>%1 aurait une autre valeur.</translation>
+    </message>
+    <message>
+        <source>The program would wait in step %1 (%2).</source>
+        <translation>Le programme attendrait à l&apos;étape %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The program would fail in step %1 (%2).</source>
+        <translation>Le programme échouerait à l&apos;étape %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>La vérification a été annulée.</translation>
+    </message>
+    <message>
+        <source>An analog output would have a different value.</source>
+        <translation>Une sortie analogique aurait une autre valeur.</translation>
+    </message>
+    <message>
+        <source>A register would have a different value.</source>
+        <translation>Un registre aurait une autre valeur.</translation>
+    </message>
+    <message>
+        <source>The value of the variable “%1” is not saved.</source>
+        <translation>La valeur de la variable « %1 » n&apos;est pas enregistrée.</translation>
+    </message>
+    <message>
+        <source>TCP or payload would differ.</source>
+        <translation>Le TCP ou la charge utile seraient différents.</translation>
+    </message>
+    <message>
+        <source>The program would run other steps.</source>
+        <translation>Le programme exécuterait d&apos;autres étapes.</translation>
+    </message>
+    <message>
+        <source>The arm would end at a different position.</source>
+        <translation>Le bras terminerait à une autre position.</translation>
+    </message>
+    <message>
+        <source>✔ Continue</source>
+        <translation>✔ Continuer</translation>
+    </message>
+    <message>
+        <source>↩ Move back</source>
+        <translation>↩ Reculer</translation>
+    </message>
+    <message>
+        <source>✖ Unsafe</source>
+        <translation>✖ Non sûr</translation>
+    </message>
+    <message>
+        <source>Simulated, after a stop in this step:</source>
+        <translation>Simulé, après un arrêt à cette étape :</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>non atteint</translation>
+    </message>
+    <message>
+        <source>can continue</source>
+        <translation>peut continuer</translation>
+    </message>
+    <message>
+        <source>can continue after moving back</source>
+        <translation>peut continuer après retour en arrière</translation>
+    </message>
+    <message>
+        <source>cannot continue safely</source>
+        <translation>ne peut pas continuer en sécurité</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>Arrêt de protection</translation>
+    </message>
+    <message>
+        <source>Stop by the operator</source>
+        <translation>Arrêt par l&apos;opérateur</translation>
+    </message>
+    <message>
+        <source>Connection loss</source>
+        <translation>Perte de connexion</translation>
+    </message>
+    <message>
+        <source>Power loss</source>
+        <translation>Coupure d&apos;alimentation</translation>
+    </message>
+    <message>
+        <source>Simulated: the program cannot continue safely. %1</source>
+        <translation>Simulé : le programme ne peut pas continuer en sécurité. %1</translation>
+    </message>
+    <message>
+        <source>Simulated: the program can continue from step %1 (%2).</source>
+        <translation>Simulé : le programme peut continuer à partir de l&apos;étape %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The force section is open: its contact cannot be restored.</source>
+        <translation>La section de force est ouverte : son contact ne peut pas être rétabli.</translation>
+    </message>
+    <message>
+        <source>The relative move is partly done.</source>
+        <translation>Le mouvement relatif est exécuté en partie.</translation>
+    </message>
+    <message>
+        <source>The URScript text is partly done.</source>
+        <translation>Le texte URScript est exécuté en partie.</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8674,6 +8802,26 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
         <translation>Simulé : deux cycles du programme sans fin durent %1 s. Aucun problème trouvé.</translation>
     </message>
+    <message>
+        <source>Check recoverability</source>
+        <translation>Vérifier la reprise</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>La vérification a été annulée.</translation>
+    </message>
+    <message>
+        <source>Cancel the check</source>
+        <translation>Annuler la vérification</translation>
+    </message>
+    <message>
+        <source>Simulating stops…</source>
+        <translation>Simulation des arrêts…</translation>
+    </message>
+    <message>
+        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
+        <translation>Simulé : %1 étapes sur %2 peuvent continuer après un arrêt.</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9544,6 +9692,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
         <translation>Déplace tous les axes à la position de départ tant que le bouton est maintenu</translation>
+    </message>
+    <message>
+        <source>Continue at %1</source>
+        <translation>Reprendre à %1</translation>
     </message>
 </context>
 <context>

@@ -2904,6 +2904,134 @@
         <source>The preview does not reach this step.</source>
         <translation>プレビューはこのステップに到達しません。</translation>
     </message>
+    <message>
+        <source>The simulated program does not complete step %1 (%2).</source>
+        <translation>シミュレーションではステップ%1（%2）が完了しません。</translation>
+    </message>
+    <message>
+        <source>The arm has left the start position of step %1 (%2).</source>
+        <translation>アームがステップ%1（%2）の開始位置から離れています。</translation>
+    </message>
+    <message>
+        <source>The gripper may hold a part and would close again (%1).</source>
+        <translation>グリッパーが部品を保持している可能性があり、再び閉じます（%1）。</translation>
+    </message>
+    <message>
+        <source>The gripper may have lost a part (%1).</source>
+        <translation>グリッパーが部品を落とした可能性があります（%1）。</translation>
+    </message>
+    <message>
+        <source>%1 would switch on again.</source>
+        <translation>%1が再びオンになります。</translation>
+    </message>
+    <message>
+        <source>%1 would have a different value.</source>
+        <translation>%1の値が異なります。</translation>
+    </message>
+    <message>
+        <source>The program would wait in step %1 (%2).</source>
+        <translation>プログラムがステップ%1（%2）で待機し続けます。</translation>
+    </message>
+    <message>
+        <source>The program would fail in step %1 (%2).</source>
+        <translation>プログラムがステップ%1（%2）で失敗します。</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>チェックはキャンセルされました。</translation>
+    </message>
+    <message>
+        <source>An analog output would have a different value.</source>
+        <translation>アナログ出力の値が異なります。</translation>
+    </message>
+    <message>
+        <source>A register would have a different value.</source>
+        <translation>レジスタの値が異なります。</translation>
+    </message>
+    <message>
+        <source>The value of the variable “%1” is not saved.</source>
+        <translation>変数「%1」の値は保存されていません。</translation>
+    </message>
+    <message>
+        <source>TCP or payload would differ.</source>
+        <translation>TCPまたはペイロードが異なります。</translation>
+    </message>
+    <message>
+        <source>The program would run other steps.</source>
+        <translation>プログラムが別のステップを実行します。</translation>
+    </message>
+    <message>
+        <source>The arm would end at a different position.</source>
+        <translation>アームの最終位置が異なります。</translation>
+    </message>
+    <message>
+        <source>✔ Continue</source>
+        <translation>✔ 続行</translation>
+    </message>
+    <message>
+        <source>↩ Move back</source>
+        <translation>↩ 戻す</translation>
+    </message>
+    <message>
+        <source>✖ Unsafe</source>
+        <translation>✖ 安全でない</translation>
+    </message>
+    <message>
+        <source>Simulated, after a stop in this step:</source>
+        <translation>シミュレーション（このステップで停止した後）：</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>未到達</translation>
+    </message>
+    <message>
+        <source>can continue</source>
+        <translation>続行可能</translation>
+    </message>
+    <message>
+        <source>can continue after moving back</source>
+        <translation>戻した後に続行可能</translation>
+    </message>
+    <message>
+        <source>cannot continue safely</source>
+        <translation>安全に続行できません</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>保護停止</translation>
+    </message>
+    <message>
+        <source>Stop by the operator</source>
+        <translation>オペレーターによる停止</translation>
+    </message>
+    <message>
+        <source>Connection loss</source>
+        <translation>接続の切断</translation>
+    </message>
+    <message>
+        <source>Power loss</source>
+        <translation>電源喪失</translation>
+    </message>
+    <message>
+        <source>Simulated: the program cannot continue safely. %1</source>
+        <translation>シミュレーション：プログラムは安全に続行できません。%1</translation>
+    </message>
+    <message>
+        <source>Simulated: the program can continue from step %1 (%2).</source>
+        <translation>シミュレーション：プログラムはステップ%1（%2）から続行できます。</translation>
+    </message>
+    <message>
+        <source>The force section is open: its contact cannot be restored.</source>
+        <translation>力制御セクションの実行中です。接触状態は復元できません。</translation>
+    </message>
+    <message>
+        <source>The relative move is partly done.</source>
+        <translation>相対移動は途中まで実行されています。</translation>
+    </message>
+    <message>
+        <source>The URScript text is partly done.</source>
+        <translation>URScriptテキストは途中まで実行されています。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8655,6 +8783,26 @@ Release the button to stop the arm.</source>
         <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
         <translation>シミュレーション：エンドレスプログラムの2サイクルは%1秒です。問題はありません。</translation>
     </message>
+    <message>
+        <source>Check recoverability</source>
+        <translation>続行可能性をチェック</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>チェックはキャンセルされました。</translation>
+    </message>
+    <message>
+        <source>Cancel the check</source>
+        <translation>チェックをキャンセル</translation>
+    </message>
+    <message>
+        <source>Simulating stops…</source>
+        <translation>停止をシミュレーション中…</translation>
+    </message>
+    <message>
+        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
+        <translation>シミュレーション：%2ステップ中%1ステップが停止後に続行できます。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9520,6 +9668,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
         <translation>ボタンを押している間、全関節を開始位置へ動かします</translation>
+    </message>
+    <message>
+        <source>Continue at %1</source>
+        <translation>%1から続行</translation>
     </message>
 </context>
 <context>

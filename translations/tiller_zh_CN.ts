@@ -2904,6 +2904,134 @@
         <source>The preview does not reach this step.</source>
         <translation>预览未到达此步骤。</translation>
     </message>
+    <message>
+        <source>The simulated program does not complete step %1 (%2).</source>
+        <translation>仿真程序未完成步骤%1（%2）。</translation>
+    </message>
+    <message>
+        <source>The arm has left the start position of step %1 (%2).</source>
+        <translation>机械臂已离开步骤%1（%2）的起始位置。</translation>
+    </message>
+    <message>
+        <source>The gripper may hold a part and would close again (%1).</source>
+        <translation>夹爪可能夹有零件，并会再次闭合（%1）。</translation>
+    </message>
+    <message>
+        <source>The gripper may have lost a part (%1).</source>
+        <translation>夹爪可能已丢失零件（%1）。</translation>
+    </message>
+    <message>
+        <source>%1 would switch on again.</source>
+        <translation>%1会再次接通。</translation>
+    </message>
+    <message>
+        <source>%1 would have a different value.</source>
+        <translation>%1的值会不同。</translation>
+    </message>
+    <message>
+        <source>The program would wait in step %1 (%2).</source>
+        <translation>程序会在步骤%1（%2）处等待。</translation>
+    </message>
+    <message>
+        <source>The program would fail in step %1 (%2).</source>
+        <translation>程序会在步骤%1（%2）处失败。</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>检查已取消。</translation>
+    </message>
+    <message>
+        <source>An analog output would have a different value.</source>
+        <translation>某个模拟输出的值会不同。</translation>
+    </message>
+    <message>
+        <source>A register would have a different value.</source>
+        <translation>某个寄存器的值会不同。</translation>
+    </message>
+    <message>
+        <source>The value of the variable “%1” is not saved.</source>
+        <translation>变量“%1”的值未保存。</translation>
+    </message>
+    <message>
+        <source>TCP or payload would differ.</source>
+        <translation>TCP或有效负载会不同。</translation>
+    </message>
+    <message>
+        <source>The program would run other steps.</source>
+        <translation>程序会执行其他步骤。</translation>
+    </message>
+    <message>
+        <source>The arm would end at a different position.</source>
+        <translation>机械臂的最终位置会不同。</translation>
+    </message>
+    <message>
+        <source>✔ Continue</source>
+        <translation>✔ 继续</translation>
+    </message>
+    <message>
+        <source>↩ Move back</source>
+        <translation>↩ 移回</translation>
+    </message>
+    <message>
+        <source>✖ Unsafe</source>
+        <translation>✖ 不安全</translation>
+    </message>
+    <message>
+        <source>Simulated, after a stop in this step:</source>
+        <translation>仿真结果，在此步骤停止后：</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>未到达</translation>
+    </message>
+    <message>
+        <source>can continue</source>
+        <translation>可以继续</translation>
+    </message>
+    <message>
+        <source>can continue after moving back</source>
+        <translation>移回后可以继续</translation>
+    </message>
+    <message>
+        <source>cannot continue safely</source>
+        <translation>无法安全继续</translation>
+    </message>
+    <message>
+        <source>Protective stop</source>
+        <translation>保护性停止</translation>
+    </message>
+    <message>
+        <source>Stop by the operator</source>
+        <translation>操作员停止</translation>
+    </message>
+    <message>
+        <source>Connection loss</source>
+        <translation>连接中断</translation>
+    </message>
+    <message>
+        <source>Power loss</source>
+        <translation>断电</translation>
+    </message>
+    <message>
+        <source>Simulated: the program cannot continue safely. %1</source>
+        <translation>仿真：程序无法安全继续。%1</translation>
+    </message>
+    <message>
+        <source>Simulated: the program can continue from step %1 (%2).</source>
+        <translation>仿真：程序可以从步骤%1（%2）继续。</translation>
+    </message>
+    <message>
+        <source>The force section is open: its contact cannot be restored.</source>
+        <translation>力控制段正在执行：无法恢复其接触状态。</translation>
+    </message>
+    <message>
+        <source>The relative move is partly done.</source>
+        <translation>相对移动只执行了一部分。</translation>
+    </message>
+    <message>
+        <source>The URScript text is partly done.</source>
+        <translation>URScript文本只执行了一部分。</translation>
+    </message>
 </context>
 <context>
     <name>ProjectLock</name>
@@ -8655,6 +8783,26 @@ Release the button to stop the arm.</source>
         <source>Simulated: two cycles of the endless program take %1 s. No problems found.</source>
         <translation>仿真：循环程序的两个周期用时%1 s。未发现问题。</translation>
     </message>
+    <message>
+        <source>Check recoverability</source>
+        <translation>检查可恢复性</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>检查已取消。</translation>
+    </message>
+    <message>
+        <source>Cancel the check</source>
+        <translation>取消检查</translation>
+    </message>
+    <message>
+        <source>Simulating stops…</source>
+        <translation>正在仿真停止…</translation>
+    </message>
+    <message>
+        <source>Simulated: %1 of %2 steps can continue after a stop.</source>
+        <translation>仿真：%2个步骤中有%1个可在停止后继续。</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProjectDocument</name>
@@ -9520,6 +9668,10 @@ Release the button to stop the arm.</source>
     <message>
         <source>Moves all joints to the start position while the button is held</source>
         <translation>按住按钮时将所有关节移动到起始位置</translation>
+    </message>
+    <message>
+        <source>Continue at %1</source>
+        <translation>从%1继续</translation>
     </message>
 </context>
 <context>
