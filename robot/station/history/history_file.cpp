@@ -34,15 +34,19 @@ std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
         const auto sample = static_cast<std::int64_t>(mark.row);
         for (; gap != file.gaps().end() && gap->row <= mark.row; ++gap) {
             const auto behind = static_cast<std::int64_t>(gap->row);
-            if (marks.empty() || behind - 1 <= marks.back().sample || behind == sample) {
+            if (marks.empty() || behind <= marks.back().sample) {
                 continue;
             }
-            const SeriesBuffer::Mark& last = marks.back();
+            const SeriesBuffer::Mark last = marks.back();
             const double latest = begin + mark.seconds;
             const double before =
                 std::min(latest, last.time + static_cast<double>(behind - 1 - last.sample) * file.period());
-            marks.push_back({behind - 1, before});
-            marks.push_back({behind, std::min(latest, before + gap->seconds)});
+            if (behind - 1 > last.sample) {
+                marks.push_back({behind - 1, before});
+            }
+            if (behind < sample) {
+                marks.push_back({behind, std::min(latest, before + gap->seconds)});
+            }
         }
         if (marks.empty() || sample > marks.back().sample) {
             marks.push_back(

@@ -30,8 +30,9 @@ struct Long {
     QString path = folder.filePath("long.mcap");
     std::vector<float> force;           ///< indexed by row
     std::vector<std::uint64_t> spikes;  ///< number of rows
+    std::uint64_t gap;                  ///< first row after the gap
 
-    Long() {
+    explicit Long(std::uint64_t rows = kRows, std::uint64_t firstAfterGap = kGap) : gap(firstAfterGap) {
         test::MadeSamples made({"timestamp", "actual_TCP_force", "robot_mode", "safety_mode"});
         const std::size_t fz = *made.layout->indexOfComponent("actual_TCP_force_2");
         const std::size_t clock = *made.layout->indexOfComponent("timestamp");
@@ -42,7 +43,7 @@ struct Long {
                 ->encoder(
                     {made.layout, {"timestamp", "actual_TCP_force", "robot_mode", "safety_mode"}, false});
         std::mt19937 random(19);
-        std::uniform_int_distribution<std::uint64_t> place(0, kRows - 1);
+        std::uniform_int_distribution<std::uint64_t> place(0, rows - 1);
         for (int i = 0; i < 60; ++i) {
             spikes.push_back(place(random));
         }
@@ -52,17 +53,17 @@ struct Long {
             qFatal("cannot write");
         }
         std::uint64_t packet = 0;
-        for (std::uint64_t row = 0; row < kRows; ++row, ++packet) {
-            packet += row == kGap ? kLost : 0;
+        for (std::uint64_t row = 0; row < rows; ++row, ++packet) {
+            packet += row == gap ? kLost : 0;
             receive::Sample sample = made.at(packet);
             sample.values[clock] = static_cast<double>(packet) * kPeriod;
             const bool isSpike = std::binary_search(spikes.begin(), spikes.end(), row);
             sample.values[fz] =
                 isSpike ? (row % 2 == 0 ? kSpike : -kSpike) : std::sin(static_cast<double>(row) * 1e-3);
-            sample.values[mode] = row < kRows / 2 ? 7 : 5;
+            sample.values[mode] = row < rows / 2 ? 7 : 5;
             sample.values[safety] = row >= kStop && row < kStop + kStopRows ? 3 : 1;
             force.push_back(static_cast<float>(sample.values[fz]));
-            encoder->add(sample, row == kGap ? kLost : 0, made.utcNs(packet));
+            encoder->add(sample, row == gap ? kLost : 0, made.utcNs(packet));
             if (row % 250 == 249) {
                 file.write(QByteArray::fromStdString(
                     encoder->take(recording::RecordingEncoder::Close::WhenDue).bytes));
@@ -71,7 +72,7 @@ struct Long {
         file.write(QByteArray::fromStdString(encoder->take(recording::RecordingEncoder::Close::Last).bytes));
     }
     double timeOf(std::uint64_t row) const {
-        return kBegin + static_cast<double>(row + (row < kGap ? 0 : kLost)) * kPeriod;
+        return kBegin + static_cast<double>(row + (row < gap ? 0 : kLost)) * kPeriod;
     }
 };
 

@@ -319,6 +319,64 @@ private Q_SLOTS:
         QVERIFY(std::abs(lane[3].end - long_->timeOf(kRows - 1)) <= width);
     }
 
+    // The parts of the file hold 250 rows each. The gap may be at any place in them.
+    void noPictureShowsDataInAGap_data() {
+        QTest::addColumn<std::uint64_t>("gap");
+        QTest::newRow("before a part") << std::uint64_t{50'000};
+        QTest::newRow("after the first row of a part") << std::uint64_t{50'001};
+        QTest::newRow("within a part") << std::uint64_t{50'100};
+        QTest::newRow("before the last row of a part") << std::uint64_t{50'249};
+    }
+
+    void noPictureShowsDataInAGap() {
+        QFETCH(std::uint64_t, gap);
+        constexpr std::uint64_t kFew = 70'000;
+        const Long made(kFew, gap);
+        Opened opened(made.path);
+        const std::vector<int> needed = recordedLaneSignals(opened.store, opened.name);
+        QVERIFY(opened.store.want(this, {needed[0], needed[1], opened.signal}));
+        const SeriesBuffer& history = opened.history();
+        QVERIFY(history.isInFile());
+        const double begin = made.timeOf(gap - 1);
+        const double end = made.timeOf(gap);
+        constexpr int kColumns = 1000;
+        ColumnGrid grid;
+        // From the whole recording, which is drawn without its rows, to the gap alone.
+        for (const double zoom : {1.0, 4.0, 30.0}) {
+            const double span = (made.timeOf(kFew - 1) - kBegin) / zoom;
+            const double width = span / kColumns;
+            const double start = zoom == 1 ? kBegin : begin - span / 2;
+            history.cut(start, width, kColumns, grid);
+            bool more = true;
+            for (int turn = 0; more && turn < 1000; ++turn) {
+                more =
+                    opened.store.sharpen(history, grid.edges.front() - 1, grid.edges.back() + 1, kColumns,
+                                         turn == 0 ? HistoryFile::Effort::Draft : HistoryFile::Effort::Turn);
+                history.cut(start, width, kColumns, grid);
+                const std::vector<MinMax> drawn =
+                    history.envelope(opened.store.column(opened.signal), start, start + span, kColumns);
+                const std::vector<LaneSegment> lane = recordedLane(opened.store, opened.name, grid);
+                int columns = 0;
+                for (int c = 0; c < kColumns; ++c) {
+                    const double left = start + c * width;
+                    constexpr double kAccuracy = 0.01;  // of times by marks
+                    if (left < begin + kAccuracy || left + width > end - kAccuracy) {
+                        continue;
+                    }
+                    ++columns;
+                    QVERIFY2(drawn[static_cast<std::size_t>(c)].isEmpty(),
+                             qPrintable(QStringLiteral("zoom %1, column %2").arg(zoom).arg(c)));
+                    const auto state = std::find_if(lane.begin(), lane.end(), [&](const LaneSegment& one) {
+                        return one.end > left + width / 2;
+                    });
+                    QVERIFY(state != lane.end() && state->kind == LaneKind::NoData);
+                }
+                QVERIFY(columns >= 3);
+            }
+            QVERIFY(!more);
+        }
+    }
+
     // The gap is wider than a pixel column.
     void theStateLaneShowsAGap() {
         Opened opened(long_->path);
