@@ -488,8 +488,8 @@ private Q_SLOTS:
         row("twist of nothing", ErrorCode::InvalidArgument, "twist");
         row("function name", ErrorCode::InvalidArgument, "name");
         row("function body", ErrorCode::InvalidArgument, "body");
-        row("function body that ends the function", ErrorCode::InvalidArgument, "\"end\" in line 2");
-        row("function body without an end", ErrorCode::InvalidArgument, "\"while\" in line 1");
+        row("function body that ends the function", ErrorCode::InvalidArgument, "\"end\" on line 2");
+        row("function body without an end", ErrorCode::InvalidArgument, "\"while\" on line 1");
         row("negative contact force", ErrorCode::LimitExceeded, "contactForce");
     }
     void wrongArgumentsAreRefusedByName() {
