@@ -142,7 +142,8 @@ void KeyboardJog::setArmed(bool armed) {
     if (armed == armed_) {
         return;
     }
-    if (const QString why = armed && lock_.isEmpty() ? jog_.obstacle() : lock_; armed && !why.isEmpty()) {
+    const QString why = lock_.isEmpty() && !jog_.isActive() ? jog_.obstacle() : lock_;
+    if (armed && !why.isEmpty()) {
         Q_EMIT refused(why);
         return;
     }
