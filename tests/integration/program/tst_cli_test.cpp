@@ -125,7 +125,7 @@ private Q_SLOTS:
         QTest::newRow("no file") << QStringList{} << 2 << QByteArray("at least one test file");
         QTest::newRow("seed") << QStringList{file, "--seed", "x"} << 2
                               << QByteArray("--seed must be a number");
-        QTest::newRow("whole") << QStringList{file, "--seed", "1.5"} << 2 << QByteArray("whole numbers");
+        QTest::newRow("whole") << QStringList{file, "--seed", "1.5"} << 2 << QByteArray("not '1.5'");
         QTest::newRow("jobs") << QStringList{file, "--jobs", "0"} << 2
                               << QByteArray("--jobs must be a number");
         QTest::newRow("option") << QStringList{file, "--nothing"} << 2 << QByteArray("nothing");
