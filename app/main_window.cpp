@@ -1147,10 +1147,10 @@ void MainWindow::addPanelActions(PanelDock& dock) {
                                              {},
                                              [this, &dock, side] { stage_->move(dock, side); }}));
     };
-    move("left", tr("Move %1 to the left"), StageSide::Left);
-    move("right", tr("Move %1 to the right"), StageSide::Right);
-    move("top", tr("Move %1 to the top"), StageSide::Top);
-    move("bottom", tr("Move %1 to the bottom"), StageSide::Bottom);
+    move("left", tr("%1 to the left"), StageSide::Left);
+    move("right", tr("%1 to the right"), StageSide::Right);
+    move("top", tr("%1 to the top"), StageSide::Top);
+    move("bottom", tr("%1 to the bottom"), StageSide::Bottom);
     connect(&dock.menu(), &QMenu::aboutToShow, this,
             [this] { stopMotion(control::StopCause::DialogOpened); });
 }

@@ -11908,19 +11908,19 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Verschiebt diesen Bereich auf diese Seite des Hauptfensters.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>%1 nach links</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>%1 nach rechts</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>%1 nach oben</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>%1 nach unten</translation>
     </message>
     <message>

@@ -11908,19 +11908,19 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Mueve este panel a este lado de la ventana principal.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>Mover %1 a la izquierda</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>Mover %1 a la derecha</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>Mover %1 arriba</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>Mover %1 abajo</translation>
     </message>
     <message>

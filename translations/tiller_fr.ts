@@ -11908,19 +11908,19 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Déplace ce panneau de ce côté de la fenêtre principale.</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>Placer %1 à gauche</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>Placer %1 à droite</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>Placer %1 en haut</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>Placer %1 en bas</translation>
     </message>
     <message>

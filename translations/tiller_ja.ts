@@ -11869,19 +11869,19 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>パネルをメインウィンドウのこの側へ移動します。</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>%1 を左へ移動</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>%1 を右へ移動</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>%1 を上へ移動</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>%1 を下へ移動</translation>
     </message>
     <message>

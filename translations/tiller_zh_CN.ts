@@ -11869,19 +11869,19 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>将面板移到主窗口的这一侧。</translation>
     </message>
     <message>
-        <source>Move %1 to the left</source>
+        <source>%1 to the left</source>
         <translation>将 %1 移到左侧</translation>
     </message>
     <message>
-        <source>Move %1 to the right</source>
+        <source>%1 to the right</source>
         <translation>将 %1 移到右侧</translation>
     </message>
     <message>
-        <source>Move %1 to the top</source>
+        <source>%1 to the top</source>
         <translation>将 %1 移到顶部</translation>
     </message>
     <message>
-        <source>Move %1 to the bottom</source>
+        <source>%1 to the bottom</source>
         <translation>将 %1 移到底部</translation>
     </message>
     <message>

@@ -83,7 +83,8 @@ private Q_SLOTS:
         QVERIFY(client.waitForConnected(60'000));
         client.write("def theirs():\n  while True:\n    sync()\n  end\nend\n");
         client.flush();
-        QVERIFY(until([this] { return cell().truth().runtimeState == RuntimeState::Playing; }));
+        QVERIFY(until([this] { return bench_->window.session().state().foreignProgramRuns(); }));
+        bench_->window.session().confirmChanges();
         tab().output(9)->click();
         QVERIFY(until([this] { return output(9); }));
         cell().advanceMs(200);
