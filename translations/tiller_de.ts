@@ -12299,8 +12299,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>{date}, {time}, {robot} und {number} werden beim Start einer Aufzeichnung ersetzt.</translation>
     </message>
     <message>
-        <source>Packets per row</source>
-        <translation>Pakete je Zeile</translation>
+        <source>One row every</source>
+        <translation>Eine Zeile je</translation>
     </message>
     <message>
         <source>Search signals</source>

@@ -12283,7 +12283,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Packets per row</source>
+        <source>One row every</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -12299,8 +12299,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>{date}, {time}, {robot} y {number} se sustituyen al iniciar una grabación.</translation>
     </message>
     <message>
-        <source>Packets per row</source>
-        <translation>Paquetes por fila</translation>
+        <source>One row every</source>
+        <translation>Una fila cada</translation>
     </message>
     <message>
         <source>Search signals</source>

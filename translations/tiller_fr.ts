@@ -12299,8 +12299,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>{date}, {time}, {robot} et {number} sont remplacés au début d’un enregistrement.</translation>
     </message>
     <message>
-        <source>Packets per row</source>
-        <translation>Paquets par ligne</translation>
+        <source>One row every</source>
+        <translation>Une ligne tous les</translation>
     </message>
     <message>
         <source>Search signals</source>

@@ -12259,8 +12259,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>{date}、{time}、{robot}、{number} は記録開始時に埋められます。</translation>
     </message>
     <message>
-        <source>Packets per row</source>
-        <translation>何パケットごとに一行か</translation>
+        <source>One row every</source>
+        <translation>一行の間隔</translation>
     </message>
     <message>
         <source>Search signals</source>

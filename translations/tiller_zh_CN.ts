@@ -12259,8 +12259,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>{date}、{time}、{robot} 和 {number} 在录制开始时填入。</translation>
     </message>
     <message>
-        <source>Packets per row</source>
-        <translation>每多少个数据包一行</translation>
+        <source>One row every</source>
+        <translation>每几个一行</translation>
     </message>
     <message>
         <source>Search signals</source>
