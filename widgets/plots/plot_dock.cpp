@@ -1086,6 +1086,7 @@ void PlotDock::toggleRecording() {
     constexpr std::int64_t kBytesPerMegabyte = 1'000'000;
     session_.recording().start({.path = path,
                                 .fields = choice_.fields,
+                                .shown = store_->shownFields(),
                                 .every = choice_.every,
                                 .format = choice_.format,
                                 .keepFree = choice_.keepFree * kBytesPerMegabyte});

@@ -32,25 +32,27 @@ std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
     auto gap = file.gaps().begin();
     for (const recording::TimeMark& mark : known) {
         const auto sample = static_cast<std::int64_t>(mark.row);
+        double time = begin + mark.seconds;
         for (; gap != file.gaps().end() && gap->row <= mark.row; ++gap) {
             const auto behind = static_cast<std::int64_t>(gap->row);
             if (marks.empty() || behind <= marks.back().sample) {
                 continue;
             }
             const SeriesBuffer::Mark last = marks.back();
-            const double latest = begin + mark.seconds;
             const double before =
-                std::min(latest, last.time + static_cast<double>(behind - 1 - last.sample) * file.period());
+                std::min(time, last.time + static_cast<double>(behind - 1 - last.sample) * file.period());
             if (behind - 1 > last.sample) {
                 marks.push_back({behind - 1, before});
             }
             if (behind < sample) {
-                marks.push_back({behind, std::min(latest, before + gap->seconds)});
+                marks.push_back({behind, std::min(time, before + gap->seconds)});
+            } else {
+                // The part may begin with a note from within the gap, which is earlier than its first row.
+                time = std::max(time, before + gap->seconds);
             }
         }
         if (marks.empty() || sample > marks.back().sample) {
-            marks.push_back(
-                {sample, std::max(begin + mark.seconds, marks.empty() ? begin : marks.back().time)});
+            marks.push_back({sample, std::max(time, marks.empty() ? begin : marks.back().time)});
         }
     }
     return marks;

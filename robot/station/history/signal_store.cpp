@@ -349,10 +349,14 @@ int SignalStore::findOrDerive(const QString& key) {
     return made ? *made : -1;
 }
 
-QStringList SignalStore::fieldsFor(const QHash<const void*, QSet<int>>& wanted) const {
+QStringList SignalStore::shownFields() const {
+    return fieldsFor(wanted_, true);
+}
+
+QStringList SignalStore::fieldsFor(const QHash<const void*, QSet<int>>& wanted, bool withLive) const {
     QStringList fields;
     const auto add = [&](const Signal& one) {
-        if (!one.info.field.isEmpty() && one.table != kLive && one.table < kFirstRecording &&
+        if (!one.info.field.isEmpty() && (withLive || one.table != kLive) && one.table < kFirstRecording &&
             !fields.contains(one.info.field)) {
             fields.append(one.info.field);
         }
@@ -385,7 +389,7 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
     } else {
         wanted[who] = shown;
     }
-    const QStringList fields = fieldsFor(wanted);
+    const QStringList fields = fieldsFor(wanted, false);
     if (fields == furtherFields_) {
         wanted_ = wanted;
         return true;

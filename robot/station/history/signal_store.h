@@ -132,6 +132,8 @@ public:
     /// Returns  false, without change, if the robot cannot send so many signals
     bool want(const void* who, const QSet<int>& shown);
     const QStringList& extraFields() const { return furtherFields_; }
+    /// All fields of the robot that the displayed signals need, in alphabetical order.
+    QStringList shownFields() const;
 
     const HistoryLimits& limits() const { return limits_; }
     void setLimits(const HistoryLimits& limits);
@@ -203,7 +205,7 @@ private:
     bool loadOutlines(const QSet<int>& shown);
     std::optional<std::size_t> fileColumnOf(int signal) const;
     bool hasCapacityFor(int signal, std::size_t bytes);
-    QStringList fieldsFor(const QHash<const void*, QSet<int>>& wanted) const;
+    QStringList fieldsFor(const QHash<const void*, QSet<int>>& wanted, bool withLive) const;
 
     HistoryLimits limits_;
     std::vector<Table> tables_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "robot/control/output_pulses.h"
 #include "robot/core/wait_until.h"
@@ -118,15 +119,34 @@ const OutputHolders& RobotOutputs::holders() const {
     return holders_;
 }
 
-void RobotOutputs::connect() {
-    if (d_.monitorOnly) {
-        // Another client may need the inputs that an open connection reserves.
-        d_.worker.post(&session_, [outputs = d_.link->outputs](const CancelToken&) {
-            outputs->disconnect();
-            return std::function<void()>();
-        });
+void RobotOutputs::followControl() {
+    // Long enough for the steps of dragging the slider, short enough for a client that retries its start.
+    constexpr std::int64_t kUnusedNs = 2 * kNsPerSecond;
+    const std::int64_t nowNs = d_.clock->nowNs();
+    if (d_.state.control == ControlState::InControl && !d_.monitorOnly) {
+        usedNs_ = nowNs;
+        if (!std::exchange(heldByControl_, true)) {
+            claim();
+        }
         return;
     }
+    heldByControl_ = false;
+    if (!releasing_ && nowNs - usedNs_ >= kUnusedNs && d_.link->outputs->isConnected()) {
+        release();
+    }
+}
+
+void RobotOutputs::release() {
+    // Another client may need the inputs that an open connection claims.
+    releasing_ = true;
+    holders_ = {};
+    d_.worker.post(&session_, [this, outputs = d_.link->outputs](const CancelToken&) {
+        outputs->disconnect();
+        return std::function<void()>([this] { releasing_ = false; });
+    });
+}
+
+void RobotOutputs::claim() {
     const std::uint64_t generation = d_.generation;
     d_.worker.post(&session_, [this, generation, outputs = d_.link->outputs](const CancelToken& token) {
         const Result<void> result = outputs->connect(Deadline::after(kConnectTime, token));
@@ -148,6 +168,8 @@ void RobotOutputs::connect() {
 
 void RobotOutputs::forget() {
     holders_ = {};
+    heldByControl_ = false;
+    releasing_ = false;
     pulses_.clear();
     sliderBusy_ = false;
     sliderWanted_.reset();
@@ -163,6 +185,7 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
 }
 
 void RobotOutputs::writeDigitalOutput(int output, bool on) {
+    usedNs_ = d_.clock->nowNs();
     // An output that is set manually is no longer tracked as a pulse.
     std::erase_if(pulses_, [output](const RunningPulse& pulse) { return pulse.output == output; });
     const QString done =
@@ -214,6 +237,7 @@ void RobotOutputs::setDigitalOutputs(std::uint32_t mask, std::uint32_t values, c
         }
         return;
     }
+    usedNs_ = d_.clock->nowNs();
     SerialExecutor& worker = order.pulse ? d_.pulses : d_.worker;
     worker.post(&session_, [this, generation = d_.generation, mask, values, done, order, clock = d_.clock,
                             link = PulseLink{d_.link->controller, d_.link->receiver, d_.link->outputs}](
@@ -302,6 +326,7 @@ void RobotOutputs::setAnalogOutput(int output, io::AnalogDomain domain, double l
     if (session_.refusesCommand(terminalText(QStringLiteral("AO %1").arg(output))) || !d_.link) {
         return;
     }
+    usedNs_ = d_.clock->nowNs();
     const bool current = domain == io::AnalogDomain::Current;
     const QString done = tr("Analog output %1: %2 %3")
                              .arg(terminalText(QStringLiteral("AO %1").arg(output)))
@@ -372,6 +397,7 @@ void RobotOutputs::setSpeedSlider(double fraction) {
     }
     sliderBusy_ = true;
     sliderAskedNs_ = d_.clock->nowNs();
+    usedNs_ = sliderAskedNs_;
     const std::uint64_t generation = d_.generation;
     d_.worker.post(&session_, [this, generation, fraction,
                                outputs = d_.link->outputs](const CancelToken& token) {

@@ -68,8 +68,10 @@ public:
     void setNames(const QMap<QString, QString>& names);
 
     // Used by the session.
-    /// Connects the outputs, or reconnects them.
-    void connect();
+    /// Claims the inputs of the robot while in control, and releases them after some time without use.
+    void followControl();
+    /// Releases the inputs of the robot immediately.
+    void release();
     void reportSlider();
     /// Restores outputs whose pulse was not ended by the robot because its control program was ended or
     /// paused.
@@ -84,6 +86,8 @@ private:
     QString terminalText(const QString& terminal) const;
     QString changeText(int output, bool on, const std::optional<OutputOrder::Pulse>& pulse) const;
     void report(std::uint64_t generation, const QString& done, const Result<void>& result);
+    /// Claims the inputs and finds out which ones other clients have claimed.
+    void claim();
 
     RobotSession& session_;
     SessionBackend& d_;
@@ -97,6 +101,9 @@ private:
     void writeDigitalOutput(int output, bool on);
 
     std::vector<RunningPulse> pulses_;
+    std::int64_t usedNs_ = 0;     ///< time of the last command, or of the last frame in control
+    bool heldByControl_ = false;  ///< claimed since control was taken
+    bool releasing_ = false;
     std::optional<double> sliderWanted_;  ///< newest request while an earlier one is executed
     bool sliderBusy_ = false;
     std::optional<double> sliderLogged_;  ///< last logged value

@@ -64,10 +64,7 @@ RobotSession::RobotSession(const Clock& clock, QObject* parent)
     qRegisterMetaType<SessionState>();
     d_->frameClock.setTimerType(Qt::PreciseTimer);
     d_->frameClock.setInterval(kFrameMs);
-    connect(this, &RobotSession::connected, this, [this] {
-        outputs_.connect();
-        d_->link->foreignStop->warmUp();
-    });
+    connect(this, &RobotSession::connected, this, [this] { d_->link->foreignStop->warmUp(); });
     connect(&d_->frameClock, &QTimer::timeout, this, &RobotSession::refresh);
     d_->frameClock.start();
     d_->read();
@@ -240,8 +237,8 @@ void RobotSession::setMonitorOnly(bool on) {
                    on ? tr("Monitor only: this window changes nothing on the robot. STOP still works.")
                       : tr("“Monitor only” is off. Commands to the robot are enabled."),
                    Origin::Operator);
-    if (d_->link && d_->state.hasData()) {
-        outputs_.connect();
+    if (on && d_->link && d_->state.hasData()) {
+        outputs_.release();
     }
     refresh();
 }
@@ -741,6 +738,7 @@ void RobotSession::reportChanges() {
     }
     if (state.link == LinkState::Live) {
         outputs_.reportSlider();
+        outputs_.followControl();
         outputs_.followPulses();
     }
     recording_.reportFailure();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "robot/station/link/session_recording.h"
 
+#include <algorithm>
+
 #include "robot/dashboard/robot_identity.h"
+#include "robot/receive/field_info.h"
 #include "robot/recording/mcap/mcap_format.h"
 #include "robot/station/link/detail/session_backend.h"
 #include "robot/station/link/recorded_note.h"
@@ -37,6 +40,50 @@ void SessionRecording::setProject(const QString& name, const QByteArray& content
     project_ = content;
 }
 
+std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vector<std::string>& fields) {
+    const receive::Receiver& receiver = *d_.link->receiver;
+    const bool isComplete = std::all_of(fields.begin(), fields.end(), [&](const std::string& field) {
+        return receiver.layout()->find(field) != nullptr;
+    });
+    if (isComplete) {
+        return d_.link->receiver;
+    }
+    receive::ReceiverOptions options;
+    options.host = d_.address.host;
+    options.port = static_cast<std::uint16_t>(rtde::kPort + d_.address.portOffset);
+    options.clock = d_.clock;
+    options.priority = 0;
+    options.fields.clear();
+    // The robot limits the number of fields. The registers of the link are last, so they are left out first.
+    std::vector<std::string> wanted = fields;
+    for (const receive::SampleLayout::Entry& entry : receiver.layout()->entries()) {
+        wanted.push_back(entry.name);
+    }
+    std::size_t length = std::string("timestamp").size();
+    QStringList missing;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const std::string& field = wanted[i];
+        if (field == "timestamp" ||
+            std::find(options.fields.begin(), options.fields.end(), field) != options.fields.end()) {
+            continue;
+        }
+        if (length + 1 + field.size() <= receive::longestFieldList()) {
+            length += 1 + field.size();
+            options.fields.push_back(field);
+        } else if (i < fields.size()) {
+            missing << QString::fromStdString(field);
+        }
+    }
+    if (!missing.isEmpty()) {
+        Q_EMIT session_.message(Severity::Warning,
+                                tr("Not recorded, because the robot cannot send so many signals at once: %1")
+                                    .arg(missing.join(QStringLiteral(", "))));
+    }
+    auto another = std::make_shared<receive::Receiver>(options);
+    static_cast<void>(another->start());  // cannot fail, because all fields are in the catalogue
+    return another;
+}
+
 void SessionRecording::start(const RecordingOrder& order) {
     if (!d_.link) {
         Q_EMIT session_.message(Severity::Warning, tr("Cannot record: connect to a robot first."));
@@ -50,25 +97,38 @@ void SessionRecording::start(const RecordingOrder& order) {
     for (const QString& field : order.fields) {
         options.fields.push_back(field.toStdString());
     }
-    recording::McapFormatOptions extras;
-    extras.facts["robot"] = d_.address.host.toStdString();
-    extras.facts["software"] = toString(receiver.version());
-    extras.facts["written_by"] = "tiller " + QCoreApplication::applicationVersion().toStdString();
-    extras.attachmentName = projectName_.toStdString();
-    extras.attachment = project_.toStdString();
     const recording::FileFormat& format = recordingFormat(order.format);
-    if (!format.isComplete && options.fields.empty()) {
+    const bool everyField = format.isComplete && options.fields.empty();
+    if (options.fields.empty()) {
         for (const std::string& field : recording::defaultRecordedFields()) {
             if (receiver.layout()->find(field) != nullptr) {
                 options.fields.push_back(field);
             }
         }
     }
+    for (const QString& field : order.shown) {
+        const std::string name = field.toStdString();
+        if (std::find(options.fields.begin(), options.fields.end(), name) == options.fields.end()) {
+            options.fields.push_back(name);
+        }
+    }
+    const std::shared_ptr<receive::Receiver> source = receiverFor(options.fields);
+    std::erase_if(options.fields,
+                  [&source](const std::string& field) { return source->layout()->find(field) == nullptr; });
+    if (everyField) {
+        options.fields.clear();
+    }
+    recording::McapFormatOptions extras;
+    extras.facts["robot"] = d_.address.host.toStdString();
+    extras.facts["software"] = toString(receiver.version());
+    extras.facts["written_by"] = "tiller " + QCoreApplication::applicationVersion().toStdString();
+    extras.attachmentName = projectName_.toStdString();
+    extras.attachment = project_.toStdString();
     // File access may be slow, so the file worker opens and closes the file. Until then, samples are kept in
     // the subscription.
     d_.files.post(&session_, [this, options, extras, &format, robot = d_.address,
-                              isCb3 = receiver.version().isCb3(), stream = receiver.subscribe(),
-                              layout = receiver.layout()](const CancelToken& cancel) {
+                              isCb3 = receiver.version().isCb3(), stream = source->subscribe(), source,
+                              isOwn = source != d_.link->receiver](const CancelToken& cancel) {
         recording::RecorderOptions chosen = options;
         recording::McapFormatOptions facts = extras;
         if (format.isComplete) {
@@ -78,7 +138,10 @@ void SessionRecording::start(const RecordingOrder& order) {
             facts.facts["serial_number"] = identity.serialNumber.toStdString();
         }
         chosen.format = format.recorder(facts);
-        const Result<void> result = d_.recorder.start(chosen, stream, layout);
+        const Result<void> result = d_.recorder.start(chosen, stream, source->layout());
+        if (result) {
+            d_.recorderReceiver = isOwn ? source : nullptr;
+        }
         return std::function<void()>([this, path = options.path, result] {
             if (result) {
                 wasRecording_ = true;
@@ -99,6 +162,7 @@ void SessionRecording::stop() {
             return std::function<void()>();
         }
         d_.recorder.stop();
+        d_.recorderReceiver.reset();
         return std::function<void()>([this] {
             const recording::RecorderProgress progress = d_.recorder.progress();
             if (progress.state == recording::RecorderState::Finished) {
@@ -125,6 +189,7 @@ void SessionRecording::reportFailure() {
     }
     if (wasRecording_ && !d_.state.recording.error.isEmpty()) {
         wasRecording_ = false;
+        d_.files.postCleanup([&backend = d_] { backend.recorderReceiver.reset(); });
         Q_EMIT session_.message(Severity::Error, d_.state.recording.error);
     }
 }

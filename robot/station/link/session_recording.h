@@ -9,7 +9,11 @@
 #include <QString>
 #include <QStringList>
 #include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
 
+#include "robot/receive/receiver.h"
 #include "robot/recording/recording_format.h"
 #include "robot/station/link/recording_choice.h"
 
@@ -22,6 +26,7 @@ struct SessionBackend;
 struct RecordingOrder {
     QString path;
     QStringList fields{};  ///< RTDE names; empty: those that ur_rtde records, or all in a complete format
+    QStringList shown{};   ///< RTDE names of displayed signals, recorded in addition to the others
     int every = 1;         ///< every n-th packet becomes a row
     QString format = QStringLiteral("csv");  ///< as RecordingChoice::format
     std::int64_t keepFree = 200'000'000;     ///< stops recording when less is free on the disk [bytes]
@@ -49,6 +54,8 @@ public:
 private:
     /// Adds an entry to the current recording, if any.
     void keep(const recording::RecordedNote& note);
+    /// The receiver of the link, or another one if fields are needed that the link does not receive.
+    std::shared_ptr<receive::Receiver> receiverFor(const std::vector<std::string>& fields);
 
     RobotSession& session_;
     SessionBackend& d_;

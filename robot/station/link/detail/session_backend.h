@@ -112,6 +112,8 @@ struct SessionBackend {
     control::MotionId nextPath = PathStart::kFirstTicket;
     control::MotionId nextProgram = ProgramRun::kFirstTicket;
     std::unique_ptr<RobotLink> link;
+    /// Receives fields that the link does not receive, for the recorder. Used by jobs of `files` only.
+    std::shared_ptr<receive::Receiver> recorderReceiver;
     recording::Recorder recorder;
     QTimer frameClock;
 

@@ -32,7 +32,8 @@ struct Long {
     std::vector<std::uint64_t> spikes;  ///< number of rows
     std::uint64_t gap;                  ///< first row after the gap
 
-    explicit Long(std::uint64_t rows = kRows, std::uint64_t firstAfterGap = kGap) : gap(firstAfterGap) {
+    explicit Long(std::uint64_t rows = kRows, std::uint64_t firstAfterGap = kGap, bool noteInGap = false)
+        : gap(firstAfterGap) {
         test::MadeSamples made({"timestamp", "actual_TCP_force", "robot_mode", "safety_mode"});
         const std::size_t fz = *made.layout->indexOfComponent("actual_TCP_force_2");
         const std::size_t clock = *made.layout->indexOfComponent("timestamp");
@@ -63,6 +64,9 @@ struct Long {
             sample.values[mode] = row < rows / 2 ? 7 : 5;
             sample.values[safety] = row >= kStop && row < kStop + kStopRows ? 3 : 1;
             force.push_back(static_cast<float>(sample.values[fz]));
+            if (noteInGap && row == gap) {
+                encoder->add({made.utcNs(packet - kLost / 2), 30, "tiller", "Waiting for data"});
+            }
             encoder->add(sample, row == gap ? kLost : 0, made.utcNs(packet));
             if (row % 250 == 249) {
                 file.write(QByteArray::fromStdString(

@@ -322,16 +322,19 @@ private Q_SLOTS:
     // The parts of the file hold 250 rows each. The gap may be at any place in them.
     void noPictureShowsDataInAGap_data() {
         QTest::addColumn<std::uint64_t>("gap");
-        QTest::newRow("before a part") << std::uint64_t{50'000};
-        QTest::newRow("after the first row of a part") << std::uint64_t{50'001};
-        QTest::newRow("within a part") << std::uint64_t{50'100};
-        QTest::newRow("before the last row of a part") << std::uint64_t{50'249};
+        QTest::addColumn<bool>("noteInGap");
+        QTest::newRow("before a part") << std::uint64_t{50'000} << false;
+        QTest::newRow("before a part that begins with a note") << std::uint64_t{50'000} << true;
+        QTest::newRow("after the first row of a part") << std::uint64_t{50'001} << false;
+        QTest::newRow("within a part") << std::uint64_t{50'100} << false;
+        QTest::newRow("before the last row of a part") << std::uint64_t{50'249} << true;
     }
 
     void noPictureShowsDataInAGap() {
         QFETCH(std::uint64_t, gap);
+        QFETCH(bool, noteInGap);
         constexpr std::uint64_t kFew = 70'000;
-        const Long made(kFew, gap);
+        const Long made(kFew, gap, noteInGap);
         Opened opened(made.path);
         const std::vector<int> needed = recordedLaneSignals(opened.store, opened.name);
         QVERIFY(opened.store.want(this, {needed[0], needed[1], opened.signal}));

@@ -46,9 +46,11 @@ private Q_SLOTS:
         QVERIFY(store.buffer(store.find("actual_q_3")) == &store.live());
         QVERIFY(store.want(this, {store.find("actual_q_3"), store.find("robot_mode")}));
         QVERIFY(store.extraFields().isEmpty());
+        QCOMPARE(store.shownFields(), QStringList({"actual_q", "robot_mode"}));
         const int window = store.find("actual_current_window_2");
         QVERIFY(store.want(this, {window}));
         QCOMPARE(store.extraFields(), QStringList("actual_current_window"));
+        QCOMPARE(store.shownFields(), QStringList("actual_current_window"));
         QVERIFY(store.buffer(window) != nullptr && store.buffer(window) != &store.live());
         // A second subscriber requests the same field. The request ends after both have unsubscribed.
         const int other = 0;

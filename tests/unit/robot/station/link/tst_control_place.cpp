@@ -4,7 +4,9 @@
 // control.
 #include <QElapsedTimer>
 #include <QTest>
+#include <thread>
 
+#include "robot/io/outputs.h"
 #include "tests/support/virtual_cell.h"
 
 using namespace tiller;
@@ -228,6 +230,42 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output Gripper (DO 3): on")); }));
         bench.session.outputs().setDigitalOutput(17, true);
         QVERIFY(bench.within([&] { return said.contains(QStringLiteral("Output TO 1: on")); }));
+    }
+
+    /// A client that starts later claims inputs of the robot for itself.
+    void inputsAreClaimedOnlyWhileTheyAreUsed() {
+        Bench bench;
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        io::OutputsOptions options;
+        options.host = bench.cell.robot.listenAddress();
+        const auto areFree = [&] {
+            io::Outputs other(options, io::OutputFeedback{[] { return io::Report(); }});
+            std::thread connecting([&] { (void)other.connect(Deadline::after(std::chrono::minutes(1))); });
+            const bool connected =
+                bench.answered([&] { return bench.cell.robot.drainSockets(), other.isConnected(); });
+            connecting.join();
+            return connected && other.canSetSpeedSlider() && other.canSetDigitalOutput(0) &&
+                   other.canSetAnalogOutput();
+        };
+        bench.cell.advanceMs(1000);
+        QTest::qWait(200);  // no condition to wait for: nothing is claimed
+        QVERIFY2(areFree(), "claimed while only monitoring");
+        // A single change without control.
+        bench.session.outputs().setSpeedSlider(0.5);
+        QVERIFY(bench.within([&] { return bench.cell.truth().speedSlider == 0.5; }));
+        QVERIFY(!areFree());
+        bench.cell.advanceMs(4000);
+        QVERIFY(bench.answered(areFree));
+        // Control.
+        bench.session.takeControl();
+        QVERIFY(bench.within([&] { return bench.isInControl(); }));
+        QVERIFY(bench.answered([&] { return !areFree(); }));
+        bench.cell.advanceMs(4000);
+        QVERIFY(!areFree());
+        bench.session.releaseControl();
+        QVERIFY(bench.within([&] { return !bench.isInControl(); }));
+        bench.cell.advanceMs(4000);
+        QVERIFY(bench.answered(areFree));
     }
 
     void aTooLowSpeedSliderIsRefused() {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a session records: displayed signals are recorded even if the link does not receive their fields.
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <array>
+
+#include "robot/recording/formats/open_recording.h"
+#include "tests/support/virtual_cell.h"
+
+using namespace tiller;
+using namespace tiller::test;
+
+class TestSessionRecording : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void displayedRegistersAreRecorded_data() {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QStringList>("fields");
+        QTest::newRow("CSV") << QStringLiteral("csv") << QStringList();
+        QTest::newRow("CSV, selected signals") << QStringLiteral("csv") << QStringList{"actual_q"};
+        QTest::newRow("MCAP") << QStringLiteral("mcap") << QStringList();
+    }
+
+    // The link receives integer register 12, but not the other two.
+    void displayedRegistersAreRecorded() {
+        QFETCH(QString, format);
+        QFETCH(QStringList, fields);
+        const QTemporaryDir folder;
+        VirtualClock clock;
+        RobotSession session{clock};
+        VirtualCell cell{clock, session};
+        QVERIFY2(cell.connect(), qPrintable(cell.what()));
+        const auto within = [&](const std::function<bool()>& condition) {
+            constexpr int kWaitTimeoutMs = 60'000;
+            QElapsedTimer waited;
+            waited.start();
+            while (!condition() && waited.elapsed() < kWaitTimeoutMs) {
+                cell.advanceMs(16);
+                QTest::qWait(1);
+            }
+            return condition();
+        };
+        const QStringList registers{"output_double_register_3", "output_int_register_0",
+                                    "output_int_register_12"};
+        const QString path = folder.filePath(QStringLiteral("run.") + format);
+        session.recording().start({.path = path, .fields = fields, .shown = registers, .format = format});
+        QVERIFY(within([&] { return session.state().recording.rows > 200; }));
+        session.recording().stop();
+        QVERIFY(within([&] { return !session.state().recording.active; }));
+        const auto file = recording::openRecording(path);
+        QVERIFY2(file.ok(), qPrintable(file.error().toString()));
+        for (const QString& name : registers) {
+            const auto column = (*file)->indexOf(name.toStdString());
+            QVERIFY2(column, qPrintable(name));
+            const std::array<std::size_t, 1> wanted{*column};
+            QCOMPARE((*file)->read(wanted, {100, 1})->front().front(), 0.0);
+        }
+        QVERIFY((*file)->indexOf("actual_q_5") && (*file)->indexOf("timestamp"));
+        QCOMPARE((*file)->indexOf("robot_mode").has_value(), fields.isEmpty());
+        QVERIFY((*file)->gaps().empty());
+    }
+};
+
+QTEST_MAIN(TestSessionRecording)
+#include "tst_session_recording.moc"
