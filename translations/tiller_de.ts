@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <source>No gripper is configured for this robot. Select a gripper under I/O &gt; Gripper.</source>
         <translation>Für diesen Roboter ist kein Greifer eingerichtet. Wählen Sie ihn unter E/A &gt; Greifer.</translation>
     </message>
     <message>
@@ -20,8 +20,8 @@
         <translation>%1 wurde nicht innerhalb von %2 s ausgeschaltet. Prüfen Sie das angeschlossene Gerät und versuchen Sie es erneut.</translation>
     </message>
     <message>
-        <source>%1 was not completed. %2</source>
-        <translation>%1 wurde nicht ausgeführt. %2</translation>
+        <source>The action “%1” was not completed. %2</source>
+        <translation>Die Aktion „%1“ wurde nicht ausgeführt. %2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
@@ -4552,7 +4552,7 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <source>“Run route (hold)” runs these actions in order at the waypoint while the button is held.</source>
         <translation>Aktionen laufen in dieser Reihenfolge ab, wenn „Route“ den Wegpunkt erreicht und die Taste gehalten wird.</translation>
     </message>
     <message>
@@ -4612,8 +4612,8 @@
         <translation>An oder aus</translation>
     </message>
     <message>
-        <source>Seconds</source>
-        <translation>Sekunden</translation>
+        <source>Duration</source>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>off</source>
@@ -4624,11 +4624,11 @@
         <translation>ein</translation>
     </message>
     <message>
-        <source>Timeout in seconds</source>
-        <translation>Zeitlimit in Sekunden</translation>
+        <source>Timeout</source>
+        <translation>Zeitlimit</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>Nach dieser Zeit bricht das Warten mit einer Meldung ab. 0: wartet, solange die Taste gehalten wird, höchstens eine Stunde.</translation>
     </message>
 </context>
@@ -4781,7 +4781,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen, oder probieren Sie den Simulator.</translation>
     </message>
     <message>
@@ -5554,7 +5554,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
@@ -5697,7 +5697,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Alle</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <source>After the last waypoint, continues with the first waypoint while the button is held</source>
         <translation>Beginnt nach dem letzten wieder beim ersten Wegpunkt, solange die Taste gehalten wird</translation>
     </message>
     <message>
@@ -6910,7 +6910,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Bahn aus CSV importieren…</translation>
     </message>
     <message>
-        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
+        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
         <translation>Bahnaufzeichnung gestoppt: keine Daten mehr, oder das Limit von zehn Minuten wurde erreicht.</translation>
     </message>
     <message>
@@ -6926,15 +6926,15 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Die Bahn wird vereinfacht…</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>Der Roboter sendet keine Daten: Es gibt nichts aufzuzeichnen.</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>Ohne Daten vom Roboter kann keine Bahn aufgezeichnet werden. Warten Sie auf Daten, oder verbinden Sie einen Roboter.</translation>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
         <translation>Beendet die Aufzeichnung und speichert die Bahn als Wegpunkte</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. Recording does not move the robot.</source>
         <translation>Zeichnet die Bahn des Arms bei Freedrive oder Verfahren auf und speichert sie als Wegpunkte. Zum Beenden erneut drücken. Der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
@@ -6954,7 +6954,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Die Bahn wurde nicht exportiert.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written as a path to %1</source>
+        <source>%n waypoints exported as a path to %1</source>
         <translation>
             <numerusform>%n Wegpunkt als Bahn nach %1 geschrieben</numerusform>
             <numerusform>%n Wegpunkte als Bahn nach %1 geschrieben</numerusform>
@@ -6969,8 +6969,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>○ Bahn</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
-        <translation>Die Bahn des Arms wird aufgezeichnet. Wählen Sie „Bahnaufzeichnung beenden“, um sie zu beenden.</translation>
+        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <translation>Die Bahn des Arms wird aufgezeichnet. Zum Beenden drücken Sie „● REC“ oder wählen im Menü „Bahnaufzeichnung beenden“.</translation>
     </message>
 </context>
 <context>
@@ -6980,12 +6980,12 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>%1 hat keine Spalte „%2“. Die Spalten timestamp und actual_q_0 bis actual_q_5 sind erforderlich.</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>Der Roboter sendet keine Daten: Es gibt nichts aufzuzeichnen.</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>Ohne Daten vom Roboter kann keine Bahn aufgezeichnet werden. Warten Sie auf Daten, oder verbinden Sie einen Roboter.</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop recording first.</source>
-        <translation>Import abgelehnt: Es wird gerade eine Bahn aufgezeichnet. Beenden Sie diese Aufzeichnung zuerst.</translation>
+        <source>Import refused because another path is being recorded or processed. Stop the recording, or wait, and try again.</source>
+        <translation>Import abgelehnt, weil gerade eine andere Bahn aufgezeichnet oder verarbeitet wird. Beenden Sie die Aufzeichnung, oder warten Sie, und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>The path could not be imported.</source>
@@ -7019,7 +7019,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Wählen Sie mindestens zwei Wegpunkte der Bahn.</translation>
     </message>
     <message>
-        <source>“%1” is out of reach. Touch it up, or remove it.</source>
+        <source>“%1” is out of reach. Touch up or delete the waypoint.</source>
         <translation>„%1“ ist außer Reichweite. Teachen Sie ihn nach oder entfernen Sie ihn.</translation>
     </message>
 </context>
@@ -7054,11 +7054,11 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Anfang der letzten Reihe</translation>
     </message>
     <message>
-        <source>select a waypoint</source>
+        <source>Select a waypoint</source>
         <translation>einen Wegpunkt wählen</translation>
     </message>
     <message>
-        <source>as taught</source>
+        <source>As taught</source>
         <translation>wie geteacht</translation>
     </message>
     <message>
@@ -7078,7 +7078,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Lagenhöhe</translation>
     </message>
     <message>
-        <source>Distance between layers, opposite to the tool direction.</source>
+        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
         <translation>Abstand zwischen den Lagen, entgegen der Werkzeugrichtung.</translation>
     </message>
     <message>
@@ -7118,20 +7118,20 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Zwei Ecken sind identisch. Wählen Sie für eine davon einen anderen Wegpunkt.</translation>
     </message>
     <message>
-        <source>Invalid layer height.</source>
-        <translation>Ungültige Lagenhöhe.</translation>
+        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
+        <translation>Die Lagenhöhe ist keine Zahl oder außerhalb des Bereichs. Geben Sie eine andere Lagenhöhe ein.</translation>
     </message>
     <message>
-        <source>Enter a layer height.</source>
-        <translation>Geben Sie eine Lagenhöhe ein.</translation>
+        <source>The layer height must not be 0. Enter a layer height.</source>
+        <translation>Die Lagenhöhe darf nicht 0 sein. Geben Sie eine Lagenhöhe ein.</translation>
     </message>
     <message>
-        <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>Das Muster hat %1 Plätze; das Maximum ist %2.</translation>
+        <source>The pattern has %1 cells; the maximum is %2. Enter fewer cells per row, rows or layers.</source>
+        <translation>Das Muster hat %1 Plätze; das Maximum ist %2. Geben Sie weniger Plätze pro Reihe, Reihen oder Lagen ein.</translation>
     </message>
     <message>
-        <source>All cells are excluded.</source>
-        <translation>Alle Plätze sind ausgeschlossen.</translation>
+        <source>All cells are excluded. Click a cell to include it.</source>
+        <translation>Alle Plätze sind ausgeschlossen. Klicken Sie auf einen Platz, um ihn einzuschließen.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -7141,7 +7141,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All are within reach.</source>
+        <source>%1 All cells are within reach.</source>
         <translation>%1 Alle sind in Reichweite.</translation>
     </message>
     <message>
@@ -7167,8 +7167,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Plätze des Musters</translation>
     </message>
     <message>
-        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>Klicken Sie auf einen Platz, um ihn aus- oder einzuschließen. Die erste Ecke ist unten links.</translation>
+        <source>Click a cell to exclude or include it. The first cell is at the lower left.</source>
+        <translation>Klicken Sie auf einen Platz, um ihn aus- oder einzuschließen. Der erste Platz ist unten links.</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -7420,7 +7420,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Die Nutzlast „%1“ ändern</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
@@ -8345,7 +8345,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
@@ -9571,19 +9571,19 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Die Route enthält keine Wegpunkte. Teachen oder wählen Sie zuerst Wegpunkte.</translation>
     </message>
     <message>
-        <source>This is the first waypoint.</source>
-        <translation>Dies ist der erste Wegpunkt.</translation>
+        <source>The first waypoint of the route has no previous waypoint.</source>
+        <translation>Der erste Wegpunkt der Route hat keinen vorherigen Wegpunkt.</translation>
     </message>
     <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Ein Wegpunkt der Route wurde aus dem Projekt gelöscht.</translation>
+        <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
+        <translation>Ein Wegpunkt der Route wurde aus dem Projekt gelöscht. Wählen Sie die Wegpunkte der Route erneut aus.</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
         <translation>„%1“: %2</translation>
     </message>
     <message>
-        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>Eine Schleife benötigt mindestens zwei Wegpunkte. Wählen Sie weitere Wegpunkte oder schalten Sie die Schleife aus.</translation>
     </message>
 </context>
@@ -10093,7 +10093,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Den TCP „%1“ hinzufügen</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
@@ -10382,7 +10382,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Koordinatensysteme</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
         <translation>Bezugs-Koordinatensystem des Wegpunkts. Die Position im Raum ändert sich nicht. „—“: kein Koordinatensystem, Gelenkpositionen haben Vorrang</translation>
     </message>
     <message numerus="yes">
@@ -10413,7 +10413,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Ecke von „%1“</translation>
     </message>
     <message>
-        <source>home, “%1”</source>
+        <source>home position “%1”</source>
         <translation>Home, „%1“</translation>
     </message>
     <message>
@@ -10478,7 +10478,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Muster „%1“ in Wegpunkte umwandeln</translation>
     </message>
     <message>
-        <source>Select a cell of a pattern.</source>
+        <source>Select a waypoint that belongs to a pattern.</source>
         <translation>Wählen Sie einen Platz eines Musters.</translation>
     </message>
     <message>
@@ -10490,8 +10490,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Wählen Sie einen Wegpunkt, um seinen Verlauf zu sehen.</translation>
     </message>
     <message>
-        <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>Das Koordinatensystem der früheren Version wurde aus dem Projekt gelöscht.</translation>
+        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
+        <translation>Die frühere Version kann nicht wiederhergestellt werden, weil ihr Koordinatensystem aus dem Projekt gelöscht wurde.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -10502,7 +10502,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Wegpunkte importieren</translation>
     </message>
     <message>
-        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <source>Waypoint files (*.csv *.txt *.json *.tiller);;All files (*)</source>
         <translation>Wegpunkte (*.csv *.txt *.json *.tiller);;Alle Dateien (*)</translation>
     </message>
     <message>
@@ -10518,15 +10518,15 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Import fehlgeschlagen</translation>
     </message>
     <message>
-        <source>%1 is too large for a waypoint file.</source>
-        <translation>%1 ist zu groß für eine Wegpunktdatei.</translation>
+        <source>%1 is too large. The maximum size of a waypoint file is 64 MB.</source>
+        <translation>%1 ist zu groß. Eine Wegpunktdatei darf höchstens 64 MB groß sein.</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>There are no waypoints in %1.</source>
+        <source>%1 contains no waypoints.</source>
         <translation>In %1 sind keine Wegpunkte.</translation>
     </message>
     <message>
@@ -10541,15 +10541,15 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>There are no waypoints to export.</source>
-        <translation>Es gibt keine Wegpunkte zum Exportieren.</translation>
+        <source>The project contains no waypoints to export. Teach a waypoint first.</source>
+        <translation>Das Projekt enthält keine Wegpunkte zum Exportieren. Teachen Sie zuerst einen Wegpunkt.</translation>
     </message>
     <message>
         <source>Export failed</source>
         <translation>Export fehlgeschlagen</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written to %1</source>
+        <source>%n waypoints exported to %1</source>
         <translation>
             <numerusform>%n Wegpunkt nach %1 geschrieben</numerusform>
             <numerusform>%n Wegpunkte nach %1 geschrieben</numerusform>
@@ -10585,8 +10585,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Einfügen fehlgeschlagen</translation>
     </message>
     <message>
-        <source>There are no waypoints on the clipboard.</source>
-        <translation>In der Zwischenablage sind keine Wegpunkte.</translation>
+        <source>The clipboard contains no waypoints. Copy waypoints first.</source>
+        <translation>Die Zwischenablage enthält keine Wegpunkte. Kopieren Sie zuerst Wegpunkte.</translation>
     </message>
     <message>
         <source>waypoint</source>
@@ -10691,8 +10691,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Aktionen: geändert</translation>
     </message>
     <message>
-        <source>Not changed since it was taught.</source>
-        <translation>Seit dem Teachen nicht geändert.</translation>
+        <source>No changes have been recorded for this waypoint.</source>
+        <translation>Für diesen Wegpunkt wurden keine Änderungen aufgezeichnet.</translation>
     </message>
     <message>
         <source>The version before this change is identical to the current version.</source>
@@ -10822,8 +10822,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Gelenkstellungen für „%1“ verwenden</translation>
     </message>
     <message>
-        <source>There is no frame “%1” in this project.</source>
-        <translation>In diesem Projekt gibt es kein Koordinatensystem „%1“.</translation>
+        <source>The project has no frame named “%1”. Choose another frame.</source>
+        <translation>Das Projekt hat kein Koordinatensystem „%1“. Wählen Sie ein anderes Koordinatensystem.</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -11003,7 +11003,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>Type of transformation</source>
+        <source>Transformation type</source>
         <translation>Art der Transformation</translation>
     </message>
     <message>
@@ -11039,8 +11039,12 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>By X, Y, Z</source>
-        <translation>Um X, Y, Z</translation>
+        <source>Type</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Offset X, Y, Z</source>
+        <translation>Versatz X, Y, Z</translation>
     </message>
     <message>
         <source>Offset %1</source>
@@ -11055,12 +11059,12 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
-        <translation>Der Arm kann diese Wegpunkte nach dem Verschieben nicht erreichen: %1. Wählen Sie eine kleinere Verschiebung oder Drehung. Es wird kein Wegpunkt verschoben.</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
+        <translation>Der Arm kann diese Wegpunkte nach dem Verschieben nicht erreichen: %1. Wählen Sie einen anderen Versatz, eine andere Drehung oder Spiegelebene. Es wird kein Wegpunkt verschoben.</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another frame.</source>
-        <translation>Ein Koordinatensystem fehlt. Wählen Sie ein anderes.</translation>
+        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
+        <translation>Das Koordinatensystem eines ausgewählten Wegpunkts ist nicht im Projekt. Wählen Sie für den Wegpunkt zuerst ein anderes Koordinatensystem.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
@@ -11074,7 +11078,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Spiegelt an der Ebene durch den Ursprung senkrecht zur Achse. Das Werkzeug nähert sich von der gespiegelten Seite.</translation>
     </message>
     <message>
-        <source>All remain within reach.</source>
+        <source>All waypoints remain within reach.</source>
         <translation>Alle bleiben in Reichweite.</translation>
     </message>
 </context>
@@ -11122,7 +11126,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Die Daten des Roboters sind veraltet. Warten Sie auf neue Daten.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
@@ -11242,7 +11246,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Muster in Wegpunkte umwandeln</translation>
     </message>
     <message>
-        <source>Delete the pattern and its waypoints</source>
+        <source>Delete pattern and its waypoints</source>
         <translation>Das Muster und seine Wegpunkte löschen</translation>
     </message>
     <message>

@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <source>No gripper is configured for this robot. Select a gripper under I/O &gt; Gripper.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -20,7 +20,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 was not completed. %2</source>
+        <source>The action “%1” was not completed. %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4552,7 +4552,7 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <source>“Run route (hold)” runs these actions in order at the waypoint while the button is held.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4612,7 +4612,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Seconds</source>
+        <source>Duration</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4624,11 +4624,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Timeout in seconds</source>
+        <source>Timeout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4779,7 +4779,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5550,7 +5550,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5700,7 +5700,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <source>After the last waypoint, continues with the first waypoint while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6887,10 +6887,10 @@ Right-click or press F2 to rename it.</source>
 <context>
     <name>tiller::PathControls</name>
     <message numerus="yes">
-        <source>%n waypoints written as a path to %1</source>
+        <source>%n waypoints exported as a path to %1</source>
         <translation>
-            <numerusform>%n waypoint written as a path to %1</numerusform>
-            <numerusform>%n waypoints written as a path to %1</numerusform>
+            <numerusform>%n waypoint exported as a path to %1</numerusform>
+            <numerusform>%n waypoints exported as a path to %1</numerusform>
         </translation>
     </message>
     <message>
@@ -6910,7 +6910,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
+        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6926,7 +6926,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6934,7 +6934,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. Recording does not move the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6962,7 +6962,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
+        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6980,11 +6980,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop recording first.</source>
+        <source>Import refused because another path is being recorded or processed. Stop the recording, or wait, and try again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7012,7 +7012,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is out of reach. Touch it up, or remove it.</source>
+        <source>“%1” is out of reach. Touch up or delete the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7047,11 +7047,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>select a waypoint</source>
+        <source>Select a waypoint</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>as taught</source>
+        <source>As taught</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7071,7 +7071,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Distance between layers, opposite to the tool direction.</source>
+        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7111,19 +7111,19 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Invalid layer height.</source>
+        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enter a layer height.</source>
+        <source>The layer height must not be 0. Enter a layer height.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pattern has %1 cells; the maximum is %2.</source>
+        <source>The pattern has %1 cells; the maximum is %2. Enter fewer cells per row, rows or layers.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All cells are excluded.</source>
+        <source>All cells are excluded. Click a cell to include it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -7134,7 +7134,7 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All are within reach.</source>
+        <source>%1 All cells are within reach.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7160,7 +7160,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
+        <source>Click a cell to exclude or include it. The first cell is at the lower left.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7413,7 +7413,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8336,7 +8336,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9558,11 +9558,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is the first waypoint.</source>
+        <source>The first waypoint of the route has no previous waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A waypoint of the route was deleted from the project.</source>
+        <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9570,7 +9570,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10079,7 +10079,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10360,7 +10360,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -10399,7 +10399,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>home, “%1”</source>
+        <source>home position “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10464,7 +10464,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select a cell of a pattern.</source>
+        <source>Select a waypoint that belongs to a pattern.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10476,7 +10476,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The frame of the earlier version was deleted from the project.</source>
+        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10488,7 +10488,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <source>Waypoint files (*.csv *.txt *.json *.tiller);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10504,7 +10504,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is too large for a waypoint file.</source>
+        <source>%1 is too large. The maximum size of a waypoint file is 64 MB.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10512,7 +10512,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are no waypoints in %1.</source>
+        <source>%1 contains no waypoints.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10527,7 +10527,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         </translation>
     </message>
     <message>
-        <source>There are no waypoints to export.</source>
+        <source>The project contains no waypoints to export. Teach a waypoint first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10535,10 +10535,10 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written to %1</source>
+        <source>%n waypoints exported to %1</source>
         <translation>
-            <numerusform>%n waypoint written to %1</numerusform>
-            <numerusform>%n waypoints written to %1</numerusform>
+            <numerusform>%n waypoint exported to %1</numerusform>
+            <numerusform>%n waypoints exported to %1</numerusform>
         </translation>
     </message>
     <message>
@@ -10571,7 +10571,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are no waypoints on the clipboard.</source>
+        <source>The clipboard contains no waypoints. Copy waypoints first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -10677,7 +10677,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not changed since it was taught.</source>
+        <source>No changes have been recorded for this waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10800,7 +10800,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no frame “%1” in this project.</source>
+        <source>The project has no frame named “%1”. Choose another frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10989,7 +10989,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         </translation>
     </message>
     <message>
-        <source>Type of transformation</source>
+        <source>Transformation type</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11025,7 +11025,11 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>By X, Y, Z</source>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset X, Y, Z</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11041,11 +11045,11 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another frame.</source>
+        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -11060,7 +11064,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All remain within reach.</source>
+        <source>All waypoints remain within reach.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11107,7 +11111,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11227,7 +11231,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Delete the pattern and its waypoints</source>
+        <source>Delete pattern and its waypoints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

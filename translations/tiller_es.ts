@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <source>No gripper is configured for this robot. Select a gripper under I/O &gt; Gripper.</source>
         <translation>No hay ninguna pinza configurada para este robot. Selecciónela en E/S &gt; Pinza.</translation>
     </message>
     <message>
@@ -20,8 +20,8 @@
         <translation>%1 no se desactivó en %2 s. Compruebe el dispositivo conectado e inténtelo de nuevo.</translation>
     </message>
     <message>
-        <source>%1 was not completed. %2</source>
-        <translation>%1 no se completó. %2</translation>
+        <source>The action “%1” was not completed. %2</source>
+        <translation>La acción «%1» no se completó. %2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
@@ -4552,7 +4552,7 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <source>“Run route (hold)” runs these actions in order at the waypoint while the button is held.</source>
         <translation>Las acciones se ejecutan en este orden cuando «Ruta» llega al punto de paso y se mantiene el botón.</translation>
     </message>
     <message>
@@ -4612,8 +4612,8 @@
         <translation>Activada o desactivada</translation>
     </message>
     <message>
-        <source>Seconds</source>
-        <translation>Segundos</translation>
+        <source>Duration</source>
+        <translation>Duración</translation>
     </message>
     <message>
         <source>off</source>
@@ -4624,11 +4624,11 @@
         <translation>activada</translation>
     </message>
     <message>
-        <source>Timeout in seconds</source>
-        <translation>Tiempo límite en segundos</translation>
+        <source>Timeout</source>
+        <translation>Tiempo límite</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>Después de este tiempo, la espera falla con un mensaje. 0: espera mientras se mantiene el botón, una hora como máximo.</translation>
     </message>
 </context>
@@ -4781,7 +4781,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>No hay ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
@@ -5554,7 +5554,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
@@ -5697,7 +5697,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Todo</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <source>After the last waypoint, continues with the first waypoint while the button is held</source>
         <translation>Vuelve a empezar por el primer punto después del último, mientras se mantiene el botón</translation>
     </message>
     <message>
@@ -6910,7 +6910,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Importar trayectoria desde CSV…</translation>
     </message>
     <message>
-        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
+        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
         <translation>Grabación de la trayectoria detenida: no llegan más datos, o se alcanzó el límite de diez minutos.</translation>
     </message>
     <message>
@@ -6926,15 +6926,15 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Simplificando la trayectoria…</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>El robot no envía datos: no hay nada que grabar.</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>No se puede grabar una trayectoria porque el robot no envía datos. Espere los datos o conecte un robot.</translation>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
         <translation>Detiene la grabación y guarda la trayectoria como puntos de paso</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. Recording does not move the robot.</source>
         <translation>Graba la trayectoria del brazo en movimiento libre o manual y la guarda como puntos de paso. Pulse de nuevo para detener. El robot no se mueve.</translation>
     </message>
     <message>
@@ -6954,7 +6954,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>La trayectoria no se exportó.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written as a path to %1</source>
+        <source>%n waypoints exported as a path to %1</source>
         <translation>
             <numerusform>%n punto escrito como trayectoria en %1</numerusform>
             <numerusform>%n puntos escritos como trayectoria en %1</numerusform>
@@ -6969,8 +6969,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>○ Ruta</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
-        <translation>Se está grabando la trayectoria del brazo. Seleccione el mismo comando para terminar.</translation>
+        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <translation>Se está grabando la trayectoria del brazo. Para terminar, pulse «● REC» o seleccione el mismo comando en el menú.</translation>
     </message>
 </context>
 <context>
@@ -6980,12 +6980,12 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>%1 no tiene la columna «%2». Se requieren las columnas timestamp y actual_q_0 a actual_q_5.</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>El robot no envía datos: no hay nada que grabar.</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>No se puede grabar una trayectoria porque el robot no envía datos. Espere los datos o conecte un robot.</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop recording first.</source>
-        <translation>Importación rechazada: se está grabando una trayectoria. Detenga primero esa grabación.</translation>
+        <source>Import refused because another path is being recorded or processed. Stop the recording, or wait, and try again.</source>
+        <translation>Importación rechazada porque se está grabando o procesando otra trayectoria. Detenga la grabación o espere, e inténtelo de nuevo.</translation>
     </message>
     <message>
         <source>The path could not be imported.</source>
@@ -7019,7 +7019,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Seleccione al menos dos puntos de paso de la trayectoria.</translation>
     </message>
     <message>
-        <source>“%1” is out of reach. Touch it up, or remove it.</source>
+        <source>“%1” is out of reach. Touch up or delete the waypoint.</source>
         <translation>«%1» está fuera de alcance. Retóquelo o quítelo.</translation>
     </message>
 </context>
@@ -7054,11 +7054,11 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Comienzo de la última fila</translation>
     </message>
     <message>
-        <source>select a waypoint</source>
+        <source>Select a waypoint</source>
         <translation>elija un punto de paso</translation>
     </message>
     <message>
-        <source>as taught</source>
+        <source>As taught</source>
         <translation>como se enseñó</translation>
     </message>
     <message>
@@ -7078,7 +7078,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Altura de capa</translation>
     </message>
     <message>
-        <source>Distance between layers, opposite to the tool direction.</source>
+        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
         <translation>Distancia entre capas, opuesta a la dirección de la herramienta.</translation>
     </message>
     <message>
@@ -7118,20 +7118,20 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Dos esquinas son idénticas. Seleccione otro punto de paso para una de ellas.</translation>
     </message>
     <message>
-        <source>Invalid layer height.</source>
-        <translation>Altura de capa no válida.</translation>
+        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
+        <translation>La altura de capa no es un número o está fuera del rango. Introduzca otra altura de capa.</translation>
     </message>
     <message>
-        <source>Enter a layer height.</source>
-        <translation>Introduzca una altura de capa.</translation>
+        <source>The layer height must not be 0. Enter a layer height.</source>
+        <translation>La altura de capa no puede ser 0. Introduzca una altura de capa.</translation>
     </message>
     <message>
-        <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>El patrón tiene %1 celdas; el máximo es %2.</translation>
+        <source>The pattern has %1 cells; the maximum is %2. Enter fewer cells per row, rows or layers.</source>
+        <translation>El patrón tiene %1 celdas; el máximo es %2. Introduzca menos celdas por fila, filas o capas.</translation>
     </message>
     <message>
-        <source>All cells are excluded.</source>
-        <translation>Todas las celdas están excluidas.</translation>
+        <source>All cells are excluded. Click a cell to include it.</source>
+        <translation>Todas las celdas están excluidas. Haga clic en una celda para incluirla.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -7141,7 +7141,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All are within reach.</source>
+        <source>%1 All cells are within reach.</source>
         <translation>%1 Todas están al alcance.</translation>
     </message>
     <message>
@@ -7167,8 +7167,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Celdas del patrón</translation>
     </message>
     <message>
-        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>Haga clic en una celda para excluirla o incluirla. La primera esquina está abajo a la izquierda.</translation>
+        <source>Click a cell to exclude or include it. The first cell is at the lower left.</source>
+        <translation>Haga clic en una celda para excluirla o incluirla. La primera celda está abajo a la izquierda.</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -7420,7 +7420,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Cambiar la carga útil «%1»</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
@@ -8345,7 +8345,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
@@ -9571,19 +9571,19 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La ruta no tiene puntos de paso. Enseñe o seleccione primero puntos de paso.</translation>
     </message>
     <message>
-        <source>This is the first waypoint.</source>
-        <translation>Este es el primer punto de paso.</translation>
+        <source>The first waypoint of the route has no previous waypoint.</source>
+        <translation>El primer punto de paso de la ruta no tiene ningún punto anterior.</translation>
     </message>
     <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Se eliminó del proyecto un punto de paso de la ruta.</translation>
+        <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
+        <translation>Se eliminó del proyecto un punto de paso de la ruta. Seleccione de nuevo los puntos de paso de la ruta.</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
         <translation>«%1»: %2</translation>
     </message>
     <message>
-        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>Un bucle necesita al menos dos puntos de paso. Seleccione más puntos o desactive el bucle.</translation>
     </message>
 </context>
@@ -10093,7 +10093,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Añadir el TCP «%1»</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
@@ -10382,7 +10382,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Sistemas de coordenadas</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
         <translation>Sistema de referencia del punto de paso. La posición en el espacio no cambia. «—»: sin sistema, las articulaciones tienen prioridad</translation>
     </message>
     <message numerus="yes">
@@ -10413,7 +10413,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>esquina de «%1»</translation>
     </message>
     <message>
-        <source>home, “%1”</source>
+        <source>home position “%1”</source>
         <translation>inicio, «%1»</translation>
     </message>
     <message>
@@ -10478,7 +10478,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Convertir el patrón «%1» en puntos de paso</translation>
     </message>
     <message>
-        <source>Select a cell of a pattern.</source>
+        <source>Select a waypoint that belongs to a pattern.</source>
         <translation>Seleccione una celda de un patrón.</translation>
     </message>
     <message>
@@ -10490,8 +10490,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Seleccione un punto para ver su historial.</translation>
     </message>
     <message>
-        <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>El sistema de coordenadas de la versión anterior se eliminó del proyecto.</translation>
+        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
+        <translation>La versión anterior no se puede restaurar porque su sistema de coordenadas se eliminó del proyecto.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -10502,7 +10502,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Importar puntos de paso</translation>
     </message>
     <message>
-        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <source>Waypoint files (*.csv *.txt *.json *.tiller);;All files (*)</source>
         <translation>Puntos de paso (*.csv *.txt *.json *.tiller);;Todos los archivos (*)</translation>
     </message>
     <message>
@@ -10518,15 +10518,15 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Error de importación</translation>
     </message>
     <message>
-        <source>%1 is too large for a waypoint file.</source>
-        <translation>%1 es demasiado grande para un archivo de puntos de paso.</translation>
+        <source>%1 is too large. The maximum size of a waypoint file is 64 MB.</source>
+        <translation>%1 es demasiado grande. El tamaño máximo de un archivo de puntos de paso es de 64 MB.</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>There are no waypoints in %1.</source>
+        <source>%1 contains no waypoints.</source>
         <translation>No hay puntos de paso en %1.</translation>
     </message>
     <message>
@@ -10541,15 +10541,15 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>There are no waypoints to export.</source>
-        <translation>No hay puntos que exportar.</translation>
+        <source>The project contains no waypoints to export. Teach a waypoint first.</source>
+        <translation>El proyecto no contiene puntos de paso que exportar. Enseñe primero un punto de paso.</translation>
     </message>
     <message>
         <source>Export failed</source>
         <translation>Error de exportación</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written to %1</source>
+        <source>%n waypoints exported to %1</source>
         <translation>
             <numerusform>%n punto escrito en %1</numerusform>
             <numerusform>%n puntos escritos en %1</numerusform>
@@ -10585,8 +10585,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Error al pegar</translation>
     </message>
     <message>
-        <source>There are no waypoints on the clipboard.</source>
-        <translation>No hay puntos de paso en el portapapeles.</translation>
+        <source>The clipboard contains no waypoints. Copy waypoints first.</source>
+        <translation>El portapapeles no contiene puntos de paso. Copie primero puntos de paso.</translation>
     </message>
     <message>
         <source>waypoint</source>
@@ -10691,8 +10691,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Acciones: cambiadas</translation>
     </message>
     <message>
-        <source>Not changed since it was taught.</source>
-        <translation>Sin cambios desde que se enseñó.</translation>
+        <source>No changes have been recorded for this waypoint.</source>
+        <translation>No se han registrado cambios de este punto de paso.</translation>
     </message>
     <message>
         <source>The version before this change is identical to the current version.</source>
@@ -10822,8 +10822,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Usar posiciones articulares para «%1»</translation>
     </message>
     <message>
-        <source>There is no frame “%1” in this project.</source>
-        <translation>En este proyecto no hay sistema «%1».</translation>
+        <source>The project has no frame named “%1”. Choose another frame.</source>
+        <translation>El proyecto no tiene ningún sistema «%1». Elija otro sistema.</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -11003,7 +11003,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>Type of transformation</source>
+        <source>Transformation type</source>
         <translation>Tipo de transformación</translation>
     </message>
     <message>
@@ -11039,8 +11039,12 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Movimiento</translation>
     </message>
     <message>
-        <source>By X, Y, Z</source>
-        <translation>En X, Y, Z</translation>
+        <source>Type</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Offset X, Y, Z</source>
+        <translation>Desplazamiento X, Y, Z</translation>
     </message>
     <message>
         <source>Offset %1</source>
@@ -11055,12 +11059,12 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Ángulo</translation>
     </message>
     <message>
-        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
-        <translation>El brazo no puede alcanzar estos puntos de paso después del desplazamiento: %1. Elija un desplazamiento o giro menor. No se moverá ningún punto de paso.</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
+        <translation>El brazo no puede alcanzar estos puntos de paso después del desplazamiento: %1. Elija otro desplazamiento, giro o plano de simetría. No se moverá ningún punto de paso.</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another frame.</source>
-        <translation>Falta un sistema. Elija otro.</translation>
+        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
+        <translation>El sistema de un punto de paso seleccionado no está en el proyecto. Elija primero otro sistema para el punto de paso.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
@@ -11074,7 +11078,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Refleja en el plano que pasa por el origen y es perpendicular al eje. La herramienta se acerca por el lado reflejado.</translation>
     </message>
     <message>
-        <source>All remain within reach.</source>
+        <source>All waypoints remain within reach.</source>
         <translation>Todos siguen al alcance.</translation>
     </message>
 </context>
@@ -11122,7 +11126,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Los datos del robot no están al día. Espere datos nuevos.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
@@ -11242,7 +11246,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Convertir patrón en puntos de paso</translation>
     </message>
     <message>
-        <source>Delete the pattern and its waypoints</source>
+        <source>Delete pattern and its waypoints</source>
         <translation>Eliminar el patrón y sus puntos</translation>
     </message>
     <message>

@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <source>No gripper is configured for this robot. Select a gripper under I/O &gt; Gripper.</source>
         <translation>Aucune pince n’est configurée pour ce robot. Sélectionnez-la sous E/S &gt; Pince.</translation>
     </message>
     <message>
@@ -20,8 +20,8 @@
         <translation>%1 ne s’est pas désactivée en %2 s. Vérifiez l’appareil raccordé, puis réessayez.</translation>
     </message>
     <message>
-        <source>%1 was not completed. %2</source>
-        <translation>%1 n’a pas été terminé. %2</translation>
+        <source>The action “%1” was not completed. %2</source>
+        <translation>L’action « %1 » n’a pas été terminée. %2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
@@ -4552,7 +4552,7 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <source>“Run route (hold)” runs these actions in order at the waypoint while the button is held.</source>
         <translation>Les actions s’exécutent dans cet ordre quand « Itinéraire » atteint le point de passage et que son bouton est maintenu.</translation>
     </message>
     <message>
@@ -4612,8 +4612,8 @@
         <translation>Activée ou désactivée</translation>
     </message>
     <message>
-        <source>Seconds</source>
-        <translation>Secondes</translation>
+        <source>Duration</source>
+        <translation>Durée</translation>
     </message>
     <message>
         <source>off</source>
@@ -4624,11 +4624,11 @@
         <translation>activée</translation>
     </message>
     <message>
-        <source>Timeout in seconds</source>
-        <translation>Délai maximal en secondes</translation>
+        <source>Timeout</source>
+        <translation>Délai maximal</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>Après ce délai, l’attente échoue avec un message. 0 : attend tant que le bouton est maintenu, une heure au plus.</translation>
     </message>
 </context>
@@ -4781,7 +4781,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Aucun robot n’est connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
@@ -5554,7 +5554,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
@@ -5697,7 +5697,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Tout</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <source>After the last waypoint, continues with the first waypoint while the button is held</source>
         <translation>Recommence au premier point après le dernier, tant que le bouton est maintenu</translation>
     </message>
     <message>
@@ -6910,7 +6910,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Importer une trajectoire CSV…</translation>
     </message>
     <message>
-        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
+        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
         <translation>Enregistrement de la trajectoire arrêté : plus de données, ou limite de dix minutes atteinte.</translation>
     </message>
     <message>
@@ -6926,15 +6926,15 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Simplification de la trajectoire…</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>Le robot n’envoie pas de données : rien à enregistrer.</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>Aucune trajectoire ne peut être enregistrée, car le robot n’envoie pas de données. Attendez les données ou connectez un robot.</translation>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
         <translation>Arrête l’enregistrement et garde la trajectoire comme points de passage</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. Recording does not move the robot.</source>
         <translation>Enregistre la trajectoire du bras en Freedrive ou en déplacement manuel et la garde comme points de passage. Appuyez de nouveau pour arrêter. Le robot ne bouge pas.</translation>
     </message>
     <message>
@@ -6954,7 +6954,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>La trajectoire n’a pas été exportée.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written as a path to %1</source>
+        <source>%n waypoints exported as a path to %1</source>
         <translation>
             <numerusform>%n point écrit comme trajectoire dans %1</numerusform>
             <numerusform>%n points écrits comme trajectoire dans %1</numerusform>
@@ -6969,8 +6969,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>○ Trajet</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
-        <translation>La trajectoire du bras est enregistrée. Sélectionnez la même commande pour terminer.</translation>
+        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <translation>La trajectoire du bras est enregistrée. Pour terminer, appuyez sur « ● REC » ou sélectionnez la même commande dans le menu.</translation>
     </message>
 </context>
 <context>
@@ -6980,12 +6980,12 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>%1 n’a pas de colonne « %2 ». Les colonnes timestamp et actual_q_0 à actual_q_5 sont nécessaires.</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>Le robot n’envoie pas de données : rien à enregistrer.</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>Aucune trajectoire ne peut être enregistrée, car le robot n’envoie pas de données. Attendez les données ou connectez un robot.</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop recording first.</source>
-        <translation>Importation refusée : une trajectoire est en cours d’enregistrement. Arrêtez d’abord cet enregistrement.</translation>
+        <source>Import refused because another path is being recorded or processed. Stop the recording, or wait, and try again.</source>
+        <translation>Importation refusée, car une autre trajectoire est en cours d’enregistrement ou de traitement. Arrêtez l’enregistrement ou attendez, puis réessayez.</translation>
     </message>
     <message>
         <source>The path could not be imported.</source>
@@ -7019,7 +7019,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Sélectionnez au moins deux points de la trajectoire.</translation>
     </message>
     <message>
-        <source>“%1” is out of reach. Touch it up, or remove it.</source>
+        <source>“%1” is out of reach. Touch up or delete the waypoint.</source>
         <translation>« %1 » est hors de portée. Retouchez-le ou retirez-le.</translation>
     </message>
 </context>
@@ -7054,11 +7054,11 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Début de la dernière rangée</translation>
     </message>
     <message>
-        <source>select a waypoint</source>
+        <source>Select a waypoint</source>
         <translation>choisir un point de passage</translation>
     </message>
     <message>
-        <source>as taught</source>
+        <source>As taught</source>
         <translation>comme appris</translation>
     </message>
     <message>
@@ -7078,7 +7078,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Hauteur de couche</translation>
     </message>
     <message>
-        <source>Distance between layers, opposite to the tool direction.</source>
+        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
         <translation>Distance entre les couches, opposée à la direction de l’outil.</translation>
     </message>
     <message>
@@ -7118,20 +7118,20 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Deux coins sont identiques. Sélectionnez un autre point pour l’un d’eux.</translation>
     </message>
     <message>
-        <source>Invalid layer height.</source>
-        <translation>Hauteur de couche non valide.</translation>
+        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
+        <translation>La hauteur de couche n’est pas un nombre ou est hors de la plage. Saisissez une autre hauteur de couche.</translation>
     </message>
     <message>
-        <source>Enter a layer height.</source>
-        <translation>Saisissez une hauteur de couche.</translation>
+        <source>The layer height must not be 0. Enter a layer height.</source>
+        <translation>La hauteur de couche ne doit pas être 0. Saisissez une hauteur de couche.</translation>
     </message>
     <message>
-        <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>Le motif a %1 emplacements ; le maximum est %2.</translation>
+        <source>The pattern has %1 cells; the maximum is %2. Enter fewer cells per row, rows or layers.</source>
+        <translation>Le motif a %1 emplacements ; le maximum est %2. Saisissez moins d’emplacements par rangée, de rangées ou de couches.</translation>
     </message>
     <message>
-        <source>All cells are excluded.</source>
-        <translation>Tous les emplacements sont exclus.</translation>
+        <source>All cells are excluded. Click a cell to include it.</source>
+        <translation>Tous les emplacements sont exclus. Cliquez sur un emplacement pour l’inclure.</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -7141,7 +7141,7 @@ Clic droit ou F2 pour renommer.</translation>
         </translation>
     </message>
     <message>
-        <source>%1 All are within reach.</source>
+        <source>%1 All cells are within reach.</source>
         <translation>%1 Tous sont à portée.</translation>
     </message>
     <message>
@@ -7167,8 +7167,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Emplacements du motif</translation>
     </message>
     <message>
-        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>Cliquez sur un emplacement pour l’exclure ou l’inclure. Le premier coin est en bas à gauche.</translation>
+        <source>Click a cell to exclude or include it. The first cell is at the lower left.</source>
+        <translation>Cliquez sur un emplacement pour l’exclure ou l’inclure. Le premier emplacement est en bas à gauche.</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -7420,7 +7420,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Changer la charge utile « %1 »</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
@@ -8345,7 +8345,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
@@ -9571,19 +9571,19 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>L’itinéraire ne contient aucun point de passage. Apprenez ou sélectionnez d’abord des points.</translation>
     </message>
     <message>
-        <source>This is the first waypoint.</source>
-        <translation>C’est le premier point de passage.</translation>
+        <source>The first waypoint of the route has no previous waypoint.</source>
+        <translation>Le premier point de passage de l’itinéraire n’a pas de point précédent.</translation>
     </message>
     <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>Un point de l’itinéraire a été supprimé du projet.</translation>
+        <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
+        <translation>Un point de passage de l’itinéraire a été supprimé du projet. Sélectionnez de nouveau les points de l’itinéraire.</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
         <translation>« %1 » : %2</translation>
     </message>
     <message>
-        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>Une boucle demande au moins deux points de passage. Sélectionnez-en d’autres ou désactivez la boucle.</translation>
     </message>
 </context>
@@ -10093,7 +10093,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Ajouter le TCP « %1 »</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
@@ -10382,7 +10382,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Repères</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
         <translation>Repère de référence du point de passage. La position dans l’espace ne change pas. « — » : sans repère, les articulations ont priorité</translation>
     </message>
     <message numerus="yes">
@@ -10413,7 +10413,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>coin de « %1 »</translation>
     </message>
     <message>
-        <source>home, “%1”</source>
+        <source>home position “%1”</source>
         <translation>origine, « %1 »</translation>
     </message>
     <message>
@@ -10478,7 +10478,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Convertir le motif « %1 » en points de passage</translation>
     </message>
     <message>
-        <source>Select a cell of a pattern.</source>
+        <source>Select a waypoint that belongs to a pattern.</source>
         <translation>Sélectionnez un emplacement d’un motif.</translation>
     </message>
     <message>
@@ -10490,8 +10490,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Choisissez un point pour voir son historique.</translation>
     </message>
     <message>
-        <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>Le repère de la version antérieure a été supprimé du projet.</translation>
+        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
+        <translation>La version antérieure ne peut pas être restaurée, car son repère a été supprimé du projet.</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -10502,7 +10502,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Importer des points de passage</translation>
     </message>
     <message>
-        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <source>Waypoint files (*.csv *.txt *.json *.tiller);;All files (*)</source>
         <translation>Points de passage (*.csv *.txt *.json *.tiller);;Tous les fichiers (*)</translation>
     </message>
     <message>
@@ -10518,15 +10518,15 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Échec de l’importation</translation>
     </message>
     <message>
-        <source>%1 is too large for a waypoint file.</source>
-        <translation>%1 est trop grand pour un fichier de points de passage.</translation>
+        <source>%1 is too large. The maximum size of a waypoint file is 64 MB.</source>
+        <translation>%1 est trop grand. La taille maximale d’un fichier de points de passage est de 64 Mo.</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1 : %2</translation>
     </message>
     <message>
-        <source>There are no waypoints in %1.</source>
+        <source>%1 contains no waypoints.</source>
         <translation>Il n’y a pas de points dans %1.</translation>
     </message>
     <message>
@@ -10541,15 +10541,15 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         </translation>
     </message>
     <message>
-        <source>There are no waypoints to export.</source>
-        <translation>Il n’y a pas de points à exporter.</translation>
+        <source>The project contains no waypoints to export. Teach a waypoint first.</source>
+        <translation>Le projet ne contient pas de points de passage à exporter. Apprenez d’abord un point de passage.</translation>
     </message>
     <message>
         <source>Export failed</source>
         <translation>Échec de l’exportation</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written to %1</source>
+        <source>%n waypoints exported to %1</source>
         <translation>
             <numerusform>%n point écrit dans %1</numerusform>
             <numerusform>%n points écrits dans %1</numerusform>
@@ -10585,8 +10585,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Échec du collage</translation>
     </message>
     <message>
-        <source>There are no waypoints on the clipboard.</source>
-        <translation>Il n’y a pas de points de passage dans le presse-papiers.</translation>
+        <source>The clipboard contains no waypoints. Copy waypoints first.</source>
+        <translation>Le presse-papiers ne contient pas de points de passage. Copiez d’abord des points de passage.</translation>
     </message>
     <message>
         <source>waypoint</source>
@@ -10691,8 +10691,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Actions : modifiées</translation>
     </message>
     <message>
-        <source>Not changed since it was taught.</source>
-        <translation>Non modifié depuis son apprentissage.</translation>
+        <source>No changes have been recorded for this waypoint.</source>
+        <translation>Aucune modification n’a été enregistrée pour ce point de passage.</translation>
     </message>
     <message>
         <source>The version before this change is identical to the current version.</source>
@@ -10822,8 +10822,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Utiliser les positions articulaires pour « %1 »</translation>
     </message>
     <message>
-        <source>There is no frame “%1” in this project.</source>
-        <translation>Il n’y a pas de repère « %1 » dans ce projet.</translation>
+        <source>The project has no frame named “%1”. Choose another frame.</source>
+        <translation>Le projet n’a pas de repère « %1 ». Choisissez un autre repère.</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -11003,7 +11003,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         </translation>
     </message>
     <message>
-        <source>Type of transformation</source>
+        <source>Transformation type</source>
         <translation>Type de transformation</translation>
     </message>
     <message>
@@ -11039,8 +11039,12 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Mouvement</translation>
     </message>
     <message>
-        <source>By X, Y, Z</source>
-        <translation>De X, Y, Z</translation>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Offset X, Y, Z</source>
+        <translation>Décalage X, Y, Z</translation>
     </message>
     <message>
         <source>Offset %1</source>
@@ -11055,12 +11059,12 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Angle</translation>
     </message>
     <message>
-        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
-        <translation>Le bras ne peut pas atteindre ces points de passage après le déplacement : %1. Choisissez un déplacement ou une rotation plus petits. Aucun point de passage ne sera déplacé.</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
+        <translation>Le bras ne peut pas atteindre ces points de passage après le déplacement : %1. Choisissez un autre décalage, une autre rotation ou un autre plan de symétrie. Aucun point de passage ne sera déplacé.</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another frame.</source>
-        <translation>Un repère manque. Choisissez-en un autre.</translation>
+        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
+        <translation>Le repère d’un point de passage sélectionné n’est pas dans le projet. Choisissez d’abord un autre repère pour ce point.</translation>
     </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
@@ -11074,7 +11078,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Symétrie par rapport au plan passant par l’origine et perpendiculaire à l’axe. L’outil approche du côté symétrique.</translation>
     </message>
     <message>
-        <source>All remain within reach.</source>
+        <source>All waypoints remain within reach.</source>
         <translation>Tous restent à portée.</translation>
     </message>
 </context>
@@ -11122,7 +11126,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Les données du robot ne sont pas à jour. Attendez de nouvelles données.</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
@@ -11242,7 +11246,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Convertir le motif en points de passage</translation>
     </message>
     <message>
-        <source>Delete the pattern and its waypoints</source>
+        <source>Delete pattern and its waypoints</source>
         <translation>Supprimer le motif et ses points</translation>
     </message>
     <message>

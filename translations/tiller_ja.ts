@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <source>No gripper is configured for this robot. Select a gripper under I/O &gt; Gripper.</source>
         <translation>このロボットにはグリッパーが設定されていません。「I/O &gt; グリッパー」で選択してください。</translation>
     </message>
     <message>
@@ -20,8 +20,8 @@
         <translation>%1が%2 s以内にオフになりませんでした。接続されている機器を確認し、もう一度試してください。</translation>
     </message>
     <message>
-        <source>%1 was not completed. %2</source>
-        <translation>%1は完了しませんでした。%2</translation>
+        <source>The action “%1” was not completed. %2</source>
+        <translation>動作「%1」は完了しませんでした。%2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
@@ -4550,7 +4550,7 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <source>“Run route (hold)” runs these actions in order at the waypoint while the button is held.</source>
         <translation>「ルート」でウェイポイントに着くと、ボタンを押している間、この順に実行されます。</translation>
     </message>
     <message>
@@ -4610,8 +4610,8 @@
         <translation>オンかオフか</translation>
     </message>
     <message>
-        <source>Seconds</source>
-        <translation>秒</translation>
+        <source>Duration</source>
+        <translation>時間</translation>
     </message>
     <message>
         <source>off</source>
@@ -4622,11 +4622,11 @@
         <translation>オン</translation>
     </message>
     <message>
-        <source>Timeout in seconds</source>
-        <translation>タイムアウト（秒）</translation>
+        <source>Timeout</source>
+        <translation>タイムアウト</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>この時間を過ぎると待機は失敗し、メッセージを表示します。0：ボタンを押している間、最大 1 時間待ちます。</translation>
     </message>
 </context>
@@ -4779,7 +4779,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>ロボットのデータが古くなっています。新しいデータを待ってください。</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>ロボットが接続されていません。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
@@ -5547,7 +5547,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
@@ -5690,7 +5690,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>すべて</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <source>After the last waypoint, continues with the first waypoint while the button is held</source>
         <translation>ボタンを押している間、最後のウェイポイントの後に最初から繰り返します</translation>
     </message>
     <message>
@@ -6902,7 +6902,7 @@ Right-click or press F2 to rename it.</source>
         <translation>CSV から経路を取り込む…</translation>
     </message>
     <message>
-        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
+        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
         <translation>経路の記録が終了しました：データが途絶えたか、10 分の上限に達しました。</translation>
     </message>
     <message>
@@ -6918,15 +6918,15 @@ Right-click or press F2 to rename it.</source>
         <translation>経路を簡略化しています…</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>ロボットからデータが来ません：記録するものがありません。</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>ロボットからデータが来ないため、経路を記録できません。データを待つか、ロボットを接続してください。</translation>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
         <translation>記録を停止し、経路をウェイポイントとして保存します</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. Recording does not move the robot.</source>
         <translation>フリードライブやジョグでのアームの経路を記録し、ウェイポイントとして保存します。もう一度押すと終了します。ロボットは動きません。</translation>
     </message>
     <message>
@@ -6946,7 +6946,7 @@ Right-click or press F2 to rename it.</source>
         <translation>経路はエクスポートされませんでした。</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written as a path to %1</source>
+        <source>%n waypoints exported as a path to %1</source>
         <translation>
             <numerusform>%n 個のウェイポイントを経路として %1 に書きました</numerusform>
         </translation>
@@ -6960,8 +6960,8 @@ Right-click or press F2 to rename it.</source>
         <translation>○ 経路</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
-        <translation>アームの経路を記録しています。終了するには経路記録の停止を選択してください。</translation>
+        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <translation>アームの経路を記録しています。終了するには「● REC」を押すか、メニューで経路記録の停止を選択してください。</translation>
     </message>
 </context>
 <context>
@@ -6971,12 +6971,12 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 に列「%2」がありません。timestamp と actual_q_0〜actual_q_5 が必要です。</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>ロボットからデータが来ません：記録するものがありません。</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>ロボットからデータが来ないため、経路を記録できません。データを待つか、ロボットを接続してください。</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop recording first.</source>
-        <translation>読み込みませんでした：経路を記録中です。先に記録を停止してください。</translation>
+        <source>Import refused because another path is being recorded or processed. Stop the recording, or wait, and try again.</source>
+        <translation>別の経路を記録中または処理中のため、読み込みませんでした。記録を停止するか、完了を待ってから再試行してください。</translation>
     </message>
     <message>
         <source>The path could not be imported.</source>
@@ -7009,7 +7009,7 @@ Right-click or press F2 to rename it.</source>
         <translation>経路のウェイポイントを二つ以上選んでください。</translation>
     </message>
     <message>
-        <source>“%1” is out of reach. Touch it up, or remove it.</source>
+        <source>“%1” is out of reach. Touch up or delete the waypoint.</source>
         <translation>「%1」に到達できません。修正教示するか、除いてください。</translation>
     </message>
 </context>
@@ -7044,11 +7044,11 @@ Right-click or press F2 to rename it.</source>
         <translation>最後の行の先頭</translation>
     </message>
     <message>
-        <source>select a waypoint</source>
+        <source>Select a waypoint</source>
         <translation>ウェイポイントを選択</translation>
     </message>
     <message>
-        <source>as taught</source>
+        <source>As taught</source>
         <translation>教示どおり</translation>
     </message>
     <message>
@@ -7068,7 +7068,7 @@ Right-click or press F2 to rename it.</source>
         <translation>層の高さ</translation>
     </message>
     <message>
-        <source>Distance between layers, opposite to the tool direction.</source>
+        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
         <translation>層の間の距離。ツールの方向と逆向きです。</translation>
     </message>
     <message>
@@ -7108,20 +7108,20 @@ Right-click or press F2 to rename it.</source>
         <translation>二つの隅が同じ位置です。一方に別のウェイポイントを選んでください。</translation>
     </message>
     <message>
-        <source>Invalid layer height.</source>
-        <translation>層の高さが無効です。</translation>
+        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
+        <translation>層の高さが数値でないか、範囲外です。別の値を入力してください。</translation>
     </message>
     <message>
-        <source>Enter a layer height.</source>
-        <translation>層の高さを入力してください。</translation>
+        <source>The layer height must not be 0. Enter a layer height.</source>
+        <translation>層の高さは 0 にできません。層の高さを入力してください。</translation>
     </message>
     <message>
-        <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>パターンのセルは %1 個です。上限は %2 個です。</translation>
+        <source>The pattern has %1 cells; the maximum is %2. Enter fewer cells per row, rows or layers.</source>
+        <translation>パターンのセルは %1 個です。上限は %2 個です。1 行あたりのセル数、行数または層数を減らしてください。</translation>
     </message>
     <message>
-        <source>All cells are excluded.</source>
-        <translation>すべてのセルが除外されています。</translation>
+        <source>All cells are excluded. Click a cell to include it.</source>
+        <translation>すべてのセルが除外されています。セルをクリックして含めてください。</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -7130,7 +7130,7 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All are within reach.</source>
+        <source>%1 All cells are within reach.</source>
         <translation>%1 すべて到達可能です。</translation>
     </message>
     <message>
@@ -7155,8 +7155,8 @@ Right-click or press F2 to rename it.</source>
         <translation>パターンのセル</translation>
     </message>
     <message>
-        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>セルをクリックすると除外／復帰します。最初の隅は左下です。</translation>
+        <source>Click a cell to exclude or include it. The first cell is at the lower left.</source>
+        <translation>セルをクリックすると除外または追加できます。最初のセルは左下です。</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -7407,7 +7407,7 @@ Right-click or press F2 to rename it.</source>
         <translation>ペイロード「%1」を変更</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
@@ -8327,7 +8327,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
@@ -9547,19 +9547,19 @@ Release the button to stop the arm.</source>
         <translation>ルートにウェイポイントがありません。先に教示するか選択してください。</translation>
     </message>
     <message>
-        <source>This is the first waypoint.</source>
-        <translation>最初のウェイポイントです。</translation>
+        <source>The first waypoint of the route has no previous waypoint.</source>
+        <translation>ルートの最初のウェイポイントには、前のウェイポイントがありません。</translation>
     </message>
     <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>ルートのウェイポイントがプロジェクトから削除されました。</translation>
+        <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
+        <translation>ルートのウェイポイントがプロジェクトから削除されました。ルートのウェイポイントを選び直してください。</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
         <translation>「%1」：%2</translation>
     </message>
     <message>
-        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>繰り返しには 2 つ以上のウェイポイントが必要です。ウェイポイントを追加で選択するか、繰り返しをオフにしてください。</translation>
     </message>
 </context>
@@ -10068,7 +10068,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>TCP「%1」を追加</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
@@ -10356,7 +10356,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>座標系</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
         <translation>ウェイポイントの基準座標系。空間での位置は変わりません。「—」：座標系なし、関節位置が優先</translation>
     </message>
     <message numerus="yes">
@@ -10386,7 +10386,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>「%1」の隅</translation>
     </message>
     <message>
-        <source>home, “%1”</source>
+        <source>home position “%1”</source>
         <translation>ホーム、「%1」</translation>
     </message>
     <message>
@@ -10449,7 +10449,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>パターン「%1」をウェイポイントに変換</translation>
     </message>
     <message>
-        <source>Select a cell of a pattern.</source>
+        <source>Select a waypoint that belongs to a pattern.</source>
         <translation>パターンのセルを選んでください。</translation>
     </message>
     <message>
@@ -10461,8 +10461,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>履歴を見るウェイポイントを選んでください。</translation>
     </message>
     <message>
-        <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>以前の版の座標系はプロジェクトから削除されています。</translation>
+        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
+        <translation>以前の版の座標系がプロジェクトから削除されているため、復元できません。</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -10473,7 +10473,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>ウェイポイントを取り込む</translation>
     </message>
     <message>
-        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <source>Waypoint files (*.csv *.txt *.json *.tiller);;All files (*)</source>
         <translation>ウェイポイント (*.csv *.txt *.json *.tiller);;すべてのファイル (*)</translation>
     </message>
     <message>
@@ -10489,15 +10489,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>インポートに失敗しました</translation>
     </message>
     <message>
-        <source>%1 is too large for a waypoint file.</source>
-        <translation>%1 はウェイポイントの一覧としては大きすぎます。</translation>
+        <source>%1 is too large. The maximum size of a waypoint file is 64 MB.</source>
+        <translation>%1 は大きすぎます。ウェイポイントファイルの上限は 64 MB です。</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>There are no waypoints in %1.</source>
+        <source>%1 contains no waypoints.</source>
         <translation>%1 にウェイポイントがありません。</translation>
     </message>
     <message>
@@ -10511,15 +10511,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         </translation>
     </message>
     <message>
-        <source>There are no waypoints to export.</source>
-        <translation>エクスポートするウェイポイントがありません。</translation>
+        <source>The project contains no waypoints to export. Teach a waypoint first.</source>
+        <translation>エクスポートするウェイポイントがプロジェクトにありません。先にウェイポイントを教示してください。</translation>
     </message>
     <message>
         <source>Export failed</source>
         <translation>エクスポートに失敗しました</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written to %1</source>
+        <source>%n waypoints exported to %1</source>
         <translation>
             <numerusform>%n 個のウェイポイントを %1 に書きました</numerusform>
         </translation>
@@ -10552,8 +10552,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>貼り付けに失敗しました</translation>
     </message>
     <message>
-        <source>There are no waypoints on the clipboard.</source>
-        <translation>クリップボードにウェイポイントがありません。</translation>
+        <source>The clipboard contains no waypoints. Copy waypoints first.</source>
+        <translation>クリップボードにウェイポイントがありません。先にウェイポイントをコピーしてください。</translation>
     </message>
     <message>
         <source>waypoint</source>
@@ -10657,8 +10657,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>アクション：変更</translation>
     </message>
     <message>
-        <source>Not changed since it was taught.</source>
-        <translation>教示以来変更されていません。</translation>
+        <source>No changes have been recorded for this waypoint.</source>
+        <translation>このウェイポイントの変更履歴はありません。</translation>
     </message>
     <message>
         <source>The version before this change is identical to the current version.</source>
@@ -10788,8 +10788,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>「%1」に関節位置を使う</translation>
     </message>
     <message>
-        <source>There is no frame “%1” in this project.</source>
-        <translation>このプロジェクトに座標系「%1」はありません。</translation>
+        <source>The project has no frame named “%1”. Choose another frame.</source>
+        <translation>プロジェクトに座標系「%1」がありません。別の座標系を選んでください。</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -10965,7 +10965,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         </translation>
     </message>
     <message>
-        <source>Type of transformation</source>
+        <source>Transformation type</source>
         <translation>変換の種類</translation>
     </message>
     <message>
@@ -11001,8 +11001,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>移動</translation>
     </message>
     <message>
-        <source>By X, Y, Z</source>
-        <translation>X、Y、Z だけ</translation>
+        <source>Type</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>Offset X, Y, Z</source>
+        <translation>オフセット X、Y、Z</translation>
     </message>
     <message>
         <source>Offset %1</source>
@@ -11017,12 +11021,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
-        <translation>移動後、アームは次のウェイポイントに到達できません：%1。移動量または回転を小さくしてください。ウェイポイントは移動しません。</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
+        <translation>移動後、アームは次のウェイポイントに到達できません：%1。別のオフセット、回転または鏡映面を選んでください。ウェイポイントは移動しません。</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another frame.</source>
-        <translation>座標系がありません。別のものを選んでください。</translation>
+        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
+        <translation>選択したウェイポイントの座標系がプロジェクトにありません。先にウェイポイントの座標系を変更してください。</translation>
     </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
@@ -11035,7 +11039,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>原点を通り軸に垂直な平面で鏡像にします。ツールは鏡像側から近づきます。</translation>
     </message>
     <message>
-        <source>All remain within reach.</source>
+        <source>All waypoints remain within reach.</source>
         <translation>すべて到達可能です。</translation>
     </message>
 </context>
@@ -11083,7 +11087,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>ロボットのデータが古いです。届くまで待ってください。</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
@@ -11203,7 +11207,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>パターンをウェイポイントに変換</translation>
     </message>
     <message>
-        <source>Delete the pattern and its waypoints</source>
+        <source>Delete pattern and its waypoints</source>
         <translation>パターンとそのウェイポイントを削除</translation>
     </message>
     <message>

@@ -4,7 +4,7 @@
 <context>
     <name>ActionStep</name>
     <message>
-        <source>No gripper is configured for this robot. Select it under I/O &gt; Gripper.</source>
+        <source>No gripper is configured for this robot. Select a gripper under I/O &gt; Gripper.</source>
         <translation>此机器人未配置夹爪。请在“I/O &gt; 夹爪”中选择。</translation>
     </message>
     <message>
@@ -20,8 +20,8 @@
         <translation>%1 未在 %2 s 内断开。请检查所连接的设备，然后重试。</translation>
     </message>
     <message>
-        <source>%1 was not completed. %2</source>
-        <translation>未执行 %1。%2</translation>
+        <source>The action “%1” was not completed. %2</source>
+        <translation>动作“%1”未完成。%2</translation>
     </message>
     <message>
         <source>The gripper did not stop moving within %1 s. Check the gripper, then try again.</source>
@@ -4550,7 +4550,7 @@
         </translation>
     </message>
     <message>
-        <source>Actions run in this order when “Run route” reaches the waypoint and its button is held.</source>
+        <source>“Run route (hold)” runs these actions in order at the waypoint while the button is held.</source>
         <translation>“运行路线”到达路点时，在按住按钮期间按此顺序执行动作。</translation>
     </message>
     <message>
@@ -4610,8 +4610,8 @@
         <translation>接通或断开</translation>
     </message>
     <message>
-        <source>Seconds</source>
-        <translation>秒</translation>
+        <source>Duration</source>
+        <translation>时长</translation>
     </message>
     <message>
         <source>off</source>
@@ -4622,11 +4622,11 @@
         <translation>开</translation>
     </message>
     <message>
-        <source>Timeout in seconds</source>
-        <translation>超时（秒）</translation>
+        <source>Timeout</source>
+        <translation>超时</translation>
     </message>
     <message>
-        <source>After this time, the wait fails with a message. With 0, it waits while the button is held, up to one hour.</source>
+        <source>After this time, the action fails with a message. With 0, the action waits while the button is held, up to one hour.</source>
         <translation>超过此时间则等待失败并显示消息。0：按住按钮期间等待，最长一小时。</translation>
     </message>
 </context>
@@ -4779,7 +4779,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>机器人数据已过时。请等待新数据。</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>未连接机器人。请连接机器人或试用模拟器。</translation>
     </message>
     <message>
@@ -5547,7 +5547,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>机器人数据已过时。请等待新数据。</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
@@ -5690,7 +5690,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>全部</translation>
     </message>
     <message>
-        <source>Restarts at the first waypoint after the last one while the button is held</source>
+        <source>After the last waypoint, continues with the first waypoint while the button is held</source>
         <translation>按住按钮期间，到达最后一个路点后从第一个重新开始</translation>
     </message>
     <message>
@@ -6902,7 +6902,7 @@ Right-click or press F2 to rename it.</source>
         <translation>从 CSV 导入路径…</translation>
     </message>
     <message>
-        <source>Path recording stopped: no more data, or the limit of ten minutes was reached.</source>
+        <source>Path recording stopped because no more data arrived or the limit of ten minutes was reached.</source>
         <translation>路径录制已停止：数据中断，或已达到十分钟的上限。</translation>
     </message>
     <message>
@@ -6918,15 +6918,15 @@ Right-click or press F2 to rename it.</source>
         <translation>正在简化路径…</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>没有来自机器人的数据：没有可录制的内容。</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>机器人未发送数据，无法录制路径。请等待数据，或连接机器人。</translation>
     </message>
     <message>
         <source>Stops recording and stores the path as waypoints</source>
         <translation>停止录制并将路径保存为路点</translation>
     </message>
     <message>
-        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. The robot does not move.</source>
+        <source>Records the path of the arm during Freedrive or jogging and stores it as waypoints. Press again to stop. Recording does not move the robot.</source>
         <translation>录制机械臂在自由驱动或点动时的路径，并保存为路点。再次按下可停止。机器人不移动。</translation>
     </message>
     <message>
@@ -6946,7 +6946,7 @@ Right-click or press F2 to rename it.</source>
         <translation>路径未导出。</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written as a path to %1</source>
+        <source>%n waypoints exported as a path to %1</source>
         <translation>
             <numerusform>%n 个路点已作为路径写入 %1</numerusform>
         </translation>
@@ -6960,8 +6960,8 @@ Right-click or press F2 to rename it.</source>
         <translation>○ 路径</translation>
     </message>
     <message>
-        <source>The path of the arm is being recorded. Press “Stop recording path” to end the recording.</source>
-        <translation>正在记录机械臂的路径。选择停止记录路径以结束。</translation>
+        <source>The path of the arm is being recorded. Press the “● REC” button, or select “Stop recording path” in the menu.</source>
+        <translation>正在记录机械臂的路径。按“● REC”，或在菜单中选择停止记录路径以结束。</translation>
     </message>
 </context>
 <context>
@@ -6971,12 +6971,12 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 没有列“%2”。需要 timestamp 和 actual_q_0 至 actual_q_5。</translation>
     </message>
     <message>
-        <source>The robot sends no data: nothing to record.</source>
-        <translation>没有来自机器人的数据：没有可录制的内容。</translation>
+        <source>No path can be recorded because the robot is not sending data. Wait for data, or connect a robot.</source>
+        <translation>机器人未发送数据，无法录制路径。请等待数据，或连接机器人。</translation>
     </message>
     <message>
-        <source>Import refused: a path is being recorded. Stop recording first.</source>
-        <translation>拒绝导入：正在录制路径。请先停止录制。</translation>
+        <source>Import refused because another path is being recorded or processed. Stop the recording, or wait, and try again.</source>
+        <translation>拒绝导入：正在录制或处理另一条路径。请停止录制或等待，然后重试。</translation>
     </message>
     <message>
         <source>The path could not be imported.</source>
@@ -7009,7 +7009,7 @@ Right-click or press F2 to rename it.</source>
         <translation>选择路径的路点，至少两个。</translation>
     </message>
     <message>
-        <source>“%1” is out of reach. Touch it up, or remove it.</source>
+        <source>“%1” is out of reach. Touch up or delete the waypoint.</source>
         <translation>“%1”不可达。请修正示教或移除。</translation>
     </message>
 </context>
@@ -7044,11 +7044,11 @@ Right-click or press F2 to rename it.</source>
         <translation>最后一行起点</translation>
     </message>
     <message>
-        <source>select a waypoint</source>
+        <source>Select a waypoint</source>
         <translation>选择路点</translation>
     </message>
     <message>
-        <source>as taught</source>
+        <source>As taught</source>
         <translation>按示教</translation>
     </message>
     <message>
@@ -7068,7 +7068,7 @@ Right-click or press F2 to rename it.</source>
         <translation>层高</translation>
     </message>
     <message>
-        <source>Distance between layers, opposite to the tool direction.</source>
+        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
         <translation>层间距离，方向与工具方向相反。</translation>
     </message>
     <message>
@@ -7108,20 +7108,20 @@ Right-click or press F2 to rename it.</source>
         <translation>两个角是同一位置。请为其中一个选择另一路点。</translation>
     </message>
     <message>
-        <source>Invalid layer height.</source>
-        <translation>层高无效。</translation>
+        <source>The layer height is not a number or is out of range. Enter another layer height.</source>
+        <translation>层高不是数字或超出范围。请输入其他层高。</translation>
     </message>
     <message>
-        <source>Enter a layer height.</source>
-        <translation>请输入层高。</translation>
+        <source>The layer height must not be 0. Enter a layer height.</source>
+        <translation>层高不能为 0。请输入层高。</translation>
     </message>
     <message>
-        <source>The pattern has %1 cells; the maximum is %2.</source>
-        <translation>阵列有 %1 个格位；上限为 %2。</translation>
+        <source>The pattern has %1 cells; the maximum is %2. Enter fewer cells per row, rows or layers.</source>
+        <translation>阵列有 %1 个格位；上限为 %2。请减少每行格位数、行数或层数。</translation>
     </message>
     <message>
-        <source>All cells are excluded.</source>
-        <translation>所有格位均已排除。</translation>
+        <source>All cells are excluded. Click a cell to include it.</source>
+        <translation>所有格位均已排除。请单击一个格位以包含它。</translation>
     </message>
     <message numerus="yes">
         <source>%n waypoints.</source>
@@ -7130,7 +7130,7 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>%1 All are within reach.</source>
+        <source>%1 All cells are within reach.</source>
         <translation>%1 全部可达。</translation>
     </message>
     <message>
@@ -7155,8 +7155,8 @@ Right-click or press F2 to rename it.</source>
         <translation>阵列的格位</translation>
     </message>
     <message>
-        <source>Click a cell to exclude or include it. The first corner is at the lower left.</source>
-        <translation>点击格位可排除或包含它。第一个角在左下。</translation>
+        <source>Click a cell to exclude or include it. The first cell is at the lower left.</source>
+        <translation>单击格位以排除或包含。第一个格位位于左下角。</translation>
     </message>
     <message>
         <source>Row %1, column %2</source>
@@ -7407,7 +7407,7 @@ Right-click or press F2 to rename it.</source>
         <translation>更改有效负载“%1”</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
@@ -8327,7 +8327,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>机器人数据已过时。请等待新数据。</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
@@ -9547,19 +9547,19 @@ Release the button to stop the arm.</source>
         <translation>路线中没有路点。请先示教或选择路点。</translation>
     </message>
     <message>
-        <source>This is the first waypoint.</source>
-        <translation>这是第一个路点。</translation>
+        <source>The first waypoint of the route has no previous waypoint.</source>
+        <translation>路线的第一个路点没有上一个路点。</translation>
     </message>
     <message>
-        <source>A waypoint of the route was deleted from the project.</source>
-        <translation>路线中的某个路点已不在此项目中。</translation>
+        <source>A waypoint of the route was deleted from the project. Select the waypoints of the route again.</source>
+        <translation>路线中的某个路点已不在此项目中。请重新选择路线的路点。</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
         <translation>“%1”：%2</translation>
     </message>
     <message>
-        <source>A loop requires at least two waypoints. Select more waypoints, or turn the loop off.</source>
+        <source>A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.</source>
         <translation>循环至少需要两个路点。请选择更多路点，或关闭循环。</translation>
     </message>
 </context>
@@ -10068,7 +10068,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>添加 TCP“%1”</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
@@ -10356,7 +10356,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>坐标系</translation>
     </message>
     <message>
-        <source>Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint positions have priority</source>
+        <source>Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; joint positions have priority.</source>
         <translation>路点的参考坐标系。空间位置不变。“—”：无坐标系，以关节位置为准</translation>
     </message>
     <message numerus="yes">
@@ -10386,7 +10386,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>“%1”的角</translation>
     </message>
     <message>
-        <source>home, “%1”</source>
+        <source>home position “%1”</source>
         <translation>原位，“%1”</translation>
     </message>
     <message>
@@ -10449,7 +10449,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>将阵列“%1”转换为路点</translation>
     </message>
     <message>
-        <source>Select a cell of a pattern.</source>
+        <source>Select a waypoint that belongs to a pattern.</source>
         <translation>选择阵列的一个格位。</translation>
     </message>
     <message>
@@ -10461,8 +10461,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>选择路点以查看其历史。</translation>
     </message>
     <message>
-        <source>The frame of the earlier version was deleted from the project.</source>
-        <translation>早期版本的坐标系已从项目中删除。</translation>
+        <source>The earlier version cannot be restored because its frame was deleted from the project.</source>
+        <translation>无法恢复早期版本，因为其坐标系已从项目中删除。</translation>
     </message>
     <message>
         <source>Restore an earlier version of “%1”</source>
@@ -10473,7 +10473,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>导入路点</translation>
     </message>
     <message>
-        <source>Waypoints (*.csv *.txt *.json *.tiller);;All files (*)</source>
+        <source>Waypoint files (*.csv *.txt *.json *.tiller);;All files (*)</source>
         <translation>路点 (*.csv *.txt *.json *.tiller);;所有文件 (*)</translation>
     </message>
     <message>
@@ -10489,15 +10489,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>没有导入任何内容</translation>
     </message>
     <message>
-        <source>%1 is too large for a waypoint file.</source>
-        <translation>%1 过大，不是路点文件。</translation>
+        <source>%1 is too large. The maximum size of a waypoint file is 64 MB.</source>
+        <translation>%1 过大。路点文件的上限为 64 MB。</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>There are no waypoints in %1.</source>
+        <source>%1 contains no waypoints.</source>
         <translation>%1 中没有路点。</translation>
     </message>
     <message>
@@ -10511,15 +10511,15 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         </translation>
     </message>
     <message>
-        <source>There are no waypoints to export.</source>
-        <translation>没有可导出的路点。</translation>
+        <source>The project contains no waypoints to export. Teach a waypoint first.</source>
+        <translation>项目中没有可导出的路点。请先示教路点。</translation>
     </message>
     <message>
         <source>Export failed</source>
         <translation>没有导出任何内容</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints written to %1</source>
+        <source>%n waypoints exported to %1</source>
         <translation>
             <numerusform>%n 个路点已写入 %1</numerusform>
         </translation>
@@ -10552,8 +10552,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>没有粘贴任何内容</translation>
     </message>
     <message>
-        <source>There are no waypoints on the clipboard.</source>
-        <translation>剪贴板上没有路点。</translation>
+        <source>The clipboard contains no waypoints. Copy waypoints first.</source>
+        <translation>剪贴板上没有路点。请先复制路点。</translation>
     </message>
     <message>
         <source>waypoint</source>
@@ -10657,8 +10657,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>动作：与现在不同</translation>
     </message>
     <message>
-        <source>Not changed since it was taught.</source>
-        <translation>示教以来没有更改。</translation>
+        <source>No changes have been recorded for this waypoint.</source>
+        <translation>此路点没有更改记录。</translation>
     </message>
     <message>
         <source>The version before this change is identical to the current version.</source>
@@ -10788,8 +10788,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>对“%1”使用关节位置</translation>
     </message>
     <message>
-        <source>There is no frame “%1” in this project.</source>
-        <translation>此项目中没有坐标系“%1”。</translation>
+        <source>The project has no frame named “%1”. Choose another frame.</source>
+        <translation>此项目中没有坐标系“%1”。请选择其他坐标系。</translation>
     </message>
     <message>
         <source>Change the frame of “%1” to %2</source>
@@ -10965,7 +10965,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         </translation>
     </message>
     <message>
-        <source>Type of transformation</source>
+        <source>Transformation type</source>
         <translation>变换类型</translation>
     </message>
     <message>
@@ -11001,8 +11001,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>移动</translation>
     </message>
     <message>
-        <source>By X, Y, Z</source>
-        <translation>按 X、Y、Z</translation>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Offset X, Y, Z</source>
+        <translation>偏移 X、Y、Z</translation>
     </message>
     <message>
         <source>Offset %1</source>
@@ -11017,12 +11021,12 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>角度</translation>
     </message>
     <message>
-        <source>The arm cannot reach these waypoints after the move: %1. Choose a smaller shift or rotation. No waypoint will be moved.</source>
-        <translation>移动后机械臂无法到达这些路点：%1。请选择较小的平移或旋转。不会移动任何路点。</translation>
+        <source>The arm cannot reach these waypoints after the move: %1. Choose a different offset, rotation or mirror plane. No waypoint will be moved.</source>
+        <translation>移动后机械臂无法到达这些路点：%1。请选择其他偏移、旋转或镜像平面。不会移动任何路点。</translation>
     </message>
     <message>
-        <source>A frame is missing. Choose another frame.</source>
-        <translation>缺少坐标系。请选择另一个。</translation>
+        <source>The frame of a selected waypoint is not in the project. Choose another frame for the waypoint first.</source>
+        <translation>所选路点的坐标系不在此项目中。请先为该路点选择其他坐标系。</translation>
     </message>
     <message numerus="yes">
         <source>%n of the moved waypoints will be out of reach. They will be kept and marked.</source>
@@ -11035,7 +11039,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>以过原点并垂直于该轴的平面镜像。工具从镜像一侧接近。</translation>
     </message>
     <message>
-        <source>All remain within reach.</source>
+        <source>All waypoints remain within reach.</source>
         <translation>全部仍可达。</translation>
     </message>
 </context>
@@ -11083,7 +11087,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>机器人数据已过时。请等待新数据。</translation>
     </message>
     <message>
-        <source>No robot is connected. Connect one, or try the simulator.</source>
+        <source>No robot is connected. Connect a robot, or try the simulator.</source>
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
@@ -11203,7 +11207,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>将阵列转换为路点</translation>
     </message>
     <message>
-        <source>Delete the pattern and its waypoints</source>
+        <source>Delete pattern and its waypoints</source>
         <translation>删除阵列及其路点</translation>
     </message>
     <message>

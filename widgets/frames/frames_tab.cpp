@@ -224,7 +224,7 @@ QString FramesTab::teachObstacle() const {
         return {};
     }
     return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
-                            : tr("No robot is connected. Connect one, or try the simulator.");
+                            : tr("No robot is connected. Connect a robot, or try the simulator.");
 }
 
 void FramesTab::updateAvailability() {

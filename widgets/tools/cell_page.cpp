@@ -384,7 +384,7 @@ QString CellPage::obstacle() const {
         return {};
     }
     return state_.hasData() ? CellPage::tr("Robot data are out of date. Wait for new data.")
-                            : CellPage::tr("No robot is connected. Connect one, or try the simulator.");
+                            : CellPage::tr("No robot is connected. Connect a robot, or try the simulator.");
 }
 
 bool CellPage::refusedWithoutData() {

@@ -207,7 +207,7 @@ void PayloadPage::storeValue(int figure) {
 
 void PayloadPage::addFromRobot() {
     if (!state_.hasData()) {
-        showProblem(tr("No robot is connected. Connect one, or try the simulator."));
+        showProblem(tr("No robot is connected. Connect a robot, or try the simulator."));
         return;
     }
     project::Payload payload;
@@ -267,7 +267,7 @@ void PayloadPage::setState(const SessionState& state) {
 
 void PayloadPage::checkTruth() {
     if (!state_.hasData()) {
-        showProblem(tr("No robot is connected. Connect one, or try the simulator."));
+        showProblem(tr("No robot is connected. Connect a robot, or try the simulator."));
         return;
     }
     mean_.begin();

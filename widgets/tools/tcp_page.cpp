@@ -156,7 +156,7 @@ void TcpPage::change(const project::Tool& tool, const QString& text) {
 
 void TcpPage::addFromRobot() {
     if (!state_.hasData()) {
-        showProblem(tr("No robot is connected. Connect one, or try the simulator."));
+        showProblem(tr("No robot is connected. Connect a robot, or try the simulator."));
         return;
     }
     for (const project::Tool& tool : document_.tooling().tools) {

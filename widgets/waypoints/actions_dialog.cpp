@@ -43,7 +43,7 @@ ActionsDialog::ActionsDialog(const std::vector<project::Waypoint>& waypoints, QW
     setWindowTitle(count == 1 ? tr("Actions at “%1”").arg(waypoints.front().name)
                               : tr("Actions at %n waypoints", nullptr, count));
     auto* what = new QLabel(
-        tr("Actions run in this order when “Run route” reaches the waypoint and its button is held."));
+        tr("“Run route (hold)” runs these actions in order at the waypoint while the button is held."));
     what->setProperty("role", "secondary");
     what->setWordWrap(true);
     const bool differ =
@@ -114,7 +114,7 @@ QWidget* ActionsDialog::buildFields() {
     name(kind_, "kind", tr("Action"));
     name(pin_, "pin", tr("Terminal"));
     name(value_, "value", tr("On or off"));
-    name(seconds_, "seconds", tr("Seconds"));
+    name(seconds_, "seconds", tr("Duration"));
     kind_->addItems(ActionWords::kinds());
     value_->addItems({tr("off"), tr("on")});
     for (ChoiceBox* box : {kind_, pin_, value_}) {
@@ -129,7 +129,7 @@ QWidget* ActionsDialog::buildFields() {
     kindText_ = labelFor(tr("Action"), kind_);
     pinText_ = labelFor(tr("Terminal"), pin_);
     valueText_ = labelFor(tr("On or off"), value_);
-    secondsText_ = labelFor(tr("Seconds"), seconds_);
+    secondsText_ = labelFor(tr("Duration"), seconds_);
     auto* fields = new QWidget;
     auto* grid = new QGridLayout(fields);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -251,11 +251,10 @@ void ActionsDialog::refresh() {
         part->setVisible(any && action.usesTime());
     }
     const bool isLimit = kindOf(action).time == project::WaypointActionKind::Time::Limit;
-    secondsText_->setText(isLimit ? tr("Timeout in seconds") : tr("Seconds"));
-    seconds_->setToolTip(isLimit
-                             ? tr("After this time, the wait fails with a message. With 0, it waits while "
-                                  "the button is held, up to one hour.")
-                             : QString());
+    secondsText_->setText(isLimit ? tr("Timeout") : tr("Duration"));
+    seconds_->setToolTip(isLimit ? tr("After this time, the action fails with a message. With 0, the action "
+                                      "waits while the button is held, up to one hour.")
+                                 : QString());
     if (any) {
         kind_->setCurrentIndex(static_cast<int>(action.kind));
         listPins();

@@ -57,7 +57,8 @@ GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actio
     layout->addWidget(scope_);
     loop_->setObjectName(QStringLiteral("waypoint.routeLoop"));
     loop_->setAccessibleName(tr("Loop"));
-    loop_->setToolTip(tr("Restarts at the first waypoint after the last one while the button is held"));
+    loop_->setToolTip(
+        tr("After the last waypoint, continues with the first waypoint while the button is held"));
     layout->addWidget(loop_);
     connect(scope_, &QComboBox::currentIndexChanged, this, [this] {
         stop(control::StopCause::SelectionChanged);

@@ -66,7 +66,8 @@ PathControls::PathControls(RobotSession& session, ProjectDocument& document, Sel
     connect(&recorder_, &PathRecorder::refused, this, &PathControls::refused);
     connect(&recorder_, &PathRecorder::ended, this, [this] {
         recorder_.stop(selection_.currentRow());
-        Q_EMIT refused(tr("Path recording stopped: no more data, or the limit of ten minutes was reached."),
+        Q_EMIT refused(tr("Path recording stopped because no more data arrived or the limit of ten minutes "
+                          "was reached."),
                        tr("The path recorded so far is kept."));
     });
     show();
@@ -94,8 +95,9 @@ void PathControls::toggle() {
     } else {
         recorder_.start();
         if (recorder_.isRecording()) {
-            Q_EMIT reported(tr(
-                "The path of the arm is being recorded. Press “Stop recording path” to end the recording."));
+            Q_EMIT reported(
+                tr("The path of the arm is being recorded. Press the “● REC” button, or select “Stop "
+                   "recording path” in the menu."));
         }
     }
 }
@@ -114,12 +116,14 @@ void PathControls::show() {
     record_->setAccessibleName(recording ? tr("Stop recording path") : tr("Record path"));
     const QString obstacle = recorder_.isBusy()   ? tr("Simplifying the path…")
                              : live_ || recording ? QString()
-                                                  : tr("The robot sends no data: nothing to record.");
+                                                  : tr("No path can be recorded because the robot is not "
+                                                       "sending data. Wait for data, or connect a robot.");
     record_->setEnabled(obstacle.isEmpty());
     record_->setToolTip(!obstacle.isEmpty() ? obstacle
-                        : recording         ? tr("Stops recording and stores the path as waypoints")
-                                    : tr("Records the path of the arm during Freedrive or jogging and stores "
-                                         "it as waypoints. Press again to stop. The robot does not move."));
+                        : recording
+                            ? tr("Stops recording and stores the path as waypoints")
+                            : tr("Records the path of the arm during Freedrive or jogging and stores it as "
+                                 "waypoints. Press again to stop. Recording does not move the robot."));
     actions_.first()->setText(recording ? tr("Stop recording path") : tr("Record path"));
     actions_.first()->setEnabled(obstacle.isEmpty());
     // Keep the width that fits the longest text, so that adjacent elements do not move.
@@ -151,7 +155,7 @@ void PathControls::exportTo(const QString& path) {
                        said ? QString() : texts::errorText(done.error()));
         return;
     }
-    Q_EMIT reported(tr("%n waypoints written as a path to %1", nullptr, static_cast<int>(rows.size()))
+    Q_EMIT reported(tr("%n waypoints exported as a path to %1", nullptr, static_cast<int>(rows.size()))
                         .arg(QFileInfo(path).fileName()));
 }
 

@@ -81,7 +81,7 @@ void PatternDialog::build(bool isNew) {
         corners_[at] = new ChoiceBox;
         corners_[at]->setObjectName(QLatin1String(kNames[at]));
         corners_[at]->setAccessibleName(texts[i]);
-        corners_[at]->addItem(isNew ? tr("select a waypoint") : tr("as taught"), QUuid());
+        corners_[at]->addItem(isNew ? tr("Select a waypoint") : tr("As taught"), QUuid());
         for (const project::Waypoint& point : document_.waypoints()) {
             if (point.place.pattern != pattern_.id) {
                 corners_[at]->addItem(point.name, point.id);
@@ -103,7 +103,8 @@ void PatternDialog::build(bool isNew) {
     layerStep_ = new DecimalSpinBox;
     layerStep_->setObjectName(QStringLiteral("pattern.layerStep"));
     layerStep_->setAccessibleName(tr("Layer height"));
-    layerStep_->setToolTip(tr("Distance between layers, opposite to the tool direction."));
+    layerStep_->setToolTip(
+        tr("Distance between layers. The layers are stacked opposite to the tool direction."));
     const double perUnit = format::metresPerUnit();
     layerStep_->setRange(-10 / perUnit, 10 / perUnit);
     layerStep_->setSuffix(QLatin1Char(' ') + format::lengthUnit());
@@ -206,18 +207,19 @@ QString PatternDialog::problem() const {
         return tr("The three corners are on a straight line. Select a different waypoint for one of them.");
     }
     if (layerStep_->isRefused()) {
-        return tr("Invalid layer height.");
+        return tr("The layer height is not a number or is out of range. Enter another layer height.");
     }
     if (pattern_.layers > 1 && pattern_.layerStep == 0) {
-        return tr("Enter a layer height.");
+        return tr("The layer height must not be 0. Enter a layer height.");
     }
     const qint64 places = qint64(pattern_.columns) * pattern_.rows * pattern_.layers;
     if (places > project::kMaxPatternPositions) {
-        return tr("The pattern has %1 cells; the maximum is %2.")
+        return tr("The pattern has %1 cells; the maximum is %2. Enter fewer cells per row, rows or layers.")
             .arg(places)
             .arg(project::kMaxPatternPositions);
     }
-    return project::placesOf(pattern_).empty() ? tr("All cells are excluded.") : QString();
+    return project::placesOf(pattern_).empty() ? tr("All cells are excluded. Click a cell to include it.")
+                                               : QString();
 }
 
 void PatternDialog::refresh() {
@@ -243,7 +245,7 @@ void PatternDialog::refresh() {
     }
     const QString count = tr("%n waypoints.", nullptr, static_cast<int>(points.size()));
     feedback_->setText(
-        far == 0 ? tr("%1 All are within reach.").arg(count)
+        far == 0 ? tr("%1 All cells are within reach.").arg(count)
                  : tr("%1 %2").arg(count, tr("%n of them are out of reach and marked.", nullptr, far)));
 }
 

@@ -13,7 +13,7 @@ namespace tiller {
 PatternGrid::PatternGrid(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("pattern.grid"));
     setAccessibleName(tr("Pattern cells"));
-    setToolTip(tr("Click a cell to exclude or include it. The first corner is at the lower left."));
+    setToolTip(tr("Click a cell to exclude or include it. The first cell is at the lower left."));
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
 }

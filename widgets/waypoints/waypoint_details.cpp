@@ -59,8 +59,8 @@ WaypointDetails::WaypointDetails(ProjectDocument& document, WaypointModel& model
     frame_->setAccessibleName(tr("Waypoint frame"));
     frame_->view()->setAccessibleName(tr("Frames"));
     frame_->setToolTip(
-        tr("Reference frame of the waypoint. The position in space does not change. “—”: no frame, joint "
-           "positions have priority"));
+        tr("Reference frame of the waypoint. Changing the frame does not move the waypoint. “—”: no frame; "
+           "joint positions have priority."));
     frame_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     frame_->setMinimumContentsLength(5);
     connect(frame_, &QComboBox::activated, this, [this](int choice) {
@@ -211,7 +211,7 @@ void WaypointDetails::refresh() {
         using Kind = project::WaypointUse::Kind;
         facts << (use.kind == Kind::PatternPlace    ? tr("cell of “%1”")
                   : use.kind == Kind::PatternCorner ? tr("corner of “%1”")
-                  : use.kind == Kind::Home          ? tr("home, “%1”")
+                  : use.kind == Kind::Home          ? tr("home position “%1”")
                                                     : tr("position “%1”"))
                      .arg(use.name);
     }

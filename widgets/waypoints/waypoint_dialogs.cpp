@@ -136,7 +136,7 @@ void WaypointDialogs::dissolvePattern() {
     if (const project::Pattern* there = document_.patterns().find(patternOfCurrent())) {
         document_.dissolvePattern(there->id, tr("Convert the pattern “%1” to waypoints").arg(there->name));
     } else {
-        Q_EMIT refused(tr("Select a cell of a pattern."), {});
+        Q_EMIT refused(tr("Select a waypoint that belongs to a pattern."), {});
     }
 }
 
@@ -144,7 +144,7 @@ void WaypointDialogs::removePattern() {
     if (const project::Pattern* there = document_.patterns().find(patternOfCurrent())) {
         document_.removePattern(there->id, tr("Delete the pattern “%1”").arg(there->name));
     } else {
-        Q_EMIT refused(tr("Select a cell of a pattern."), {});
+        Q_EMIT refused(tr("Select a waypoint that belongs to a pattern."), {});
     }
 }
 
@@ -159,7 +159,9 @@ void WaypointDialogs::history() {
     if (dialog.exec() == QDialog::Accepted && !point.history.isEmpty()) {
         const project::Waypoint earlier = dialog.chosen();
         if (!document_.frames().pose(earlier.frame)) {
-            Q_EMIT refused(tr("The frame of the earlier version was deleted from the project."), {});
+            Q_EMIT refused(
+                tr("The earlier version cannot be restored because its frame was deleted from the project."),
+                {});
             return;
         }
         document_.changeWaypoint(document_.waypoints().indexOf(point.id), earlier,
@@ -170,7 +172,7 @@ void WaypointDialogs::history() {
 void WaypointDialogs::importFile() {
     const QString path =
         QFileDialog::getOpenFileName(table_.window(), tr("Import waypoints"), {},
-                                     tr("Waypoints (*.csv *.txt *.json *.tiller);;All files (*)"));
+                                     tr("Waypoint files (*.csv *.txt *.json *.tiller);;All files (*)"));
     if (!path.isEmpty()) {
         importFrom(path);
     }
@@ -189,9 +191,10 @@ void WaypointDialogs::importFrom(const QString& path) {
     const QString name = QFileInfo(path).fileName();
     const Result<QByteArray> read = readWholeFile(path, kMaxImportBytes);
     if (!read) {
-        Q_EMIT refused(tr("Import failed"), read.error().code == ErrorCode::FileCorrupt
-                                                ? tr("%1 is too large for a waypoint file.").arg(name)
-                                                : tr("%1: %2").arg(name, read.error().controllerMessage));
+        Q_EMIT refused(tr("Import failed"),
+                       read.error().code == ErrorCode::FileCorrupt
+                           ? tr("%1 is too large. The maximum size of a waypoint file is 64 MB.").arg(name)
+                           : tr("%1: %2").arg(name, read.error().controllerMessage));
         return;
     }
     const QByteArray& bytes = *read;
@@ -216,7 +219,7 @@ void WaypointDialogs::importFrom(const QString& path) {
     }
     if (error.code != ErrorCode::None || imported.waypoints.empty()) {
         Q_EMIT refused(tr("Import failed"), error.code == ErrorCode::None
-                                                ? tr("There are no waypoints in %1.").arg(name)
+                                                ? tr("%1 contains no waypoints.").arg(name)
                                                 : tr("%1: %2").arg(name, error.context));
         return;
     }
@@ -242,7 +245,7 @@ void WaypointDialogs::exportTo(const QString& path) {
         chosen.assign(document_.waypoints().begin(), document_.waypoints().end());
     }
     if (chosen.empty()) {
-        Q_EMIT refused(tr("There are no waypoints to export."), {});
+        Q_EMIT refused(tr("The project contains no waypoints to export. Teach a waypoint first."), {});
         return;
     }
     const QString full = QFileInfo(path).suffix().isEmpty() ? path + QStringLiteral(".csv") : path;
@@ -257,7 +260,7 @@ void WaypointDialogs::exportTo(const QString& path) {
             tr("%1: %2").arg(QFileInfo(full).fileName(), bytes ? error.controllerMessage : error.context));
         return;
     }
-    Q_EMIT done(tr("%n waypoints written to %1", nullptr, static_cast<int>(chosen.size()))
+    Q_EMIT done(tr("%n waypoints exported to %1", nullptr, static_cast<int>(chosen.size()))
                     .arg(QFileInfo(full).fileName()));
 }
 

@@ -88,7 +88,7 @@ void WaypointEditing::paste() {
         return;
     }
     if (pasted->empty()) {
-        Q_EMIT refused(tr("There are no waypoints on the clipboard."), {});
+        Q_EMIT refused(tr("The clipboard contains no waypoints. Copy waypoints first."), {});
         return;
     }
     project::WaypointList names = document_.waypoints();

@@ -141,7 +141,7 @@ QStringList WaypointHistoryDialog::differences(const project::Waypoint& before, 
 void WaypointHistoryDialog::refresh() {
     revert_->setEnabled(!waypoint_.history.isEmpty());
     if (waypoint_.history.isEmpty()) {
-        compare_->setText(tr("Not changed since it was taught."));
+        compare_->setText(tr("No changes have been recorded for this waypoint."));
         return;
     }
     const QStringList lines = differences(revision().before, waypoint_, document_);

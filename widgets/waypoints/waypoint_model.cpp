@@ -397,7 +397,7 @@ bool WaypointModel::setFrame(int row, const QString& text) {
     }
     const project::Frame* frame = document_.frames().findByName(text);
     if (frame == nullptr && text != tr("Base")) {
-        Q_EMIT editRefused(tr("There is no frame “%1” in this project.").arg(text));
+        Q_EMIT editRefused(tr("The project has no frame named “%1”. Choose another frame.").arg(text));
         return false;
     }
     // The position is unchanged. Only the frame changes.

@@ -35,7 +35,7 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
     setObjectName(QStringLiteral("waypoint.shift"));
     setWindowTitle(tr("Move %n waypoints", nullptr, static_cast<int>(waypoints_.size())));
     kind_->setObjectName(QStringLiteral("waypoint.shift.kind"));
-    kind_->setAccessibleName(tr("Type of transformation"));
+    kind_->setAccessibleName(tr("Transformation type"));
     kind_->addItems({tr("Offset"), tr("Rotation"), tr("Mirror")});
     axes_->setObjectName(QStringLiteral("waypoint.shift.axes"));
     axes_->setAccessibleName(tr("Axes"));
@@ -48,11 +48,11 @@ WaypointShift::WaypointShift(const ProjectDocument& document, std::vector<projec
     axis_->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
     axis_->setCurrentIndex(2);
     auto* grid = new QGridLayout;
-    grid->addWidget(new QLabel(tr("Move")), 0, 0);
+    grid->addWidget(new QLabel(tr("Type")), 0, 0);
     grid->addWidget(kind_, 0, 1, 1, 3);
     grid->addWidget(new QLabel(tr("Axes")), 1, 0);
     grid->addWidget(axes_, 1, 1, 1, 3);
-    grid->addWidget(new QLabel(tr("By X, Y, Z")), 2, 0);
+    grid->addWidget(new QLabel(tr("Offset X, Y, Z")), 2, 0);
     static constexpr const char* kLetters[] = {"x", "y", "z"};
     const double most = 10 / format::metresPerUnit();
     for (int i = 0; i < 3; ++i) {
@@ -131,9 +131,10 @@ void WaypointShift::refresh() {
     if (!result) {
         feedback_->setText(result.error().code == ErrorCode::NoSolution
                                ? tr("The arm cannot reach these waypoints after the move: %1. Choose a "
-                                    "smaller shift or rotation. No waypoint will be moved.")
+                                    "different offset, rotation or mirror plane. No waypoint will be moved.")
                                      .arg(result.error().context)
-                               : tr("A frame is missing. Choose another frame."));
+                               : tr("The frame of a selected waypoint is not in the project. Choose another "
+                                    "frame for the waypoint first."));
         return;
     }
     int far = 0;
@@ -145,7 +146,7 @@ void WaypointShift::refresh() {
                      far)
         : kind == kMirror ? tr("Mirrors across the plane through the origin that is perpendicular to the "
                                "axis. The tool approaches from the mirrored side.")
-                          : tr("All remain within reach."));
+                          : tr("All waypoints remain within reach."));
 }
 
 void WaypointShift::accept() {

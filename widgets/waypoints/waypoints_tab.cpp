@@ -416,7 +416,7 @@ QString WaypointsTab::teachObstacle() const {
                                           : QString();
     }
     return state_.hasData() ? tr("Robot data are out of date. Wait for new data.")
-                            : tr("No robot is connected. Connect one, or try the simulator.");
+                            : tr("No robot is connected. Connect a robot, or try the simulator.");
 }
 
 QString WaypointsTab::goToObstacle() const {
@@ -574,8 +574,8 @@ void WaypointsTab::buildActions() {
     addTo(pattern, onSelected(addCommand("waypoint.action.dissolve", tr("Convert pattern to waypoints"), {},
                                          [this] { dialogs_->dissolvePattern(); })));
     addTo(pattern,
-          onSelected(addCommand("waypoint.action.removePattern", tr("Delete the pattern and its waypoints"),
-                                {}, [this] { dialogs_->removePattern(); })));
+          onSelected(addCommand("waypoint.action.removePattern", tr("Delete pattern and its waypoints"), {},
+                                [this] { dialogs_->removePattern(); })));
     QMenu* path = addMenu("waypoint.menu.path", tr("Path"));
     for (QAction* action : paths_->actions()) {
         path->addAction(action);

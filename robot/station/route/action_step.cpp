@@ -40,7 +40,7 @@ ActionStep::~ActionStep() {
 
 QString ActionStep::obstacle(const project::WaypointAction& action, const GripperChoice& gripper) {
     return isGrip(action) && gripper.kind == GripperChoice::Kind::None
-               ? tr("No gripper is configured for this robot. Select it under I/O > Gripper.")
+               ? tr("No gripper is configured for this robot. Select a gripper under I/O > Gripper.")
                : QString();
 }
 
@@ -134,8 +134,8 @@ Result<SequenceStep::State> ActionStep::holdOutput() {
     }
     if (!*order_->result) {
         const Error& error = order_->result->error();
-        return sentence(
-            tr("%1 was not completed. %2").arg(ActionWords::of(action_), texts::errorText(error)));
+        return sentence(tr("The action “%1” was not completed. %2")
+                            .arg(ActionWords::of(action_), texts::errorText(error)));
     }
     return State::Done;
 }

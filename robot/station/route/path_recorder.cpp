@@ -89,7 +89,9 @@ void PathRecorder::start() {
         return;
     }
     if (state.link != LinkState::Live) {
-        Q_EMIT refused(tr("The robot sends no data: nothing to record."), {});
+        Q_EMIT refused(tr("No path can be recorded because the robot is not sending data. Wait for data, or "
+                          "connect a robot."),
+                       {});
         return;
     }
     shown_ = {};
@@ -143,7 +145,9 @@ void PathRecorder::stop(int afterRow) {
 
 void PathRecorder::importFrom(const QString& path, int afterRow) {
     if (recording_ || busy_) {
-        Q_EMIT refused(tr("Import refused: a path is being recorded. Stop recording first."), {});
+        Q_EMIT refused(tr("Import refused because another path is being recorded or processed. Stop the "
+                          "recording, or wait, and try again."),
+                       {});
         return;
     }
     busy_ = true;
@@ -247,7 +251,7 @@ Result<void> PathRecorder::exportTo(const QString& path, const QList<int>& rows)
         const project::Waypoint& point = document_.waypoints().at(row);
         if (!document_.reach(row).ok()) {
             return Error{ErrorCode::InvalidArgument,
-                         tr("“%1” is out of reach. Touch it up, or remove it.").arg(point.name),
+                         tr("“%1” is out of reach. Touch up or delete the waypoint.").arg(point.name),
                          {}};
         }
         const JointPositions& q = document_.reach(row).q;

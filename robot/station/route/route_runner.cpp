@@ -159,18 +159,20 @@ QString RouteRunner::obstacle(Way way) const {
     }
     const std::optional<int> first = firstPlace(way);
     if (!first) {
-        return tr("This is the first waypoint.");
+        return tr("The first waypoint of the route has no previous waypoint.");
     }
     if (way == Way::Through && route_.isLoop() && route_.size() == 1 && rowOf(0) >= 0 &&
         document_.waypoints().at(rowOf(0)).actions.empty()) {
-        return tr("A loop requires at least two waypoints. Select more waypoints, or turn the loop off.");
+        return tr("A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.");
     }
     // Do not start a route that cannot be completed.
     const bool whole = way == Way::Through && route_.isLoop();
     for (int place = whole ? 0 : *first; place <= lastPlace(way); ++place) {
         const int row = rowOf(place);
         if (row < 0) {
-            return tr("A waypoint of the route was deleted from the project.");
+            return tr(
+                "A waypoint of the route was deleted from the project. Select the waypoints of the route "
+                "again.");
         }
         if (const project::Reach& reach = document_.reach(row); !reach.ok()) {
             return tr("“%1”: %2").arg(document_.waypoints().at(row).name, reachAdvice(reach));
