@@ -4797,8 +4797,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Ebene</translation>
     </message>
     <message>
-        <source>First corner recorded.</source>
-        <translation>Erste Ecke übernommen.</translation>
+        <source>First corner recorded</source>
+        <translation>Erste Ecke übernommen</translation>
     </message>
     <message>
         <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
@@ -4809,8 +4809,8 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
-        <translation>Die beiden Ecken liegen in einer Ebene. Bewegen Sie den TCP zur gegenüberliegenden Ecke des Quaders.</translation>
+        <source>The corners must differ by at least 1 mm along X, Y and Z. Move the TCP to the opposite corner of the box.</source>
+        <translation>Die Ecken müssen sich in X, Y und Z um mindestens 1 mm unterscheiden. Bewegen Sie den TCP zur gegenüberliegenden Ecke des Quaders.</translation>
     </message>
     <message>
         <source>Move “%1”</source>
@@ -4917,12 +4917,12 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Sicherheitsabstand</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that would bring the arm closer are refused.</source>
         <translation>Das Verfahren endet in diesem Abstand zu Objekten der Zelle und zwischen Teilen des Arms. Bewegungen, die näher kommen, werden abgelehnt.</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>Hier</translation>
+        <source>At TCP</source>
+        <translation>Am TCP</translation>
     </message>
     <message>
         <source>Set the floor to the TCP height</source>
@@ -4933,7 +4933,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Set a corner of a box to the TCP</source>
+        <source>Teach a box corner at the TCP</source>
         <translation>Ecke eines Quaders auf den TCP setzen</translation>
     </message>
     <message>
@@ -4985,7 +4985,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Größe von „%1“ ändern</translation>
     </message>
     <message>
-        <source>The normal must not be zero. Enter a component first.</source>
+        <source>The normal must not be zero. Enter at least one nonzero component.</source>
         <translation>Die Normale darf nicht null sein. Geben Sie zuerst eine Komponente ein.</translation>
     </message>
     <message>
@@ -5238,10 +5238,10 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>von keinem Wegpunkt verwendet</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it</source>
+        <source>used by %n waypoints</source>
         <translation>
-            <numerusform>%n Wegpunkt bewegt sich mit ihm</numerusform>
-            <numerusform>%n Wegpunkte bewegen sich mit ihm</numerusform>
+            <numerusform>von %n Wegpunkt verwendet</numerusform>
+            <numerusform>von %n Wegpunkten verwendet</numerusform>
         </translation>
     </message>
     <message>
@@ -5252,21 +5252,21 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoints moved with it.</source>
+        <source>No waypoints moved with the frame.</source>
         <translation>Keine Wegpunkte wurden mitbewegt.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints moved with it.</source>
+        <source>%n waypoints moved with the frame.</source>
         <translation>
             <numerusform>%n Wegpunkt bewegte sich mit ihm.</numerusform>
             <numerusform>%n Wegpunkte bewegten sich mit ihm.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are now out of reach.</source>
+        <source>Waypoints out of reach: %n.</source>
         <translation>
-            <numerusform>%n davon ist nun außer Reichweite.</numerusform>
-            <numerusform>%n davon sind nun außer Reichweite.</numerusform>
+            <numerusform>Wegpunkte außer Reichweite: %n.</numerusform>
+            <numerusform>Wegpunkte außer Reichweite: %n.</numerusform>
         </translation>
     </message>
     <message>
@@ -5286,7 +5286,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Kein Wegpunkt verwendet dieses Koordinatensystem.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it.</source>
+        <source>%n waypoints move with the frame.</source>
         <translation>
             <numerusform>%n Wegpunkt bewegt sich mit ihm.</numerusform>
             <numerusform>%n Wegpunkte bewegen sich mit ihm.</numerusform>
@@ -5469,19 +5469,19 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie den Punkt erneut.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Der Punkt auf +X ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn mindestens %2 entfernt erneut. Ein größerer Abstand ergibt genauere Achsen.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record the point again at least %2 away.</source>
         <translation>Der dritte Punkt ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn erneut, mindestens %2 entfernt.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third point is only %1 from the X axis. Record the point again at least %2 towards +Y.</source>
         <translation>Die drei Punkte liegen auf einer Linie: Der dritte ist nur %1 von der X-Achse entfernt. Nehmen Sie ihn mindestens %2 in Richtung +Y erneut.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third point is %2 from the X axis.</source>
         <translation>Bereit: Der Punkt auf +X ist %1 vom Ursprung entfernt, der dritte %2 von der X-Achse.</translation>
     </message>
     <message>
@@ -5493,7 +5493,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Fahren Sie nun zu einem Punkt auf +X: %1 vom Ursprung, mindestens %2.</translation>
     </message>
     <message>
-        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
+        <source>Now jog towards +Y: %1 from the X axis (minimum %2).</source>
         <translation>Fahren Sie nun in Richtung +Y: %1 von der X-Achse, mindestens %2.</translation>
     </message>
     <message>
@@ -7218,7 +7218,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose erneut.</translation>
     </message>
     <message>
-        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <source>The robot is not sending force data. Enter the mass and the centre of gravity instead.</source>
         <translation>Der Roboter sendet keine Kraftdaten. Geben Sie stattdessen Masse und Schwerpunkt ein.</translation>
     </message>
     <message>
@@ -7238,11 +7238,11 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose mit anders gedrehtem Werkzeug.</translation>
     </message>
     <message>
-        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg: zu leicht, um den Schwerpunkt zu messen. Geben Sie ihn manuell ein.</translation>
+        <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
+        <translation>Die Last von %1 kg ist zu leicht, um den Schwerpunkt zu messen. Geben Sie die Nutzlast manuell ein.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und nehmen Sie die Pose. Drehen Sie dann das Handgelenk durch Verfahren oder mit „Nächste Pose“ und nehmen Sie drei weitere Posen.</translation>
     </message>
     <message numerus="yes">
@@ -7444,11 +7444,11 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Nutzlast wird gemessen… Halten Sie das Werkzeug frei von Kontakt.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and press “Verify” again.</source>
         <translation>Der Arm hat sich bewegt. Warten Sie auf Stillstand, halten Sie das Werkzeug frei von Kontakt und prüfen Sie erneut.</translation>
     </message>
     <message>
-        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <source>The payload cannot be verified because the robot is not sending force data.</source>
         <translation>Der Roboter sendet keine Kraftdaten: Die Nutzlast kann nicht geprüft werden.</translation>
     </message>
     <message>
@@ -7476,7 +7476,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Der Schwerpunkt weicht ab, oder etwas berührt das Werkzeug.</translation>
     </message>
     <message>
-        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <source>%1 %2 Measure the payload, or select a different payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 Messen Sie die Nutzlast oder wählen Sie eine andere. Das Nullsetzen des Kraftsensors verdeckt eine falsche Nutzlast, bis sich das Werkzeug dreht.</translation>
     </message>
     <message>
@@ -8293,12 +8293,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>%1. Mit Enter übernehmen. Nur die gespeicherte Position ändert sich; der Roboter bewegt sich nicht.</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
+        <source>Height in the base frame. Above this height, the cell is free of obstacles, and the TCP may move sideways.</source>
         <translation>Höhe im Basis-Koordinatensystem, über der es keine Hindernisse gibt: Darüber darf sich der TCP seitwärts bewegen.</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>Hier</translation>
+        <source>At TCP</source>
+        <translation>Am TCP</translation>
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
@@ -8325,7 +8325,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Die gewählte Position als Home verwenden</translation>
     </message>
     <message>
-        <source>Touch up the position</source>
+        <source>Touch up position</source>
         <translation>Die Position nachteachen</translation>
     </message>
     <message>
@@ -8353,7 +8353,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>„%1“ auf die aktuelle Position des Arms setzen?</translation>
     </message>
     <message>
-        <source>The Home button will move the arm there.</source>
+        <source>The Home button will then move the arm to this position.</source>
         <translation>Die Taste Home fährt den Arm dann dorthin.</translation>
     </message>
     <message>
@@ -8409,8 +8409,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Die sichere Höhe setzen</translation>
     </message>
     <message>
-        <source>No safe height</source>
-        <translation>Keine sichere Höhe</translation>
+        <source>Remove the safe height</source>
+        <translation>Sichere Höhe entfernen</translation>
     </message>
     <message>
         <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
@@ -8421,7 +8421,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>%1: Ziel der Taste Home</translation>
     </message>
     <message>
-        <source>%1 · %2 %3 from here</source>
+        <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · %2 %3 von hier</translation>
     </message>
 </context>
@@ -10020,7 +10020,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach a TCP with the arm.</source>
         <translation>Noch keine TCPs.
 Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen…“, um einen mit dem Arm zu teachen.</translation>
     </message>
@@ -10097,8 +10097,8 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Kein Roboter ist verbunden. Verbinden Sie einen oder probieren Sie den Simulator.</translation>
     </message>
     <message>
-        <source>“%1” is the active TCP of the robot.</source>
-        <translation>„%1“ ist der aktive TCP des Roboters.</translation>
+        <source>The active TCP of the robot is already stored as “%1”.</source>
+        <translation>Der aktive TCP des Roboters ist bereits als „%1“ gespeichert.</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -10125,7 +10125,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Den TCP „%1“ löschen</translation>
     </message>
     <message>
-        <source>%1, from the flange</source>
+        <source>%1, relative to the flange</source>
         <translation>%1, vom Flansch</translation>
     </message>
     <message>
@@ -10141,7 +10141,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Der TCP des Roboters weicht von „%1“ ab</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Difference: %3. Nothing was changed.</source>
         <translation>Am Roboter: %1. Im Projekt: %2. Abstand: %3. Nichts wurde geändert.</translation>
     </message>
     <message>
@@ -10204,7 +10204,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Spitze bei %1. Die Posen stimmen auf %2 (RMS) überein; Pose %3 weicht mit %4 am stärksten ab.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
         <translation>Die Werkzeugorientierungen sind zu ähnlich. Nehmen Sie eine weitere Pose, um 30° oder mehr in eine andere Richtung geneigt.</translation>
     </message>
     <message>
@@ -10235,7 +10235,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Orientierung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
     </message>
     <message>
-        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. After that, do not rotate the tool: jog along X, Y and Z only.</source>
         <translation>Nehmen Sie die Pose an der aktuellen Position. Drehen Sie das Werkzeug ab jetzt nicht: Verfahren Sie nur X, Y und Z.</translation>
     </message>
     <message>
@@ -10263,7 +10263,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Der Abstand entlang +X beträgt nur %1. Nehmen Sie die drei Posen mindestens %2 auseinander erneut.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
+        <source>The three poses are collinear: the third pose is only %1 from the line. Record the three poses again.</source>
         <translation>Die drei Posen liegen auf einer Linie: Die dritte ist nur %1 von der Linie entfernt. Nehmen Sie die drei Posen erneut.</translation>
     </message>
     <message>
@@ -10336,7 +10336,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply the values. The robot does not move.</source>
+        <source>%1. Press Return to apply the value. The robot does not move.</source>
         <translation>%1. Mit Enter übernehmen. Der Roboter bewegt sich nicht.</translation>
     </message>
 </context>

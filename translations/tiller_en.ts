@@ -4795,7 +4795,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>First corner recorded.</source>
+        <source>First corner recorded</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4807,7 +4807,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
+        <source>The corners must differ by at least 1 mm along X, Y and Z. Move the TCP to the opposite corner of the box.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4915,11 +4915,11 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that would bring the arm closer are refused.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Here</source>
+        <source>At TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4931,7 +4931,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set a corner of a box to the TCP</source>
+        <source>Teach a box corner at the TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4983,7 +4983,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The normal must not be zero. Enter a component first.</source>
+        <source>The normal must not be zero. Enter at least one nonzero component.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5227,10 +5227,10 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it</source>
+        <source>used by %n waypoints</source>
         <translation>
-            <numerusform>%n waypoint moves with it</numerusform>
-            <numerusform>%n waypoints move with it</numerusform>
+            <numerusform>used by %n waypoint</numerusform>
+            <numerusform>used by %n waypoints</numerusform>
         </translation>
     </message>
     <message>
@@ -5249,21 +5249,21 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoints moved with it.</source>
+        <source>No waypoints moved with the frame.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints moved with it.</source>
+        <source>%n waypoints moved with the frame.</source>
         <translation>
-            <numerusform>%n waypoint moved with it.</numerusform>
-            <numerusform>%n waypoints moved with it.</numerusform>
+            <numerusform>%n waypoint moved with the frame.</numerusform>
+            <numerusform>%n waypoints moved with the frame.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are now out of reach.</source>
+        <source>Waypoints out of reach: %n.</source>
         <translation>
-            <numerusform>%n of them is now out of reach.</numerusform>
-            <numerusform>%n of them are now out of reach.</numerusform>
+            <numerusform>Waypoints out of reach: %n.</numerusform>
+            <numerusform>Waypoints out of reach: %n.</numerusform>
         </translation>
     </message>
     <message>
@@ -5283,10 +5283,10 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it.</source>
+        <source>%n waypoints move with the frame.</source>
         <translation>
-            <numerusform>%n waypoint moves with it.</numerusform>
-            <numerusform>%n waypoints move with it.</numerusform>
+            <numerusform>%n waypoint moves with the frame.</numerusform>
+            <numerusform>%n waypoints move with the frame.</numerusform>
         </translation>
     </message>
     <message>
@@ -5466,19 +5466,19 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record the point again at least %2 away.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third point is only %1 from the X axis. Record the point again at least %2 towards +Y.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third point is %2 from the X axis.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5490,7 +5490,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
+        <source>Now jog towards +Y: %1 from the X axis (minimum %2).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7211,7 +7211,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <source>The robot is not sending force data. Enter the mass and the centre of gravity instead.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7231,11 +7231,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
+        <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -7437,11 +7437,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and press “Verify” again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <source>The payload cannot be verified because the robot is not sending force data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7469,7 +7469,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <source>%1 %2 Measure the payload, or select a different payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8284,11 +8284,11 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
+        <source>Height in the base frame. Above this height, the cell is free of obstacles, and the TCP may move sideways.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Here</source>
+        <source>At TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8316,7 +8316,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Touch up the position</source>
+        <source>Touch up position</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8344,7 +8344,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The Home button will move the arm there.</source>
+        <source>The Home button will then move the arm to this position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8400,7 +8400,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No safe height</source>
+        <source>Remove the safe height</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8412,7 +8412,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 · %2 %3 from here</source>
+        <source>%1 · %2 %3 from the current position</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10007,7 +10007,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach a TCP with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10083,7 +10083,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is the active TCP of the robot.</source>
+        <source>The active TCP of the robot is already stored as “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10111,7 +10111,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, from the flange</source>
+        <source>%1, relative to the flange</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10127,7 +10127,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Difference: %3. Nothing was changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10190,7 +10190,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10221,7 +10221,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. After that, do not rotate the tool: jog along X, Y and Z only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10249,7 +10249,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
+        <source>The three poses are collinear: the third pose is only %1 from the line. Record the three poses again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10322,7 +10322,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply the values. The robot does not move.</source>
+        <source>%1. Press Return to apply the value. The robot does not move.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

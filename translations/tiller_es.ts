@@ -4797,8 +4797,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>plano</translation>
     </message>
     <message>
-        <source>First corner recorded.</source>
-        <translation>Primera esquina tomada.</translation>
+        <source>First corner recorded</source>
+        <translation>Primera esquina tomada</translation>
     </message>
     <message>
         <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
@@ -4809,8 +4809,8 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Descartar</translation>
     </message>
     <message>
-        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
-        <translation>Las dos esquinas están en un mismo plano. Mueva el TCP a la esquina opuesta de la caja.</translation>
+        <source>The corners must differ by at least 1 mm along X, Y and Z. Move the TCP to the opposite corner of the box.</source>
+        <translation>Las esquinas deben diferir al menos 1 mm en X, Y y Z. Mueva el TCP a la esquina opuesta de la caja.</translation>
     </message>
     <message>
         <source>Move “%1”</source>
@@ -4917,12 +4917,12 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Distancia de seguridad</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that would bring the arm closer are refused.</source>
         <translation>El movimiento manual se detiene a esta distancia de los objetos de la celda y entre partes del brazo. Los movimientos que se acercan más se rechazan.</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>Aquí</translation>
+        <source>At TCP</source>
+        <translation>En el TCP</translation>
     </message>
     <message>
         <source>Set the floor to the TCP height</source>
@@ -4933,7 +4933,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Distancia</translation>
     </message>
     <message>
-        <source>Set a corner of a box to the TCP</source>
+        <source>Teach a box corner at the TCP</source>
         <translation>Poner una esquina de una caja en el TCP</translation>
     </message>
     <message>
@@ -4985,7 +4985,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Cambiar el tamaño de «%1»</translation>
     </message>
     <message>
-        <source>The normal must not be zero. Enter a component first.</source>
+        <source>The normal must not be zero. Enter at least one nonzero component.</source>
         <translation>La normal no puede ser cero. Introduzca primero una componente.</translation>
     </message>
     <message>
@@ -5238,10 +5238,10 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>ningún punto de paso lo usa</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it</source>
+        <source>used by %n waypoints</source>
         <translation>
-            <numerusform>%n punto de paso se mueve con él</numerusform>
-            <numerusform>%n puntos de paso se mueven con él</numerusform>
+            <numerusform>usado por %n punto de paso</numerusform>
+            <numerusform>usado por %n puntos de paso</numerusform>
         </translation>
     </message>
     <message>
@@ -5252,21 +5252,21 @@ Vacíe la búsqueda para verlo todo.</translation>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoints moved with it.</source>
+        <source>No waypoints moved with the frame.</source>
         <translation>Ningún punto de paso se movió con él.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints moved with it.</source>
+        <source>%n waypoints moved with the frame.</source>
         <translation>
             <numerusform>%n punto de paso se movió con él.</numerusform>
             <numerusform>%n puntos de paso se movieron con él.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are now out of reach.</source>
+        <source>Waypoints out of reach: %n.</source>
         <translation>
-            <numerusform>%n de ellos está ahora fuera de alcance.</numerusform>
-            <numerusform>%n de ellos están ahora fuera de alcance.</numerusform>
+            <numerusform>Puntos de paso fuera de alcance: %n.</numerusform>
+            <numerusform>Puntos de paso fuera de alcance: %n.</numerusform>
         </translation>
     </message>
     <message>
@@ -5286,7 +5286,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Ningún punto de paso usa este sistema de coordenadas.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it.</source>
+        <source>%n waypoints move with the frame.</source>
         <translation>
             <numerusform>%n punto de paso se mueve con él.</numerusform>
             <numerusform>%n puntos de paso se mueven con él.</numerusform>
@@ -5469,19 +5469,19 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>El robot envió una posición no válida. Tome el punto de nuevo.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>El punto en +X está a solo %1 del origen. Tómelo de nuevo a %2 como mínimo. Una distancia mayor da ejes más precisos.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record the point again at least %2 away.</source>
         <translation>El tercer punto está a solo %1 del origen. Tómelo de nuevo al menos a %2.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third point is only %1 from the X axis. Record the point again at least %2 towards +Y.</source>
         <translation>Los tres puntos están alineados: el tercero está a solo %1 del eje X. Tómelo de nuevo a %2 como mínimo hacia +Y.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third point is %2 from the X axis.</source>
         <translation>Listo: el punto en +X está a %1 del origen y el tercero a %2 del eje X.</translation>
     </message>
     <message>
@@ -5493,7 +5493,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Ahora vaya a un punto en +X: a %1 del origen, mínimo %2.</translation>
     </message>
     <message>
-        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
+        <source>Now jog towards +Y: %1 from the X axis (minimum %2).</source>
         <translation>Ahora vaya hacia +Y: a %1 del eje X, mínimo %2.</translation>
     </message>
     <message>
@@ -7218,7 +7218,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>El brazo se movió. Espere el reposo, mantenga la herramienta sin contacto y tome la pose de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <source>The robot is not sending force data. Enter the mass and the centre of gravity instead.</source>
         <translation>El robot no envía datos de fuerza. Introduzca la masa y el centro de gravedad.</translation>
     </message>
     <message>
@@ -7238,11 +7238,11 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome una pose más con la herramienta girada en otra dirección.</translation>
     </message>
     <message>
-        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg: demasiado ligera para medir el centro de gravedad. Introdúzcalo manualmente.</translation>
+        <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
+        <translation>La carga de %1 kg es demasiado ligera para medir el centro de gravedad. Introduzca la carga útil manualmente.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>Espere el reposo, mantenga la herramienta sin contacto y tome la pose. Después gire la muñeca, con movimiento manual o con «Pose siguiente», y tome tres poses más.</translation>
     </message>
     <message numerus="yes">
@@ -7444,11 +7444,11 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Midiendo la carga útil… Mantenga la herramienta sin contacto.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and press “Verify” again.</source>
         <translation>El brazo se movió. Espere el reposo, mantenga la herramienta sin contacto y compruebe de nuevo.</translation>
     </message>
     <message>
-        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <source>The payload cannot be verified because the robot is not sending force data.</source>
         <translation>El robot no envía datos de fuerza: no se puede comprobar la carga útil.</translation>
     </message>
     <message>
@@ -7476,7 +7476,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>El centro de gravedad difiere, o algo toca la herramienta.</translation>
     </message>
     <message>
-        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <source>%1 %2 Measure the payload, or select a different payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 Mida la carga útil o seleccione otra. Poner a cero el sensor de fuerza oculta una carga útil incorrecta hasta que la herramienta gira.</translation>
     </message>
     <message>
@@ -8293,12 +8293,12 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>%1. Pulse Intro para aplicar. Solo cambia la posición guardada; el robot no se mueve.</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
+        <source>Height in the base frame. Above this height, the cell is free of obstacles, and the TCP may move sideways.</source>
         <translation>Altura en el sistema de la base por encima de la cual no hay obstáculos: ahí el TCP puede moverse lateralmente.</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>Aquí</translation>
+        <source>At TCP</source>
+        <translation>En el TCP</translation>
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
@@ -8325,7 +8325,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>Usar la posición seleccionada como inicio</translation>
     </message>
     <message>
-        <source>Touch up the position</source>
+        <source>Touch up position</source>
         <translation>Retocar la posición</translation>
     </message>
     <message>
@@ -8353,7 +8353,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>¿Fijar «%1» en la posición actual del brazo?</translation>
     </message>
     <message>
-        <source>The Home button will move the arm there.</source>
+        <source>The Home button will then move the arm to this position.</source>
         <translation>El botón Inicio moverá el brazo hasta allí.</translation>
     </message>
     <message>
@@ -8409,8 +8409,8 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>Fijar la altura segura</translation>
     </message>
     <message>
-        <source>No safe height</source>
-        <translation>Sin altura segura</translation>
+        <source>Remove the safe height</source>
+        <translation>Quitar la altura segura</translation>
     </message>
     <message>
         <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
@@ -8421,7 +8421,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>%1: destino del botón Inicio</translation>
     </message>
     <message>
-        <source>%1 · %2 %3 from here</source>
+        <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · %2 %3 desde aquí</translation>
     </message>
 </context>
@@ -10020,7 +10020,7 @@ Suelte el botón para detener el brazo.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach a TCP with the arm.</source>
         <translation>Aún no hay TCP.
 Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar uno con el brazo.</translation>
     </message>
@@ -10097,8 +10097,8 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Ningún robot conectado. Conecte uno o pruebe el simulador.</translation>
     </message>
     <message>
-        <source>“%1” is the active TCP of the robot.</source>
-        <translation>«%1» es el TCP activo del robot.</translation>
+        <source>The active TCP of the robot is already stored as “%1”.</source>
+        <translation>El TCP activo del robot ya está guardado como «%1».</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -10125,7 +10125,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Eliminar el TCP «%1»</translation>
     </message>
     <message>
-        <source>%1, from the flange</source>
+        <source>%1, relative to the flange</source>
         <translation>%1, desde la brida</translation>
     </message>
     <message>
@@ -10141,7 +10141,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>El TCP del robot difiere de «%1»</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Difference: %3. Nothing was changed.</source>
         <translation>En el robot: %1. En el proyecto: %2. Distancia: %3. No se cambió nada.</translation>
     </message>
     <message>
@@ -10204,7 +10204,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Punta en %1. Las poses coinciden en %2 (RMS); la pose %3 es la que más se desvía, %4.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
         <translation>Las orientaciones de la herramienta son demasiado parecidas. Tome otra pose, inclinada 30° o más en otra dirección.</translation>
     </message>
     <message>
@@ -10235,7 +10235,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Orientación tomada. Tómela de nuevo para sustituirla.</translation>
     </message>
     <message>
-        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. After that, do not rotate the tool: jog along X, Y and Z only.</source>
         <translation>Tome la pose en la posición actual. No gire la herramienta a partir de aquí: mueva solo X, Y y Z.</translation>
     </message>
     <message>
@@ -10263,7 +10263,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>La distancia en +X es de solo %1. Tome las tres poses de nuevo, separadas %2 como mínimo.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
+        <source>The three poses are collinear: the third pose is only %1 from the line. Record the three poses again.</source>
         <translation>Las tres poses están alineadas: la tercera está a solo %1 de la línea. Tómelas de nuevo.</translation>
     </message>
     <message>
@@ -10336,7 +10336,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply the values. The robot does not move.</source>
+        <source>%1. Press Return to apply the value. The robot does not move.</source>
         <translation>%1. Pulse Intro para aplicar. El robot no se mueve.</translation>
     </message>
 </context>

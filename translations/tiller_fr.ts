@@ -4797,8 +4797,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>plan</translation>
     </message>
     <message>
-        <source>First corner recorded.</source>
-        <translation>Premier coin pris.</translation>
+        <source>First corner recorded</source>
+        <translation>Premier coin pris</translation>
     </message>
     <message>
         <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
@@ -4809,8 +4809,8 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Abandonner</translation>
     </message>
     <message>
-        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
-        <translation>Les deux coins sont dans un même plan. Amenez le TCP au coin opposé de la boîte.</translation>
+        <source>The corners must differ by at least 1 mm along X, Y and Z. Move the TCP to the opposite corner of the box.</source>
+        <translation>Les coins doivent différer d’au moins 1 mm en X, Y et Z. Amenez le TCP au coin opposé de la boîte.</translation>
     </message>
     <message>
         <source>Move “%1”</source>
@@ -4917,12 +4917,12 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Distance de sécurité</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that would bring the arm closer are refused.</source>
         <translation>Le déplacement manuel s’arrête à cette distance des objets de la cellule et entre les parties du bras. Les mouvements qui s’approchent davantage sont refusés.</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>Ici</translation>
+        <source>At TCP</source>
+        <translation>Au TCP</translation>
     </message>
     <message>
         <source>Set the floor to the TCP height</source>
@@ -4933,7 +4933,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Distance</translation>
     </message>
     <message>
-        <source>Set a corner of a box to the TCP</source>
+        <source>Teach a box corner at the TCP</source>
         <translation>Placer un coin de boîte au TCP</translation>
     </message>
     <message>
@@ -4985,7 +4985,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Redimensionner « %1 »</translation>
     </message>
     <message>
-        <source>The normal must not be zero. Enter a component first.</source>
+        <source>The normal must not be zero. Enter at least one nonzero component.</source>
         <translation>La normale ne peut pas être nulle. Saisissez d’abord une composante.</translation>
     </message>
     <message>
@@ -5238,10 +5238,10 @@ Videz la recherche pour tout voir.</translation>
         <translation>utilisé par aucun point de passage</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it</source>
+        <source>used by %n waypoints</source>
         <translation>
-            <numerusform>%n point de passage bouge avec lui</numerusform>
-            <numerusform>%n points de passage bougent avec lui</numerusform>
+            <numerusform>utilisé par %n point de passage</numerusform>
+            <numerusform>utilisé par %n points de passage</numerusform>
         </translation>
     </message>
     <message>
@@ -5252,21 +5252,21 @@ Videz la recherche pour tout voir.</translation>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoints moved with it.</source>
+        <source>No waypoints moved with the frame.</source>
         <translation>Aucun point de passage n’a été déplacé avec lui.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints moved with it.</source>
+        <source>%n waypoints moved with the frame.</source>
         <translation>
             <numerusform>%n point de passage a bougé avec lui.</numerusform>
             <numerusform>%n points de passage ont bougé avec lui.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are now out of reach.</source>
+        <source>Waypoints out of reach: %n.</source>
         <translation>
-            <numerusform>%n d’entre eux est maintenant hors de portée.</numerusform>
-            <numerusform>%n d’entre eux sont maintenant hors de portée.</numerusform>
+            <numerusform>Points de passage hors de portée : %n.</numerusform>
+            <numerusform>Points de passage hors de portée : %n.</numerusform>
         </translation>
     </message>
     <message>
@@ -5286,7 +5286,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Aucun point de passage n’utilise ce repère.</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it.</source>
+        <source>%n waypoints move with the frame.</source>
         <translation>
             <numerusform>%n point de passage bouge avec lui.</numerusform>
             <numerusform>%n points de passage bougent avec lui.</numerusform>
@@ -5469,19 +5469,19 @@ Videz la recherche pour tout voir.</translation>
         <translation>Le robot a envoyé une position non valide. Reprenez le point.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Le point sur +X n’est qu’à %1 de l’origine. Reprenez-le à au moins %2. Une plus grande distance donne des axes plus précis.</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record the point again at least %2 away.</source>
         <translation>Le troisième point n’est qu’à %1 de l’origine. Reprenez-le à au moins %2.</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third point is only %1 from the X axis. Record the point again at least %2 towards +Y.</source>
         <translation>Les trois points sont alignés : le troisième n’est qu’à %1 de l’axe X. Reprenez-le à au moins %2 vers +Y.</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third point is %2 from the X axis.</source>
         <translation>Prêt : le point sur +X est à %1 de l’origine, le troisième à %2 de l’axe X.</translation>
     </message>
     <message>
@@ -5493,7 +5493,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Allez maintenant à un point sur +X : à %1 de l’origine, minimum %2.</translation>
     </message>
     <message>
-        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
+        <source>Now jog towards +Y: %1 from the X axis (minimum %2).</source>
         <translation>Allez maintenant vers +Y : à %1 de l’axe X, minimum %2.</translation>
     </message>
     <message>
@@ -7218,7 +7218,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Le bras a bougé. Attendez l’arrêt, gardez l’outil sans contact et reprenez la pose.</translation>
     </message>
     <message>
-        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <source>The robot is not sending force data. Enter the mass and the centre of gravity instead.</source>
         <translation>Le robot n’envoie pas de données de force. Saisissez plutôt la masse et le centre de gravité.</translation>
     </message>
     <message>
@@ -7238,11 +7238,11 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Les orientations de l’outil sont trop semblables. Prenez une pose de plus, l’outil tourné dans une autre direction.</translation>
     </message>
     <message>
-        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg : trop léger pour mesurer le centre de gravité. Saisissez-le.</translation>
+        <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
+        <translation>La charge de %1 kg est trop légère pour mesurer le centre de gravité. Saisissez la charge utile manuellement.</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>Attendez l’arrêt, gardez l’outil sans contact et prenez la pose. Tournez ensuite le poignet, par déplacement ou avec « Pose suivante », et prenez trois autres poses.</translation>
     </message>
     <message numerus="yes">
@@ -7444,11 +7444,11 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Mesure de la charge utile… Gardez l’outil sans contact.</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and press “Verify” again.</source>
         <translation>Le bras a bougé. Attendez l’arrêt, gardez l’outil sans contact et vérifiez de nouveau.</translation>
     </message>
     <message>
-        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <source>The payload cannot be verified because the robot is not sending force data.</source>
         <translation>Le robot n’envoie pas de données de force : la charge utile ne peut pas être vérifiée.</translation>
     </message>
     <message>
@@ -7476,7 +7476,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Le centre de gravité diffère, ou quelque chose touche l’outil.</translation>
     </message>
     <message>
-        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <source>%1 %2 Measure the payload, or select a different payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 Mesurez la charge utile ou sélectionnez-en une autre. La mise à zéro du capteur de force masque une charge utile erronée jusqu’à ce que l’outil tourne.</translation>
     </message>
     <message>
@@ -8293,12 +8293,12 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>%1. Appuyez sur Entrée pour appliquer. Seule la position enregistrée change ; le robot ne bouge pas.</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
+        <source>Height in the base frame. Above this height, the cell is free of obstacles, and the TCP may move sideways.</source>
         <translation>Hauteur dans le repère de base au-dessus de laquelle il n’y a pas d’obstacles : au-dessus, le TCP peut se déplacer latéralement.</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>Ici</translation>
+        <source>At TCP</source>
+        <translation>Au TCP</translation>
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
@@ -8325,7 +8325,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Utiliser la position choisie comme origine</translation>
     </message>
     <message>
-        <source>Touch up the position</source>
+        <source>Touch up position</source>
         <translation>Retoucher la position</translation>
     </message>
     <message>
@@ -8353,7 +8353,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Définir « %1 » à la position actuelle du bras ?</translation>
     </message>
     <message>
-        <source>The Home button will move the arm there.</source>
+        <source>The Home button will then move the arm to this position.</source>
         <translation>Le bouton Origine y amènera le bras.</translation>
     </message>
     <message>
@@ -8409,8 +8409,8 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Régler la hauteur sûre</translation>
     </message>
     <message>
-        <source>No safe height</source>
-        <translation>Pas de hauteur sûre</translation>
+        <source>Remove the safe height</source>
+        <translation>Supprimer la hauteur sûre</translation>
     </message>
     <message>
         <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
@@ -8421,7 +8421,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>%1 : cible du bouton Origine</translation>
     </message>
     <message>
-        <source>%1 · %2 %3 from here</source>
+        <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · %2 %3 d’ici</translation>
     </message>
 </context>
@@ -10020,7 +10020,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
     </message>
     <message>
         <source>No TCPs yet.
-Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach a TCP with the arm.</source>
         <translation>Pas encore de TCP.
 Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre… » pour en apprendre un avec le bras.</translation>
     </message>
@@ -10097,8 +10097,8 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Aucun robot connecté. Connectez-en un, ou essayez le simulateur.</translation>
     </message>
     <message>
-        <source>“%1” is the active TCP of the robot.</source>
-        <translation>« %1 » est le TCP actif du robot.</translation>
+        <source>The active TCP of the robot is already stored as “%1”.</source>
+        <translation>Le TCP actif du robot est déjà enregistré sous « %1 ».</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -10125,7 +10125,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Supprimer le TCP « %1 »</translation>
     </message>
     <message>
-        <source>%1, from the flange</source>
+        <source>%1, relative to the flange</source>
         <translation>%1, depuis la bride</translation>
     </message>
     <message>
@@ -10141,7 +10141,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Le TCP du robot diffère de « %1 »</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Difference: %3. Nothing was changed.</source>
         <translation>Sur le robot : %1. Dans le projet : %2. Distance : %3. Rien n’a été changé.</translation>
     </message>
     <message>
@@ -10204,7 +10204,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Pointe à %1. Les poses concordent à %2 (RMS) ; la pose %3 s’écarte le plus, de %4.</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
         <translation>Les orientations de l’outil sont trop semblables. Prenez une autre pose, inclinée de 30° ou plus dans une autre direction.</translation>
     </message>
     <message>
@@ -10235,7 +10235,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Orientation prise. Reprenez-la pour la remplacer.</translation>
     </message>
     <message>
-        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. After that, do not rotate the tool: jog along X, Y and Z only.</source>
         <translation>Prenez la pose à la position actuelle. Ne tournez plus l’outil à partir d’ici : déplacez seulement X, Y et Z.</translation>
     </message>
     <message>
@@ -10263,7 +10263,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>La distance selon +X n’est que de %1. Reprenez les trois poses, espacées d’au moins %2.</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
+        <source>The three poses are collinear: the third pose is only %1 from the line. Record the three poses again.</source>
         <translation>Les trois poses sont alignées : la troisième n’est qu’à %1 de la droite. Reprenez les trois poses.</translation>
     </message>
     <message>
@@ -10336,7 +10336,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply the values. The robot does not move.</source>
+        <source>%1. Press Return to apply the value. The robot does not move.</source>
         <translation>%1. Entrée pour appliquer. Le robot ne bouge pas.</translation>
     </message>
 </context>

@@ -4795,8 +4795,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>平面</translation>
     </message>
     <message>
-        <source>First corner recorded.</source>
-        <translation>最初の角を記録しました。</translation>
+        <source>First corner recorded</source>
+        <translation>最初の角を記録しました</translation>
     </message>
     <message>
         <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
@@ -4807,8 +4807,8 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>破棄</translation>
     </message>
     <message>
-        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
-        <translation>二つの角が同じ平面上にあります。TCPを箱の反対側の角に移動してください。</translation>
+        <source>The corners must differ by at least 1 mm along X, Y and Z. Move the TCP to the opposite corner of the box.</source>
+        <translation>二つの角は X、Y、Z のそれぞれで 1 mm 以上離れている必要があります。TCPを箱の反対側の角に移動してください。</translation>
     </message>
     <message>
         <source>Move “%1”</source>
@@ -4915,12 +4915,12 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>安全距離</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that would bring the arm closer are refused.</source>
         <translation>ジョグは、セルとの間およびアームの各部の間がこの距離になると停止します。それより近づく動作は拒否されます。</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>ここ</translation>
+        <source>At TCP</source>
+        <translation>TCP位置</translation>
     </message>
     <message>
         <source>Set the floor to the TCP height</source>
@@ -4931,7 +4931,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>距離</translation>
     </message>
     <message>
-        <source>Set a corner of a box to the TCP</source>
+        <source>Teach a box corner at the TCP</source>
         <translation>箱の角をTCPに設定</translation>
     </message>
     <message>
@@ -4983,7 +4983,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>「%1」のサイズを変更</translation>
     </message>
     <message>
-        <source>The normal must not be zero. Enter a component first.</source>
+        <source>The normal must not be zero. Enter at least one nonzero component.</source>
         <translation>法線をゼロにはできません。先に成分を入力してください。</translation>
     </message>
     <message>
@@ -5236,9 +5236,9 @@ Clear the search to see everything.</source>
         <translation>使用しているウェイポイントなし</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it</source>
+        <source>used by %n waypoints</source>
         <translation>
-            <numerusform>%n 個のウェイポイントが一緒に動く</numerusform>
+            <numerusform>%n 個のウェイポイントが使用</numerusform>
         </translation>
     </message>
     <message>
@@ -5249,19 +5249,19 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoints moved with it.</source>
+        <source>No waypoints moved with the frame.</source>
         <translation>一緒に動いたウェイポイントはありません。</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints moved with it.</source>
+        <source>%n waypoints moved with the frame.</source>
         <translation>
             <numerusform>%n 個のウェイポイントが一緒に動きました。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are now out of reach.</source>
+        <source>Waypoints out of reach: %n.</source>
         <translation>
-            <numerusform>そのうち %n 個が到達不可になりました。</numerusform>
+            <numerusform>到達不可のウェイポイント：%n 個。</numerusform>
         </translation>
     </message>
     <message>
@@ -5281,7 +5281,7 @@ Clear the search to see everything.</source>
         <translation>この座標系を使うウェイポイントはありません。</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it.</source>
+        <source>%n waypoints move with the frame.</source>
         <translation>
             <numerusform>%n 個のウェイポイントが一緒に動きます。</numerusform>
         </translation>
@@ -5462,19 +5462,19 @@ Clear the search to see everything.</source>
         <translation>ロボットが有効な位置を送りませんでした。点を記録し直してください。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して記録し直してください：遠いほど軸が正確です。</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record the point again at least %2 away.</source>
         <translation>3 点目は原点から %1 しか離れていません。%2 以上離して記録し直してください。</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third point is only %1 from the X axis. Record the point again at least %2 towards +Y.</source>
         <translation>3 点が一直線上にあります：3 点目は X 軸から %1 だけです。+Y 側に %2 以上離して記録し直してください。</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third point is %2 from the X axis.</source>
         <translation>準備完了：+X 上の点は %1、3 点目は X 軸から %2。</translation>
     </message>
     <message>
@@ -5486,7 +5486,7 @@ Clear the search to see everything.</source>
         <translation>次は +X 上の点へ：原点から %1、最小 %2。</translation>
     </message>
     <message>
-        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
+        <source>Now jog towards +Y: %1 from the X axis (minimum %2).</source>
         <translation>次は +Y 側へ：X 軸から %1、最小 %2。</translation>
     </message>
     <message>
@@ -7206,7 +7206,7 @@ Right-click or press F2 to rename it.</source>
         <translation>アームが動きました。静止させ、何にも触れず、姿勢を記録し直してください。</translation>
     </message>
     <message>
-        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <source>The robot is not sending force data. Enter the mass and the centre of gravity instead.</source>
         <translation>ロボットが力のデータを送りません。質量と重心を数値で入力してください。</translation>
     </message>
     <message>
@@ -7226,11 +7226,11 @@ Right-click or press F2 to rename it.</source>
         <translation>姿勢間のツールの回転が足りません。別の側に回してもう一つ記録してください。</translation>
     </message>
     <message>
-        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg：軽すぎて重心を測定できません。手動で入力してください。</translation>
+        <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
+        <translation>%1 kg の負荷は軽すぎて重心を測定できません。ペイロードを手動で入力してください。</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>アームを静止させ、何にも触れず、姿勢を記録します。次にジョグか「次の姿勢」で手首を回し、さらに三つ記録します。</translation>
     </message>
     <message numerus="yes">
@@ -7431,11 +7431,11 @@ Right-click or press F2 to rename it.</source>
         <translation>計量中… ツールに何も触れないでください。</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and press “Verify” again.</source>
         <translation>アームが動きました。静止させ、何にも触れず、もう一度確認してください。</translation>
     </message>
     <message>
-        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <source>The payload cannot be verified because the robot is not sending force data.</source>
         <translation>ロボットが力のデータを送りません：ペイロードを確認できません。</translation>
     </message>
     <message>
@@ -7463,7 +7463,7 @@ Right-click or press F2 to rename it.</source>
         <translation>重心が異なるか、何かがツールに触れています。</translation>
     </message>
     <message>
-        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <source>%1 %2 Measure the payload, or select a different payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 計量するか、別のペイロードを選んでください。力センサーをゼロにしても、ツールが回るまで誤りが隠れるだけです。</translation>
     </message>
     <message>
@@ -8275,12 +8275,12 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>%1。Return で適用します。変わるのは保存された位置だけで、ロボットは動きません。</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
+        <source>Height in the base frame. Above this height, the cell is free of obstacles, and the TCP may move sideways.</source>
         <translation>ベース座標系でこれより上には何もありません：TCP は横に動けます。</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>ここ</translation>
+        <source>At TCP</source>
+        <translation>TCP位置</translation>
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
@@ -8307,7 +8307,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>選んだ位置をホームに使う</translation>
     </message>
     <message>
-        <source>Touch up the position</source>
+        <source>Touch up position</source>
         <translation>位置を修正教示</translation>
     </message>
     <message>
@@ -8335,7 +8335,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>「%1」をアームの位置に設定しますか？</translation>
     </message>
     <message>
-        <source>The Home button will move the arm there.</source>
+        <source>The Home button will then move the arm to this position.</source>
         <translation>ホームボタンでアームがそこへ動きます。</translation>
     </message>
     <message>
@@ -8391,8 +8391,8 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>安全高さを設定</translation>
     </message>
     <message>
-        <source>No safe height</source>
-        <translation>安全高さなし</translation>
+        <source>Remove the safe height</source>
+        <translation>安全高さを削除</translation>
     </message>
     <message>
         <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
@@ -8403,7 +8403,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>%1：ホームボタンの目標</translation>
     </message>
     <message>
-        <source>%1 · %2 %3 from here</source>
+        <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · ここから %2 %3</translation>
     </message>
 </context>
@@ -9995,7 +9995,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach a TCP with the arm.</source>
         <translation>TCP はまだありません。
 「ロボットから」で現在のものを採用するか、「教示…」でアームで求めてください。</translation>
     </message>
@@ -10072,8 +10072,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>ロボット未接続。接続するか、シミュレーターを試してください。</translation>
     </message>
     <message>
-        <source>“%1” is the active TCP of the robot.</source>
-        <translation>「%1」はロボットで有効な TCP です。</translation>
+        <source>The active TCP of the robot is already stored as “%1”.</source>
+        <translation>ロボットで有効な TCP は「%1」として既に保存されています。</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -10100,7 +10100,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>TCP「%1」を削除</translation>
     </message>
     <message>
-        <source>%1, from the flange</source>
+        <source>%1, relative to the flange</source>
         <translation>%1、フランジから</translation>
     </message>
     <message>
@@ -10116,7 +10116,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>ロボットの TCP は「%1」と異なります</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Difference: %3. Nothing was changed.</source>
         <translation>ロボット：%1。プロジェクト：%2。差は %3。何も変わっていません。</translation>
     </message>
     <message>
@@ -10179,7 +10179,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>先端は %1。姿勢は %2 (rms) で一致。姿勢 %3 が最も合わず、%4。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
         <translation>姿勢間のツールの回転が足りません。別の側に 30° 以上傾けてもう一つ記録してください。</translation>
     </message>
     <message>
@@ -10209,7 +10209,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>方向を記録しました。記録し直すと置き換わります。</translation>
     </message>
     <message>
-        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. After that, do not rotate the tool: jog along X, Y and Z only.</source>
         <translation>現在の位置で姿勢を記録します。以後ツールを回さず、X、Y、Z だけジョグしてください。</translation>
     </message>
     <message>
@@ -10237,7 +10237,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>+X 側への距離が %1 だけです。%2 以上離して三つを記録し直してください。</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
+        <source>The three poses are collinear: the third pose is only %1 from the line. Record the three poses again.</source>
         <translation>三つの姿勢が一直線上にあります：三つ目は %1 だけです。三つを記録し直してください。</translation>
     </message>
     <message>
@@ -10310,7 +10310,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply the values. The robot does not move.</source>
+        <source>%1. Press Return to apply the value. The robot does not move.</source>
         <translation>%1。Enterで適用します。ロボットは動きません。</translation>
     </message>
 </context>

@@ -4795,8 +4795,8 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>平面</translation>
     </message>
     <message>
-        <source>First corner recorded.</source>
-        <translation>已记录第一个角。</translation>
+        <source>First corner recorded</source>
+        <translation>已记录第一个角</translation>
     </message>
     <message>
         <source>Move the TCP to the opposite corner and press “Teach corner 2”.</source>
@@ -4807,8 +4807,8 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>放弃</translation>
     </message>
     <message>
-        <source>The two corners are in one plane. Move the TCP to the opposite corner of the box.</source>
-        <translation>两个角在同一平面内。请将 TCP 移到长方体的对角。</translation>
+        <source>The corners must differ by at least 1 mm along X, Y and Z. Move the TCP to the opposite corner of the box.</source>
+        <translation>两个角在 X、Y、Z 方向上必须各相差至少 1 mm。请将 TCP 移到长方体的对角。</translation>
     </message>
     <message>
         <source>Move “%1”</source>
@@ -4915,12 +4915,12 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>安全距离</translation>
     </message>
     <message>
-        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that come closer are refused.</source>
+        <source>Jogging stops at this distance from objects in the cell and between parts of the arm. Moves that would bring the arm closer are refused.</source>
         <translation>点动在距单元以及机械臂各部分之间达到此距离时停止。更接近的运动会被拒绝。</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>此处</translation>
+        <source>At TCP</source>
+        <translation>TCP 处</translation>
     </message>
     <message>
         <source>Set the floor to the TCP height</source>
@@ -4931,7 +4931,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>距离</translation>
     </message>
     <message>
-        <source>Set a corner of a box to the TCP</source>
+        <source>Teach a box corner at the TCP</source>
         <translation>将长方体的角设在 TCP</translation>
     </message>
     <message>
@@ -4983,7 +4983,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>调整“%1”的大小</translation>
     </message>
     <message>
-        <source>The normal must not be zero. Enter a component first.</source>
+        <source>The normal must not be zero. Enter at least one nonzero component.</source>
         <translation>法线不能为零。请先输入一个分量。</translation>
     </message>
     <message>
@@ -5236,9 +5236,9 @@ Clear the search to see everything.</source>
         <translation>未被任何路点使用</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it</source>
+        <source>used by %n waypoints</source>
         <translation>
-            <numerusform>%n 个路点随其移动</numerusform>
+            <numerusform>被 %n 个路点使用</numerusform>
         </translation>
     </message>
     <message>
@@ -5249,19 +5249,19 @@ Clear the search to see everything.</source>
 <context>
     <name>tiller::FrameEditing</name>
     <message>
-        <source>No waypoints moved with it.</source>
+        <source>No waypoints moved with the frame.</source>
         <translation>没有路点随其移动。</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints moved with it.</source>
+        <source>%n waypoints moved with the frame.</source>
         <translation>
             <numerusform>%n 个路点随其移动了。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them are now out of reach.</source>
+        <source>Waypoints out of reach: %n.</source>
         <translation>
-            <numerusform>其中 %n 个现在不可达。</numerusform>
+            <numerusform>不可达的路点：%n 个。</numerusform>
         </translation>
     </message>
     <message>
@@ -5281,7 +5281,7 @@ Clear the search to see everything.</source>
         <translation>没有路点使用此坐标系。</translation>
     </message>
     <message numerus="yes">
-        <source>%n waypoints move with it.</source>
+        <source>%n waypoints move with the frame.</source>
         <translation>
             <numerusform>%n 个路点随其移动。</numerusform>
         </translation>
@@ -5462,19 +5462,19 @@ Clear the search to see everything.</source>
         <translation>机器人没有发送有效位置。请重新取点。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上的点距原点仅 %1。请重新取，至少 %2：越远，轴越准。</translation>
     </message>
     <message>
-        <source>The third point is only %1 from the origin. Record it again at least %2 away.</source>
+        <source>The third point is only %1 from the origin. Record the point again at least %2 away.</source>
         <translation>第三点距原点仅 %1。请重新取，至少 %2。</translation>
     </message>
     <message>
-        <source>The three points are collinear: the third is only %1 from the X axis. Record it again at least %2 towards +Y.</source>
+        <source>The three points are collinear: the third point is only %1 from the X axis. Record the point again at least %2 towards +Y.</source>
         <translation>三点在一条线上：第三点距 X 轴仅 %1。请重新取，向 +Y 侧至少 %2。</translation>
     </message>
     <message>
-        <source>Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.</source>
+        <source>Ready: the point on +X is %1 from the origin, and the third point is %2 from the X axis.</source>
         <translation>就绪：+X 上的点距 %1，第三点距 X 轴 %2。</translation>
     </message>
     <message>
@@ -5486,7 +5486,7 @@ Clear the search to see everything.</source>
         <translation>现在到 +X 上的一点：距原点 %1，最少 %2。</translation>
     </message>
     <message>
-        <source>Now jog towards +Y: %1 from the X axis, minimum %2.</source>
+        <source>Now jog towards +Y: %1 from the X axis (minimum %2).</source>
         <translation>现在到 +Y 一侧：距 X 轴 %1，最少 %2。</translation>
     </message>
     <message>
@@ -7206,7 +7206,7 @@ Right-click or press F2 to rename it.</source>
         <translation>机械臂移动了。请让其静止，不要触碰任何东西，再重新取位姿。</translation>
     </message>
     <message>
-        <source>The robot sends no force data. Enter mass and centre of gravity instead.</source>
+        <source>The robot is not sending force data. Enter the mass and the centre of gravity instead.</source>
         <translation>机器人不发送力数据。请改用数值输入质量和重心。</translation>
     </message>
     <message>
@@ -7226,11 +7226,11 @@ Right-click or press F2 to rename it.</source>
         <translation>工具方向过于相近。请将工具转到另一方向再取一个位姿。</translation>
     </message>
     <message>
-        <source>%1 kg: too light to measure the centre of gravity. Enter it manually.</source>
-        <translation>%1 kg：太轻，无法测量重心。请手动输入。</translation>
+        <source>The load of %1 kg is too light to measure the centre of gravity. Enter the payload manually.</source>
+        <translation>%1 kg 的负载太轻，无法测量重心。请手动输入有效负载。</translation>
     </message>
     <message>
-        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist, by jogging or with Next pose, and record three more poses.</source>
+        <source>Wait for standstill, keep the tool free of contact, and record the pose. Then rotate the wrist by jogging or with “Next pose (hold)”, and record three more poses.</source>
         <translation>让机械臂静止，不触碰任何东西，取位姿。然后用点动或“下一位姿”转动手腕，再取三个。</translation>
     </message>
     <message numerus="yes">
@@ -7431,11 +7431,11 @@ Right-click or press F2 to rename it.</source>
         <translation>正在称重… 请勿触碰工具。</translation>
     </message>
     <message>
-        <source>The arm moved. Wait for standstill, keep the tool free of contact, and check again.</source>
+        <source>The arm moved. Wait for standstill, keep the tool free of contact, and press “Verify” again.</source>
         <translation>机械臂移动了。请让其静止，不要触碰任何东西，再次检查。</translation>
     </message>
     <message>
-        <source>The robot sends no force data: the payload cannot be verified.</source>
+        <source>The payload cannot be verified because the robot is not sending force data.</source>
         <translation>机器人不发送力数据：无法验证有效负载。</translation>
     </message>
     <message>
@@ -7463,7 +7463,7 @@ Right-click or press F2 to rename it.</source>
         <translation>重心不同，或有物体触碰工具。</translation>
     </message>
     <message>
-        <source>%1 %2 Measure the payload, or select another one. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
+        <source>%1 %2 Measure the payload, or select a different payload. Zeroing the force sensor hides a wrong payload until the tool rotates.</source>
         <translation>%1 %2 请测量有效负载，或选择另一个。力传感器归零会掩盖错误的有效负载，直到工具转动。</translation>
     </message>
     <message>
@@ -8275,12 +8275,12 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>%1。按回车应用。只有保存的位置改变；机器人不移动。</translation>
     </message>
     <message>
-        <source>Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways.</source>
+        <source>Height in the base frame. Above this height, the cell is free of obstacles, and the TCP may move sideways.</source>
         <translation>基座坐标系中的高度，其上方没有障碍物：TCP 可在其上方横向移动。</translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation>此处</translation>
+        <source>At TCP</source>
+        <translation>TCP 处</translation>
     </message>
     <message>
         <source>Set the safe height to the current TCP height</source>
@@ -8307,7 +8307,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>把所选位置用作原位</translation>
     </message>
     <message>
-        <source>Touch up the position</source>
+        <source>Touch up position</source>
         <translation>修正示教位置</translation>
     </message>
     <message>
@@ -8335,7 +8335,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>将“%1”设为机械臂的当前位置？</translation>
     </message>
     <message>
-        <source>The Home button will move the arm there.</source>
+        <source>The Home button will then move the arm to this position.</source>
         <translation>“原位”按钮会将机械臂移到那里。</translation>
     </message>
     <message>
@@ -8391,8 +8391,8 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>设定安全高度</translation>
     </message>
     <message>
-        <source>No safe height</source>
-        <translation>无安全高度</translation>
+        <source>Remove the safe height</source>
+        <translation>移除安全高度</translation>
     </message>
     <message>
         <source>The Home button moves the arm to the default home position: upright, without self-collision.</source>
@@ -8403,7 +8403,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>%1：“原位”按钮的目标</translation>
     </message>
     <message>
-        <source>%1 · %2 %3 from here</source>
+        <source>%1 · %2 %3 from the current position</source>
         <translation>%1 · 距此处 %2 %3</translation>
     </message>
 </context>
@@ -9995,7 +9995,7 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>No TCPs yet.
-Press “From robot” to store the active TCP, or “Teach…” to teach one with the arm.</source>
+Press “From robot” to store the active TCP, or “Teach…” to teach a TCP with the arm.</source>
         <translation>还没有 TCP。
 按“取自机器人”保存当前 TCP，或按“示教…”用机械臂示教。</translation>
     </message>
@@ -10072,8 +10072,8 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>未连接机器人。请连接，或试用模拟器。</translation>
     </message>
     <message>
-        <source>“%1” is the active TCP of the robot.</source>
-        <translation>“%1”是机器人当前的 TCP。</translation>
+        <source>The active TCP of the robot is already stored as “%1”.</source>
+        <translation>机器人当前的 TCP 已保存为“%1”。</translation>
     </message>
     <message>
         <source>Teach “%1” again</source>
@@ -10100,7 +10100,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>删除 TCP“%1”</translation>
     </message>
     <message>
-        <source>%1, from the flange</source>
+        <source>%1, relative to the flange</source>
         <translation>%1，从法兰起</translation>
     </message>
     <message>
@@ -10116,7 +10116,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>机器人的 TCP 与“%1”不同</translation>
     </message>
     <message>
-        <source>On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.</source>
+        <source>On the robot: %1. In the project: %2. Difference: %3. Nothing was changed.</source>
         <translation>机器人：%1。项目：%2。相差 %3。没有任何更改。</translation>
     </message>
     <message>
@@ -10179,7 +10179,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>尖端位于 %1。各位姿一致到 %2 (rms)；位姿 %3 最不吻合，相差 %4。</translation>
     </message>
     <message>
-        <source>The tool orientations are too similar. Record one more pose, tilted by 30° or more in another direction.</source>
+        <source>The tool orientations are too similar. Record one more pose with the tool tilted by at least 30° in another direction.</source>
         <translation>工具方向过于相近。请向另一方向倾斜 30° 以上再取一个位姿。</translation>
     </message>
     <message>
@@ -10209,7 +10209,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>已取方向。再取一次即可替换。</translation>
     </message>
     <message>
-        <source>Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and Z only.</source>
+        <source>Record the pose at the current position. After that, do not rotate the tool: jog along X, Y and Z only.</source>
         <translation>在当前位置取位姿。此后不要转动工具：只点动 X、Y 和 Z。</translation>
     </message>
     <message>
@@ -10237,7 +10237,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
         <translation>沿 +X 的距离仅 %1。请以至少 %2 的间距重取三个位姿。</translation>
     </message>
     <message>
-        <source>The three poses are collinear: the third is only %1 from the line. Record the three poses again.</source>
+        <source>The three poses are collinear: the third pose is only %1 from the line. Record the three poses again.</source>
         <translation>三个位姿共线：第三个距该直线仅 %1。请重取三个位姿。</translation>
     </message>
     <message>
@@ -10310,7 +10310,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach one w
 <context>
     <name>tiller::VectorEditor</name>
     <message>
-        <source>%1. Press Return to apply the values. The robot does not move.</source>
+        <source>%1. Press Return to apply the value. The robot does not move.</source>
         <translation>%1。按回车应用。机器人不移动。</translation>
     </message>
 </context>

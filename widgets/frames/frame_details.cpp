@@ -73,7 +73,7 @@ void FrameDetails::showFacts() {
         return;
     }
     QStringList facts = {waypoints_ == 0 ? tr("not used by any waypoint")
-                                         : tr("%n waypoints move with it", nullptr, waypoints_)};
+                                         : tr("used by %n waypoints", nullptr, waypoints_)};
     if (tcp_) {
         const project::PoseDifference away = project::poseDifference(frame_->T_base_frame, *tcp_);
         facts << tr("%1 from the TCP").arg(format::difference(away.distance, away.angle));

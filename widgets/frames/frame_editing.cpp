@@ -10,13 +10,12 @@ namespace tiller {
 namespace {
 
 QString movedText(int waypoints) {
-    return waypoints == 0 ? FrameEditing::tr("No waypoints moved with it.")
-                          : FrameEditing::tr("%n waypoints moved with it.", nullptr, waypoints);
+    return waypoints == 0 ? FrameEditing::tr("No waypoints moved with the frame.")
+                          : FrameEditing::tr("%n waypoints moved with the frame.", nullptr, waypoints);
 }
 
 QString outOfReachText(int waypoints) {
-    return waypoints == 0 ? QString()
-                          : FrameEditing::tr("%n of them are now out of reach.", nullptr, waypoints);
+    return waypoints == 0 ? QString() : FrameEditing::tr("Waypoints out of reach: %n.", nullptr, waypoints);
 }
 
 }  // namespace
@@ -43,8 +42,9 @@ void FrameEditing::askToMove(const QUuid& id, const Pose& T_base_frame) {
     QStringList lines = {tr("The frame moves by %1 (%2, base frame).")
                              .arg(format::difference(by.distance, by.angle),
                                   format::shift(T_base_frame.position - frame.T_base_frame.position)),
-                         use.waypoints == 0 ? tr("No waypoint uses this frame.")
-                                            : tr("%n waypoints move with it.", nullptr, use.waypoints)};
+                         use.waypoints == 0
+                             ? tr("No waypoint uses this frame.")
+                             : tr("%n waypoints move with the frame.", nullptr, use.waypoints)};
     if (use.outOfReach > 0) {
         lines << outOfReachText(use.outOfReach);
     }

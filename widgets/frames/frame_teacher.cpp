@@ -140,18 +140,19 @@ QString FrameTeacher::feedback() const {
         case Problem::NotFinite:
             return tr("The robot sent an invalid position. Record the point again.");
         case Problem::XTooClose:
-            return tr("The point on +X is only %1 from the origin. Record it again at least %2 away. A "
-                      "larger distance gives more accurate axes.")
+            return tr("The point on +X is only %1 from the origin. Record the point again at least %2 away. "
+                      "A larger distance gives more accurate axes.")
                 .arg(format::length(found.alongX, 1), arm);
         case Problem::YTooClose:
-            return tr("The third point is only %1 from the origin. Record it again at least %2 away.")
+            return tr("The third point is only %1 from the origin. Record the point again at least %2 away.")
                 .arg(format::length(found.towardsY, 1), arm);
         case Problem::InLine:
-            return tr("The three points are collinear: the third is only %1 from the X axis. Record it again "
-                      "at least %2 towards +Y.")
+            return tr("The three points are collinear: the third point is only %1 from the X axis. Record "
+                      "the point again at least %2 towards +Y.")
                 .arg(format::length(found.offLine, 1), offset);
         case Problem::None:
-            return tr("Ready: the point on +X is %1 from the origin, and the third is %2 from the X axis.")
+            return tr("Ready: the point on +X is %1 from the origin, and the third point is %2 from the X "
+                      "axis.")
                 .arg(format::length(found.alongX, 1), format::length(found.offLine, 1));
         case Problem::Incomplete:
             break;
@@ -169,7 +170,7 @@ QString FrameTeacher::feedback() const {
                 .arg(format::length(project::check(with).alongX, 1), arm);
         default:
             with.towardsY = tip_;
-            return tr("Now jog towards +Y: %1 from the X axis, minimum %2.")
+            return tr("Now jog towards +Y: %1 from the X axis (minimum %2).")
                 .arg(format::length(project::check(with).offLine, 1), offset);
     }
 }

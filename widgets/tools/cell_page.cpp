@@ -109,7 +109,7 @@ VectorEditor::VectorEditor(Kind kind, const QString& name, const std::array<QStr
         box->setObjectName(QStringLiteral("%1.%2").arg(name).arg(i));
         box->setAccessibleName(spoken.at(at));
         box->setToolTip(
-            tr("%1. Press Return to apply the values. The robot does not move.").arg(spoken.at(at)));
+            tr("%1. Press Return to apply the value. The robot does not move.").arg(spoken.at(at)));
         box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         box->setProperty("dense", true);
         box->setMinimumWidth(80);
@@ -220,8 +220,8 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     distance_->setAccessibleName(CellPage::tr("Safety distance"));
     distance_->setToolTip(
         CellPage::tr("Jogging stops at this distance from objects in the cell and between parts of the arm. "
-                     "Moves that come closer are refused."));
-    auto* floorHere = new QPushButton(CellPage::tr("Here"));
+                     "Moves that would bring the arm closer are refused."));
+    auto* floorHere = new QPushButton(CellPage::tr("At TCP"));
     floorHere->setObjectName(QStringLiteral("cell.floorHere"));
     floorHere->setAccessibleName(CellPage::tr("Set the floor to the TCP height"));
     for (DecimalSpinBox* box : {floor_, distance_}) {
@@ -277,7 +277,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     table().setColumnWidth(PartModel::FirstValue, kSizeColumn);
 
     cornerKey_ = addKey(QStringLiteral("corner"), CellPage::tr("Teach corner"),
-                        CellPage::tr("Set a corner of a box to the TCP"), 3, [this] { takeCorner(); });
+                        CellPage::tr("Teach a box corner at the TCP"), 3, [this] { takeCorner(); });
     cornerKey_->setProperty("primary", true);
     const auto planeHere = [this] {
         if (!refusedWithoutData()) {
@@ -292,7 +292,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
     addKey(QStringLiteral("plane"), CellPage::tr("Teach plane"),
            CellPage::tr("Add a plane through the TCP, perpendicular to the tool"), 2, planeHere);
     addKey(QStringLiteral("box"), CellPage::tr("New box"), CellPage::tr("Add a box numerically"), 2, newBox);
-    addCommand(QStringLiteral("corner"), CellPage::tr("Set a corner of a box to the TCP"), false,
+    addCommand(QStringLiteral("corner"), CellPage::tr("Teach a box corner at the TCP"), false,
                [this] { takeCorner(); });
     addCommand(QStringLiteral("plane"), CellPage::tr("Add a plane through the TCP"), false, planeHere);
     addCommand(QStringLiteral("box"), CellPage::tr("Add a box numerically"), false, newBox);
@@ -343,7 +343,7 @@ CellPage::CellPage(RobotSession& session, ProjectDocument& document, QWidget* pa
             return;
         }
         if (normal.norm() < kNone) {
-            showProblem(CellPage::tr("The normal must not be zero. Enter a component first."));
+            showProblem(CellPage::tr("The normal must not be zero. Enter at least one nonzero component."));
             refresh();
             return;
         }
@@ -441,7 +441,7 @@ void CellPage::takeCorner() {
     const Eigen::Vector3d here = state_.tcpPose.position;
     if (!corner_) {
         corner_ = here;
-        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner recorded."),
+        notice().show(NoticeBar::Kind::Question, CellPage::tr("First corner recorded"),
                       CellPage::tr("Move the TCP to the opposite corner and press “Teach corner 2”."),
                       CellPage::tr("Discard"), [this] {
                           corner_.reset();
@@ -451,8 +451,9 @@ void CellPage::takeCorner() {
         constexpr double kMinEdge = 0.001;  // [m]
         const Eigen::Vector3d edges = (here - *corner_).cwiseAbs();
         if (edges.minCoeff() < kMinEdge) {
-            showProblem(CellPage::tr(
-                "The two corners are in one plane. Move the TCP to the opposite corner of the box."));
+            showProblem(
+                CellPage::tr("The corners must differ by at least 1 mm along X, Y and Z. Move the TCP to the "
+                             "opposite corner of the box."));
             return;
         }
         const Eigen::Vector3d centre = (here + *corner_) / 2;

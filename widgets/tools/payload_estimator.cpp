@@ -190,7 +190,8 @@ void PayloadEstimator::setState(const SessionState& state) {
                 break;
             case StandstillMean::Outcome::NoForce:
                 taking_ = false;
-                problem_ = tr("The robot sends no force data. Enter mass and centre of gravity instead.");
+                problem_ = tr(
+                    "The robot is not sending force data. Enter the mass and the centre of gravity instead.");
                 break;
             case StandstillMean::Outcome::Done:
                 taking_ = false;
@@ -231,16 +232,18 @@ QString PayloadEstimator::feedback() const {
                 "The tool orientations are too similar. Record one more pose with the tool rotated in "
                 "another direction.");
         case Problem::NoWeight:
-            return tr("%1 kg: too light to measure the centre of gravity. Enter it manually.")
+            return tr("The load of %1 kg is too light to measure the centre of gravity. Enter the payload "
+                      "manually.")
                 .arg(format::number(estimate_.mass, 3));
         case Problem::NotFinite:
-            return tr("The robot sends no force data. Enter mass and centre of gravity instead.");
+            return tr(
+                "The robot is not sending force data. Enter the mass and the centre of gravity instead.");
         case Problem::TooFew:
             break;
     }
     return readings_.empty()
                ? tr("Wait for standstill, keep the tool free of contact, and record the pose. Then rotate "
-                    "the wrist, by jogging or with Next pose, and record three more poses.")
+                    "the wrist by jogging or with “Next pose (hold)”, and record three more poses.")
                : tr("Rotate the wrist in another direction and record the pose. Poses still needed: %n",
                     nullptr, kinematics::kMinPayloadPoses - static_cast<int>(readings_.size()));
 }

@@ -282,10 +282,11 @@ void PayloadPage::followCheck() {
             return;
         case StandstillMean::Outcome::Moved:
             showProblem(
-                tr("The arm moved. Wait for standstill, keep the tool free of contact, and check again."));
+                tr("The arm moved. Wait for standstill, keep the tool free of contact, and press “Verify” "
+                   "again."));
             break;
         case StandstillMean::Outcome::NoForce:
-            showProblem(tr("The robot sends no force data: the payload cannot be verified."));
+            showProblem(tr("The payload cannot be verified because the robot is not sending force data."));
             break;
         case StandstillMean::Outcome::Done: {
             const Wrench left = mean_.remaining();
@@ -309,8 +310,8 @@ void PayloadPage::followCheck() {
                                    : tr("The load is about %1 kg lighter than the configured payload."))
                           .arg(format::number(std::abs(missing), 2))
                     : tr("The centre of gravity differs, or something is touching the tool.");
-            const QString text = tr("%1 %2 Measure the payload, or select another one. Zeroing the force "
-                                    "sensor hides a wrong payload until the tool rotates.")
+            const QString text = tr("%1 %2 Measure the payload, or select a different payload. Zeroing the "
+                                    "force sensor hides a wrong payload until the tool rotates.")
                                      .arg(felt, advice);
             Q_EMIT message(Severity::Warning, tr("The payload is wrong. %1 %2").arg(felt, advice));
             notice().show(NoticeBar::Kind::Warning, tr("The payload is wrong"), text);

@@ -93,11 +93,12 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
         connect(box, &QAbstractSpinBox::editingFinished, this, [this, i] { takeJoint(i); });
     }
     hasHeight_->setObjectName(QStringLiteral("position.hasHeight"));
-    hasHeight_->setToolTip(tr(
-        "Height in the base frame above which there are no obstacles. Above it, the TCP may move sideways."));
+    hasHeight_->setToolTip(
+        tr("Height in the base frame. Above this height, the cell is free of obstacles, and the TCP may move "
+           "sideways."));
     height_->setObjectName(QStringLiteral("position.height"));
     height_->setAccessibleName(tr("Safe height"));
-    auto* heightHere = new QPushButton(tr("Here"));
+    auto* heightHere = new QPushButton(tr("At TCP"));
     heightHere->setObjectName(QStringLiteral("position.heightHere"));
     heightHere->setAccessibleName(tr("Set the safe height to the current TCP height"));
     auto* heightRow = new QHBoxLayout;
@@ -119,7 +120,7 @@ PositionsPage::PositionsPage(RobotSession& session, ProjectDocument& document, Q
     addKey(QStringLiteral("useAsHome"), tr("Use as home"), tr("Use the selected position as home"), 2,
            [this] { useAsHome(); });
     addCommand(QStringLiteral("setHome"), tr("Set home here"), false, [this] { setHomeHere(); });
-    addCommand(QStringLiteral("touchUp"), tr("Touch up the position"), true, [this] { touchUp(); });
+    addCommand(QStringLiteral("touchUp"), tr("Touch up position"), true, [this] { touchUp(); });
     addCommand(QStringLiteral("noHome"), tr("Reset to default home"), false, [this] {
         project::Positions after = document_.positions();
         after.home = {};
@@ -183,7 +184,8 @@ void PositionsPage::setHomeHere() {
     if (const project::NamedPosition* home = document_.positions().homePosition()) {
         notice().show(NoticeBar::Kind::Question,
                       tr("Set “%1” to the current position of the arm?").arg(home->name),
-                      tr("The Home button will move the arm there."), tr("Set home"), [this, q = state_.q] {
+                      tr("The Home button will then move the arm to this position."), tr("Set home"),
+                      [this, q = state_.q] {
                           if (const project::NamedPosition* now = document_.positions().homePosition()) {
                               project::NamedPosition after = *now;
                               after.joints = q;
@@ -275,7 +277,7 @@ void PositionsPage::takeHeight() {
 void PositionsPage::setHeight(const std::optional<project::SafeHeight>& height) {
     project::Positions after = document_.positions();
     after.safeHeight = height;
-    document_.changePositions(after, height ? tr("Set the safe height") : tr("No safe height"));
+    document_.changePositions(after, height ? tr("Set the safe height") : tr("Remove the safe height"));
 }
 
 void PositionsPage::setState(const SessionState& state) {
@@ -334,7 +336,8 @@ void PositionsPage::refresh() {
     const Vector6 turns = position->joints.values - state_.q.values;
     int joint = 0;
     turns.cwiseAbs().maxCoeff(&joint);
-    facts_->setText(tr("%1 · %2 %3 from here").arg(what, jointName(joint), format::degrees(turns[joint], 1)));
+    facts_->setText(tr("%1 · %2 %3 from the current position")
+                        .arg(what, jointName(joint), format::degrees(turns[joint], 1)));
 }
 
 }  // namespace tiller

@@ -63,7 +63,7 @@ PartModel* tcpModel(ProjectDocument& document) {
 
 TcpPage::TcpPage(RobotSession& session, ProjectDocument& document, QWidget* parent)
     : PartPage(QStringLiteral("tcp"), tr("TCPs"), tcpModel(document),
-               tr("No TCPs yet.\nPress “From robot” to store the active TCP, or “Teach…” to teach one with "
+               tr("No TCPs yet.\nPress “From robot” to store the active TCP, or “Teach…” to teach a TCP with "
                   "the arm."),
                new QWidget, parent)
     , session_(session)
@@ -162,7 +162,7 @@ void TcpPage::addFromRobot() {
     for (const project::Tool& tool : document_.tooling().tools) {
         if (tool.tcpOffset == state_.tcpOffset) {
             selectRow(document_.tooling().tools.indexOf(tool.id));
-            showProblem(tr("“%1” is the active TCP of the robot.").arg(tool.name));
+            showProblem(tr("The active TCP of the robot is already stored as “%1”.").arg(tool.name));
             return;
         }
     }
@@ -246,7 +246,7 @@ void TcpPage::refresh() {
     }
     pose_->setPose(tool->tcpOffset);
     if (!state_.hasData()) {
-        facts_->setText(tr("%1, from the flange").arg(tool->name));
+        facts_->setText(tr("%1, relative to the flange").arg(tool->name));
         return;
     }
     const project::PoseDifference by = project::poseDifference(tool->tcpOffset, state_.tcpOffset);
@@ -287,7 +287,7 @@ void TcpPage::compare() {
     askedAbout_ = state_.tcpOffset;
     const QString title = tr("The robot's TCP differs from “%1”").arg(used->name);
     const QString text =
-        tr("On the robot: %1. In the project: %2. Distance: %3. Nothing was changed.")
+        tr("On the robot: %1. In the project: %2. Difference: %3. Nothing was changed.")
             .arg(format::position(state_.tcpOffset.position), format::position(used->tcpOffset.position),
                  format::difference(by.distance, by.angle));
     Q_EMIT message(Severity::Warning, title + QStringLiteral(": ") + text);

@@ -191,8 +191,8 @@ QString TcpTeacher::tipFeedback() const {
                 .arg(format::length(fit_.residuals[static_cast<std::size_t>(fit_.worst)], 2));
         case Problem::TooAlike:
             return tr(
-                "The tool orientations are too similar. Record one more pose, tilted by 30° or more in "
-                "another direction.");
+                "The tool orientations are too similar. Record one more pose with the tool tilted by at "
+                "least 30° in another direction.");
         case Problem::NotFinite:
             return tr("The robot sent an invalid position. Record the poses again.");
         case Problem::TooFew:
@@ -219,8 +219,8 @@ QString TcpTeacher::turnFeedback() const {
     switch (turns_.size()) {
         case 0:
             return tr(
-                "Record the pose at the current position. Do not rotate the tool from here on: jog X, Y and "
-                "Z only.");
+                "Record the pose at the current position. After that, do not rotate the tool: jog along X, Y "
+                "and Z only.");
         case 1:
             return tr("Move the tool along its +Z direction, away from the flange, by at least %1, and "
                       "record the pose.")
@@ -251,8 +251,8 @@ QString TcpTeacher::turnFeedback() const {
             return tr("The distance along +X is only %1. Record the three poses again, at least %2 apart.")
                 .arg(format::length(fit.towardsX, 1), format::shortLength(kinematics::kMinAxisTravel));
         case Problem::InLine:
-            return tr("The three poses are collinear: the third is only %1 from the line. Record the three "
-                      "poses again.")
+            return tr("The three poses are collinear: the third pose is only %1 from the line. Record the "
+                      "three poses again.")
                 .arg(format::length(fit.offLine, 1));
         case Problem::NotFinite:
             break;

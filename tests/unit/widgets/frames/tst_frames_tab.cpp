@@ -178,12 +178,12 @@ private Q_SLOTS:
         QTest::keyClick(tab_.get(), Qt::Key_U, Qt::ShiftModifier);
         QVERIFY(notice()->isVisible());
         QVERIFY2(notice()->text().contains("50.0 mm"), qPrintable(notice()->text()));
-        QVERIFY2(notice()->text().contains("2 waypoints move with it"), qPrintable(notice()->text()));
+        QVERIFY2(notice()->text().contains("2 waypoints move with the frame"), qPrintable(notice()->text()));
         QVERIFY(frame(0).T_base_frame == before);
         feed(beside(0.5, 0));  // the arm continues to move, but the displayed pose is stored
         click("notice.accept");
         QVERIFY(frame(0).T_base_frame == there);
-        QVERIFY2(notice()->text().contains("2 waypoints moved with it"), qPrintable(notice()->text()));
+        QVERIFY2(notice()->text().contains("2 waypoints moved with the frame"), qPrintable(notice()->text()));
         QVERIFY((placeOf(0).position - place.position - Eigen::Vector3d(0.03, 0, 0.04)).norm() < 1e-9);
         document_->undoStack().undo();
         QVERIFY(frame(0).T_base_frame == before);
