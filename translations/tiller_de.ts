@@ -1970,8 +1970,8 @@
 <context>
     <name>Practice</name>
     <message>
-        <source>Waiting for the stop.</source>
-        <translation>Warte auf den Stopp.</translation>
+        <source>Waiting for the protective stop.</source>
+        <translation>Warten auf den Schutzstopp.</translation>
     </message>
     <message>
         <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
@@ -2038,7 +2038,7 @@
         <translation>Auf %1 verlangsamt. Fahren Sie weiter.</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will show it.</source>
+        <source>No limit reached yet. The line below the pad will show the limit.</source>
         <translation>Noch keine Grenze erreicht. Die Zeile unter dem Tastenfeld zeigt sie an.</translation>
     </message>
     <message>
@@ -2054,8 +2054,8 @@
         <translation>Aufzeichnung: %1 s von %2 s.</translation>
     </message>
     <message>
-        <source>That recording is too short. Record again.</source>
-        <translation>Diese Aufzeichnung ist zu kurz. Zeichnen Sie erneut auf.</translation>
+        <source>The recording is too short. Record for at least three seconds.</source>
+        <translation>Die Aufzeichnung ist zu kurz. Zeichnen Sie mindestens drei Sekunden lang auf.</translation>
     </message>
     <message>
         <source>No recording yet. Press “Record” above the plots.</source>
@@ -2094,7 +2094,7 @@
         <translation>Aufzeichnen und messen</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock the arm and take control again.</source>
         <translation>Drücken Sie „Start“, um eine Kollision mit Schutzstopp zu simulieren. Finden Sie heraus, was den Arm gestoppt hat, warten Sie fünf Sekunden, entriegeln Sie ihn und übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Teachen Sie im Register Koordinatensysteme ein Koordinatensystem aus drei Punkten. Seine X-Achse muss entlang Y+ der Basis zeigen, seine Z-Achse nach oben: Nehmen Sie den Ursprung, dann einen Punkt weiter in Y+, dann einen Punkt weiter in X−.</translation>
     </message>
     <message>
-        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog to the part, select the waypoint and touch it up (U).</source>
         <translation>Drücken Sie „Start“, um an der aktuellen Position des Arms einen Wegpunkt „Teil“ hinzuzufügen. Danach verschiebt sich das Teil um %1 in X+ der Basis. Fahren Sie dorthin, wählen Sie den Wegpunkt und teachen Sie ihn nach (U).</translation>
     </message>
     <message>
@@ -4495,8 +4495,8 @@
 <context>
     <name>WaypointClipboard</name>
     <message>
-        <source>is missing</source>
-        <translation>fehlt</translation>
+        <source>the value is missing</source>
+        <translation>der Wert fehlt</translation>
     </message>
     <message>
         <source>“%1” is not a number</source>
@@ -4507,35 +4507,35 @@
         <translation>%1 liegt außerhalb von %2 bis %3</translation>
     </message>
     <message>
-        <source>Line %1, %2: %3</source>
-        <translation>Zeile %1, %2: %3</translation>
+        <source>Line %1, column “%2”: %3.</source>
+        <translation>Zeile %1, Spalte „%2“: %3.</translation>
     </message>
     <message>
-        <source>“%1” must be J or L</source>
-        <translation>„%1“ muss J oder L sein</translation>
+        <source>“%1” must be “J” or “L”</source>
+        <translation>„%1“ muss „J“ oder „L“ sein</translation>
     </message>
     <message>
-        <source>“%1” must be joints or pose</source>
-        <translation>„%1“ muss joints oder pose sein</translation>
+        <source>“%1” must be “joints” or “pose”</source>
+        <translation>„%1“ muss „joints“ oder „pose“ sein</translation>
     </message>
     <message>
-        <source>there is no frame “%1” in this project</source>
+        <source>the project has no frame named “%1”</source>
         <translation>in diesem Projekt gibt es kein Koordinatensystem „%1“</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
+        <source>The text is not a table of waypoints. Copy a waypoint from the list to see the columns, or use the six values of a pose.</source>
         <translation>Dies ist keine Wegpunkttabelle. Kopieren Sie einen Wegpunkt aus der Liste, um die Spalten zu sehen, oder fügen Sie die sechs Werte einer Pose ein.</translation>
     </message>
     <message>
-        <source>“%1” is not a waypoint colour</source>
-        <translation>„%1“ ist keine Wegpunktfarbe</translation>
+        <source>“%1” is not a waypoint colour (none, blue, orange, green, pink, yellow or sky)</source>
+        <translation>„%1“ ist keine Wegpunktfarbe (none, blue, orange, green, pink, yellow oder sky)</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: missing closing quotation mark</source>
-        <translation>Zeile %1: schließendes Anführungszeichen fehlt</translation>
+        <source>Line %1: the closing quotation mark is missing.</source>
+        <translation>Zeile %1: Das schließende Anführungszeichen fehlt.</translation>
     </message>
 </context>
 <context>
@@ -6166,7 +6166,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Vorfall aufgezeichnet: %1</translation>
     </message>
     <message>
-        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open the recording.</source>
         <translation>Die Aufzeichnung %2 beginnt %1 s vor dem Stopp. Doppelklicken Sie auf diesen Eintrag, um sie zu öffnen.</translation>
     </message>
 </context>
@@ -8432,12 +8432,12 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Starten Sie zuerst den simulierten Roboter (Menü Roboter).</translation>
     </message>
     <message>
-        <source>Power the arm on and release the brakes first.</source>
+        <source>Power on the arm and release the brakes first.</source>
         <translation>Schalten Sie zuerst den Arm ein und lösen Sie die Bremsen.</translation>
     </message>
     <message>
-        <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>Der Arm wurde vom Sicherheitssystem gestoppt. Stellen Sie zuerst den Betrieb wieder her.</translation>
+        <source>The safety system has stopped the arm. Use “Recover…” first.</source>
+        <translation>Das Sicherheitssystem hat den Arm gestoppt. Verwenden Sie zuerst „Wiederherstellen…“.</translation>
     </message>
     <message>
         <source>Done. Press “Start” to repeat the task.</source>
@@ -8844,7 +8844,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
 <context>
     <name>tiller::ProjectFiles</name>
     <message>
-        <source>The damaged project file was kept as %1</source>
+        <source>The damaged project file was kept as %1.</source>
         <translation>Die beschädigte Projektdatei wurde als %1 aufbewahrt</translation>
     </message>
     <message>
@@ -8852,7 +8852,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Projekt konnte nicht gespeichert werden</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was not changed.</source>
+        <source>%1. Update Tiller to open the file. The file was not changed.</source>
         <translation>%1. Aktualisieren Sie Tiller, um sie zu öffnen. Die Datei wurde nicht geändert.</translation>
     </message>
     <message>
@@ -8872,7 +8872,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Projekt konnte nicht geöffnet werden</translation>
     </message>
     <message>
-        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <source>Opened a copy of “%1”. Save the copy to a file to keep changes.</source>
         <translation>Eine Kopie von „%1“ ist geöffnet. Speichern Sie sie in eine Datei, um Änderungen zu behalten.</translation>
     </message>
     <message>
@@ -8907,7 +8907,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving %1 again</source>
+        <source>Changes are saved to %1 again.</source>
         <translation>%1 wird wieder gespeichert</translation>
     </message>
     <message>
@@ -8959,7 +8959,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 neu geladen</translation>
     </message>
     <message>
-        <source>This window&apos;s project is now %1</source>
+        <source>The project in this window is now %1.</source>
         <translation>Das Projekt dieses Fensters ist jetzt %1</translation>
     </message>
     <message>
@@ -8983,7 +8983,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Nächstes Mal erneut fragen</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved. %2</source>
+        <source>%1 has unsaved changes. %2</source>
         <translation>%1 enthält ungespeicherte Änderungen. %2</translation>
     </message>
     <message>
@@ -8991,11 +8991,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Projekt enthält ungespeicherte Änderungen.</translation>
     </message>
     <message>
-        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Tiller then offers to restore the unsaved changes at the next start.</source>
         <translation>„Beide behalten“ speichert das Projekt dieses Fensters in einer zweiten Datei. „Neu laden“ zeigt den neuen Inhalt; nicht gespeicherte Änderungen dieses Fensters werden dann beim nächsten Start angeboten.</translation>
     </message>
     <message>
-        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with these objects are not prevented.</source>
         <translation>Nicht lesbare Quader und Ebenen der Zelle: %1. Kollisionen mit ihnen werden nicht verhindert.</translation>
     </message>
     <message>
@@ -9037,8 +9037,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Projekt passt zum verbundenen Roboter.</translation>
     </message>
     <message>
-        <source>Connect the robot for this project.</source>
-        <translation>Verbinden Sie den Roboter für dieses Projekt.</translation>
+        <source>No robot is connected. Connect the robot that belongs to this project.</source>
+        <translation>Kein Roboter ist verbunden. Verbinden Sie den Roboter, der zu diesem Projekt gehört.</translation>
     </message>
     <message>
         <source>Project for another robot model</source>
@@ -9061,7 +9061,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>TCP weicht vom Projekt ab</translation>
     </message>
     <message>
-        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
         <translation>Mit dem TCP des Roboters erreicht der Flansch die geteachten Posen, der TCP jedoch nicht. Bis Sie entscheiden, sind Bewegungen zu Positionen des Projekts gesperrt.</translation>
     </message>
     <message>
@@ -9085,7 +9085,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Außer Reichweite: %1.</translation>
     </message>
     <message>
-        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <source>Removed because they are out of reach: %1. Press Ctrl+Z to restore them.</source>
         <translation>Entfernt, weil außer Reichweite: %1. Rückgängig stellt sie wieder her.</translation>
     </message>
     <message>
@@ -9112,7 +9112,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 — eine Kopie, nicht in einer Datei gespeichert</translation>
     </message>
     <message>
-        <source>project not saved to a file</source>
+        <source>Project not saved to a file</source>
         <translation>Projekt nicht in einer Datei gespeichert</translation>
     </message>
     <message>
@@ -9148,7 +9148,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Ungespeichertes Projekt</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
         <translation>%1 ist in einem anderen Fenster geöffnet (%2). Schließen Sie die Datei dort, oder speichern Sie unter einem anderen Namen.</translation>
     </message>
     <message>
@@ -9156,7 +9156,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>ein anderes Programm</translation>
     </message>
     <message>
-        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
         <translation>%1 wurde von einem anderen Programm geändert. Laden Sie die Datei neu, oder speichern Sie unter einem anderen Namen.</translation>
     </message>
     <message>

@@ -1970,7 +1970,7 @@
 <context>
     <name>Practice</name>
     <message>
-        <source>Waiting for the stop.</source>
+        <source>Waiting for the protective stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2038,7 +2038,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will show it.</source>
+        <source>No limit reached yet. The line below the pad will show the limit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2054,7 +2054,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>That recording is too short. Record again.</source>
+        <source>The recording is too short. Record for at least three seconds.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock the arm and take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog to the part, select the waypoint and touch it up (U).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4495,7 +4495,7 @@
 <context>
     <name>WaypointClipboard</name>
     <message>
-        <source>is missing</source>
+        <source>the value is missing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4507,34 +4507,34 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Line %1, %2: %3</source>
+        <source>Line %1, column “%2”: %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” must be J or L</source>
+        <source>“%1” must be “J” or “L”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” must be joints or pose</source>
+        <source>“%1” must be “joints” or “pose”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>there is no frame “%1” in this project</source>
+        <source>the project has no frame named “%1”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
+        <source>The text is not a table of waypoints. Copy a waypoint from the list to see the columns, or use the six values of a pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is not a waypoint colour</source>
+        <source>“%1” is not a waypoint colour (none, blue, orange, green, pink, yellow or sky)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: missing closing quotation mark</source>
+        <source>Line %1: the closing quotation mark is missing.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6162,7 +6162,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open the recording.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8423,11 +8423,11 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Power the arm on and release the brakes first.</source>
+        <source>Power on the arm and release the brakes first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is stopped by the safety system. Recover first.</source>
+        <source>The safety system has stopped the arm. Use “Recover…” first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8831,7 +8831,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::ProjectFiles</name>
     <message>
-        <source>The damaged project file was kept as %1</source>
+        <source>The damaged project file was kept as %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8839,7 +8839,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was not changed.</source>
+        <source>%1. Update Tiller to open the file. The file was not changed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8874,7 +8874,7 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <source>Opened a copy of “%1”. Save the copy to a file to keep changes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8894,7 +8894,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saving %1 again</source>
+        <source>Changes are saved to %1 again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8946,7 +8946,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This window&apos;s project is now %1</source>
+        <source>The project in this window is now %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8970,7 +8970,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved. %2</source>
+        <source>%1 has unsaved changes. %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8978,11 +8978,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Tiller then offers to restore the unsaved changes at the next start.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with these objects are not prevented.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9024,7 +9024,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect the robot for this project.</source>
+        <source>No robot is connected. Connect the robot that belongs to this project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9048,7 +9048,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9072,7 +9072,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <source>Removed because they are out of reach: %1. Press Ctrl+Z to restore them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9095,7 +9095,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::ProjectStore</name>
     <message>
-        <source>project not saved to a file</source>
+        <source>Project not saved to a file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9135,7 +9135,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9143,7 +9143,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1970,8 +1970,8 @@
 <context>
     <name>Practice</name>
     <message>
-        <source>Waiting for the stop.</source>
-        <translation>Esperando la parada.</translation>
+        <source>Waiting for the protective stop.</source>
+        <translation>Esperando la parada de protección.</translation>
     </message>
     <message>
         <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
@@ -2038,7 +2038,7 @@
         <translation>Ralentizado a %1. Continúe.</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will show it.</source>
+        <source>No limit reached yet. The line below the pad will show the limit.</source>
         <translation>Aún no se alcanzó ningún límite. La línea bajo los botones lo indicará.</translation>
     </message>
     <message>
@@ -2054,8 +2054,8 @@
         <translation>Grabando: %1 s de %2 s.</translation>
     </message>
     <message>
-        <source>That recording is too short. Record again.</source>
-        <translation>Esa grabación es demasiado corta. Grabe de nuevo.</translation>
+        <source>The recording is too short. Record for at least three seconds.</source>
+        <translation>La grabación es demasiado corta. Grabe durante al menos tres segundos.</translation>
     </message>
     <message>
         <source>No recording yet. Press “Record” above the plots.</source>
@@ -2094,7 +2094,7 @@
         <translation>Grabar y medir</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock the arm and take control again.</source>
         <translation>Pulse Iniciar para simular un choque que provoca una parada de protección. Averigüe qué detuvo el brazo, espere cinco segundos, desbloquéelo y tome de nuevo el control.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Enseñe un sistema de coordenadas con tres puntos en la pestaña Sistemas de coordenadas. Su eje X debe apuntar en Y+ de la base y su eje Z hacia arriba: tome el origen, después un punto más allá en Y+ y otro más allá en X−.</translation>
     </message>
     <message>
-        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog to the part, select the waypoint and touch it up (U).</source>
         <translation>Pulse Iniciar para añadir un punto de paso «pieza» en la posición actual del brazo. Después la pieza se desplaza %1 en X+ de la base. Mueva el brazo allí, seleccione el punto y retóquelo (U).</translation>
     </message>
     <message>
@@ -4495,8 +4495,8 @@
 <context>
     <name>WaypointClipboard</name>
     <message>
-        <source>is missing</source>
-        <translation>falta</translation>
+        <source>the value is missing</source>
+        <translation>falta el valor</translation>
     </message>
     <message>
         <source>“%1” is not a number</source>
@@ -4507,35 +4507,35 @@
         <translation>%1 está fuera de %2 a %3</translation>
     </message>
     <message>
-        <source>Line %1, %2: %3</source>
-        <translation>Línea %1, %2: %3</translation>
+        <source>Line %1, column “%2”: %3.</source>
+        <translation>Línea %1, columna «%2»: %3.</translation>
     </message>
     <message>
-        <source>“%1” must be J or L</source>
-        <translation>«%1» debe ser J o L</translation>
+        <source>“%1” must be “J” or “L”</source>
+        <translation>«%1» debe ser «J» o «L»</translation>
     </message>
     <message>
-        <source>“%1” must be joints or pose</source>
-        <translation>«%1» debe ser joints o pose</translation>
+        <source>“%1” must be “joints” or “pose”</source>
+        <translation>«%1» debe ser «joints» o «pose»</translation>
     </message>
     <message>
-        <source>there is no frame “%1” in this project</source>
+        <source>the project has no frame named “%1”</source>
         <translation>en este proyecto no hay sistema «%1»</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
+        <source>The text is not a table of waypoints. Copy a waypoint from the list to see the columns, or use the six values of a pose.</source>
         <translation>Esto no es una tabla de puntos de paso. Copie un punto de la lista para ver las columnas, o pegue los seis valores de una pose.</translation>
     </message>
     <message>
-        <source>“%1” is not a waypoint colour</source>
-        <translation>«%1» no es un color de punto de paso</translation>
+        <source>“%1” is not a waypoint colour (none, blue, orange, green, pink, yellow or sky)</source>
+        <translation>«%1» no es un color de punto de paso (none, blue, orange, green, pink, yellow o sky)</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: missing closing quotation mark</source>
-        <translation>Línea %1: falta la comilla de cierre</translation>
+        <source>Line %1: the closing quotation mark is missing.</source>
+        <translation>Línea %1: falta la comilla de cierre.</translation>
     </message>
 </context>
 <context>
@@ -6166,7 +6166,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Incidente grabado: %1</translation>
     </message>
     <message>
-        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open the recording.</source>
         <translation>La grabación %2 empieza %1 s antes de la parada. Haga doble clic en esta entrada para abrirla.</translation>
     </message>
 </context>
@@ -8432,12 +8432,12 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>Inicie primero el robot simulado (menú Robot).</translation>
     </message>
     <message>
-        <source>Power the arm on and release the brakes first.</source>
+        <source>Power on the arm and release the brakes first.</source>
         <translation>Encienda primero el brazo y libere los frenos.</translation>
     </message>
     <message>
-        <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>El sistema de seguridad detuvo el brazo. Recupérelo primero.</translation>
+        <source>The safety system has stopped the arm. Use “Recover…” first.</source>
+        <translation>El sistema de seguridad detuvo el brazo. Use primero «Recuperar…».</translation>
     </message>
     <message>
         <source>Done. Press “Start” to repeat the task.</source>
@@ -8844,7 +8844,7 @@ Suelte el botón para detener el brazo.</translation>
 <context>
     <name>tiller::ProjectFiles</name>
     <message>
-        <source>The damaged project file was kept as %1</source>
+        <source>The damaged project file was kept as %1.</source>
         <translation>El archivo de proyecto dañado se guardó como %1</translation>
     </message>
     <message>
@@ -8852,7 +8852,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>No se pudo guardar el proyecto</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was not changed.</source>
+        <source>%1. Update Tiller to open the file. The file was not changed.</source>
         <translation>%1. Actualice Tiller para abrirlo. El archivo no se modificó.</translation>
     </message>
     <message>
@@ -8872,7 +8872,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>No se pudo abrir el proyecto</translation>
     </message>
     <message>
-        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <source>Opened a copy of “%1”. Save the copy to a file to keep changes.</source>
         <translation>Se abrió una copia de «%1». Guárdela en un archivo para conservar los cambios.</translation>
     </message>
     <message>
@@ -8907,7 +8907,7 @@ Suelte el botón para detener el brazo.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving %1 again</source>
+        <source>Changes are saved to %1 again.</source>
         <translation>Se reanudó el guardado de %1</translation>
     </message>
     <message>
@@ -8959,7 +8959,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>%1 recargado</translation>
     </message>
     <message>
-        <source>This window&apos;s project is now %1</source>
+        <source>The project in this window is now %1.</source>
         <translation>El proyecto de esta ventana es ahora %1</translation>
     </message>
     <message>
@@ -8983,7 +8983,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Preguntar la próxima vez</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved. %2</source>
+        <source>%1 has unsaved changes. %2</source>
         <translation>%1 tiene cambios sin guardar. %2</translation>
     </message>
     <message>
@@ -8991,11 +8991,11 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El proyecto tiene cambios sin guardar.</translation>
     </message>
     <message>
-        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Tiller then offers to restore the unsaved changes at the next start.</source>
         <translation>«Conservar ambos» guarda el proyecto de esta ventana en un segundo archivo. «Recargar» muestra el contenido nuevo; los cambios sin guardar de esta ventana se ofrecen en el próximo inicio.</translation>
     </message>
     <message>
-        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with these objects are not prevented.</source>
         <translation>Cajas y planos ilegibles de la celda: %1. No se evitan colisiones con ellos.</translation>
     </message>
     <message>
@@ -9037,8 +9037,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El proyecto es compatible con el robot conectado.</translation>
     </message>
     <message>
-        <source>Connect the robot for this project.</source>
-        <translation>Conecte el robot de este proyecto.</translation>
+        <source>No robot is connected. Connect the robot that belongs to this project.</source>
+        <translation>No hay ningún robot conectado. Conecte el robot de este proyecto.</translation>
     </message>
     <message>
         <source>Project for another robot model</source>
@@ -9061,7 +9061,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El TCP difiere del proyecto</translation>
     </message>
     <message>
-        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
         <translation>Con el TCP del robot, la brida alcanza las poses enseñadas, pero el TCP no. Hasta que decida, los movimientos a posiciones del proyecto están bloqueados.</translation>
     </message>
     <message>
@@ -9085,7 +9085,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Fuera de alcance: %1.</translation>
     </message>
     <message>
-        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <source>Removed because they are out of reach: %1. Press Ctrl+Z to restore them.</source>
         <translation>Eliminados por estar fuera de alcance: %1. Deshacer los recupera.</translation>
     </message>
     <message>
@@ -9112,8 +9112,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>%1 — una copia, no guardada en un archivo</translation>
     </message>
     <message>
-        <source>project not saved to a file</source>
-        <translation>proyecto no guardado en un archivo</translation>
+        <source>Project not saved to a file</source>
+        <translation>Proyecto no guardado en un archivo</translation>
     </message>
     <message>
         <source>disk full</source>
@@ -9148,7 +9148,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Proyecto sin guardar</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
         <translation>%1 está abierto en otra ventana (%2). Ciérrelo allí o guarde con otro nombre.</translation>
     </message>
     <message>
@@ -9156,7 +9156,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>otro programa</translation>
     </message>
     <message>
-        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
         <translation>Otro programa ha cambiado %1. Vuelva a cargarlo o guarde con otro nombre.</translation>
     </message>
     <message>

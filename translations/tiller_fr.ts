@@ -1970,8 +1970,8 @@
 <context>
     <name>Practice</name>
     <message>
-        <source>Waiting for the stop.</source>
-        <translation>En attente de l’arrêt.</translation>
+        <source>Waiting for the protective stop.</source>
+        <translation>En attente de l’arrêt de protection.</translation>
     </message>
     <message>
         <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
@@ -2038,7 +2038,7 @@
         <translation>Ralenti à %1. Continuez.</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will show it.</source>
+        <source>No limit reached yet. The line below the pad will show the limit.</source>
         <translation>Aucune limite atteinte. La ligne sous le pavé l’indiquera.</translation>
     </message>
     <message>
@@ -2054,8 +2054,8 @@
         <translation>Enregistrement : %1 s sur %2 s.</translation>
     </message>
     <message>
-        <source>That recording is too short. Record again.</source>
-        <translation>Cet enregistrement est trop court. Recommencez.</translation>
+        <source>The recording is too short. Record for at least three seconds.</source>
+        <translation>L’enregistrement est trop court. Enregistrez pendant au moins trois secondes.</translation>
     </message>
     <message>
         <source>No recording yet. Press “Record” above the plots.</source>
@@ -2094,7 +2094,7 @@
         <translation>Enregistrer et mesurer</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock the arm and take control again.</source>
         <translation>Appuyez sur Démarrer pour simuler une collision qui provoque un arrêt de protection. Trouvez ce qui a arrêté le bras, attendez cinq secondes, déverrouillez-le et reprenez le contrôle.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>Apprenez un repère à partir de trois points dans l’onglet Repères. Son axe X doit pointer selon Y+ de la base et son axe Z vers le haut : prenez l’origine, puis un point plus loin selon Y+, puis un point plus loin selon X−.</translation>
     </message>
     <message>
-        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog to the part, select the waypoint and touch it up (U).</source>
         <translation>Appuyez sur Démarrer pour ajouter un point de passage « pièce » à la position actuelle du bras. La pièce se déplace ensuite de %1 selon X+ de la base. Allez-y, sélectionnez le point et retouchez-le (U).</translation>
     </message>
     <message>
@@ -4495,8 +4495,8 @@
 <context>
     <name>WaypointClipboard</name>
     <message>
-        <source>is missing</source>
-        <translation>manque</translation>
+        <source>the value is missing</source>
+        <translation>la valeur manque</translation>
     </message>
     <message>
         <source>“%1” is not a number</source>
@@ -4507,35 +4507,35 @@
         <translation>%1 est hors de %2 à %3</translation>
     </message>
     <message>
-        <source>Line %1, %2: %3</source>
-        <translation>Ligne %1, %2 : %3</translation>
+        <source>Line %1, column “%2”: %3.</source>
+        <translation>Ligne %1, colonne « %2 » : %3.</translation>
     </message>
     <message>
-        <source>“%1” must be J or L</source>
-        <translation>« %1 » doit être J ou L</translation>
+        <source>“%1” must be “J” or “L”</source>
+        <translation>« %1 » doit être « J » ou « L »</translation>
     </message>
     <message>
-        <source>“%1” must be joints or pose</source>
-        <translation>« %1 » doit être joints ou pose</translation>
+        <source>“%1” must be “joints” or “pose”</source>
+        <translation>« %1 » doit être « joints » ou « pose »</translation>
     </message>
     <message>
-        <source>there is no frame “%1” in this project</source>
+        <source>the project has no frame named “%1”</source>
         <translation>il n’y a pas de repère « %1 » dans ce projet</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
+        <source>The text is not a table of waypoints. Copy a waypoint from the list to see the columns, or use the six values of a pose.</source>
         <translation>Ce n’est pas un tableau de points de passage. Copiez un point de la liste pour voir les colonnes, ou collez les six valeurs d’une pose.</translation>
     </message>
     <message>
-        <source>“%1” is not a waypoint colour</source>
-        <translation>« %1 » n’est pas une couleur de point de passage</translation>
+        <source>“%1” is not a waypoint colour (none, blue, orange, green, pink, yellow or sky)</source>
+        <translation>« %1 » n’est pas une couleur de point de passage (none, blue, orange, green, pink, yellow ou sky)</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: missing closing quotation mark</source>
-        <translation>Ligne %1 : guillemet fermant manquant</translation>
+        <source>Line %1: the closing quotation mark is missing.</source>
+        <translation>Ligne %1 : le guillemet fermant manque.</translation>
     </message>
 </context>
 <context>
@@ -6166,7 +6166,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Incident enregistré : %1</translation>
     </message>
     <message>
-        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open the recording.</source>
         <translation>L’enregistrement %2 commence %1 s avant l’arrêt. Double-cliquez sur cette entrée pour l’ouvrir.</translation>
     </message>
 </context>
@@ -8432,12 +8432,12 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Démarrez d’abord le robot simulé (menu Robot).</translation>
     </message>
     <message>
-        <source>Power the arm on and release the brakes first.</source>
+        <source>Power on the arm and release the brakes first.</source>
         <translation>Mettez d’abord le bras sous tension et desserrez les freins.</translation>
     </message>
     <message>
-        <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>Le système de sécurité a arrêté le bras. Rétablissez-le d’abord.</translation>
+        <source>The safety system has stopped the arm. Use “Recover…” first.</source>
+        <translation>Le système de sécurité a arrêté le bras. Utilisez d’abord « Rétablir… ».</translation>
     </message>
     <message>
         <source>Done. Press “Start” to repeat the task.</source>
@@ -8844,7 +8844,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
 <context>
     <name>tiller::ProjectFiles</name>
     <message>
-        <source>The damaged project file was kept as %1</source>
+        <source>The damaged project file was kept as %1.</source>
         <translation>Le fichier de projet endommagé a été gardé sous %1</translation>
     </message>
     <message>
@@ -8852,7 +8852,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le projet n’a pu être enregistré</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was not changed.</source>
+        <source>%1. Update Tiller to open the file. The file was not changed.</source>
         <translation>%1. Mettez Tiller à jour pour l’ouvrir. Le fichier n’a pas été modifié.</translation>
     </message>
     <message>
@@ -8872,7 +8872,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le projet n’a pu être ouvert</translation>
     </message>
     <message>
-        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <source>Opened a copy of “%1”. Save the copy to a file to keep changes.</source>
         <translation>Une copie de « %1 » est ouverte. Enregistrez-la dans un fichier pour garder les changements.</translation>
     </message>
     <message>
@@ -8907,7 +8907,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         </translation>
     </message>
     <message>
-        <source>Saving %1 again</source>
+        <source>Changes are saved to %1 again.</source>
         <translation>Enregistrement de %1 repris</translation>
     </message>
     <message>
@@ -8959,7 +8959,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>%1 rechargé</translation>
     </message>
     <message>
-        <source>This window&apos;s project is now %1</source>
+        <source>The project in this window is now %1.</source>
         <translation>Le projet de cette fenêtre est maintenant %1</translation>
     </message>
     <message>
@@ -8983,7 +8983,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Redemander la prochaine fois</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved. %2</source>
+        <source>%1 has unsaved changes. %2</source>
         <translation>%1 contient des modifications non enregistrées. %2</translation>
     </message>
     <message>
@@ -8991,11 +8991,11 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le projet contient des modifications non enregistrées.</translation>
     </message>
     <message>
-        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Tiller then offers to restore the unsaved changes at the next start.</source>
         <translation>« Garder les deux » enregistre le projet de cette fenêtre dans un second fichier. « Recharger » affiche le nouveau contenu ; les modifications non enregistrées de cette fenêtre sont proposées au prochain démarrage.</translation>
     </message>
     <message>
-        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with these objects are not prevented.</source>
         <translation>Boîtes et plans illisibles de la cellule : %1. Les collisions avec eux ne sont pas évitées.</translation>
     </message>
     <message>
@@ -9037,8 +9037,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le projet convient au robot connecté.</translation>
     </message>
     <message>
-        <source>Connect the robot for this project.</source>
-        <translation>Connectez le robot de ce projet.</translation>
+        <source>No robot is connected. Connect the robot that belongs to this project.</source>
+        <translation>Aucun robot n’est connecté. Connectez le robot de ce projet.</translation>
     </message>
     <message>
         <source>Project for another robot model</source>
@@ -9061,7 +9061,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le TCP diffère du projet</translation>
     </message>
     <message>
-        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
         <translation>Avec le TCP du robot, la bride atteint les poses apprises, mais pas le TCP. Jusqu’à votre décision, les mouvements vers les positions du projet sont bloqués.</translation>
     </message>
     <message>
@@ -9085,7 +9085,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Hors de portée : %1.</translation>
     </message>
     <message>
-        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <source>Removed because they are out of reach: %1. Press Ctrl+Z to restore them.</source>
         <translation>Supprimés car hors de portée : %1. Annuler les rétablit.</translation>
     </message>
     <message>
@@ -9112,8 +9112,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>%1 — une copie, non enregistrée dans un fichier</translation>
     </message>
     <message>
-        <source>project not saved to a file</source>
-        <translation>projet non enregistré dans un fichier</translation>
+        <source>Project not saved to a file</source>
+        <translation>Projet non enregistré dans un fichier</translation>
     </message>
     <message>
         <source>disk full</source>
@@ -9148,7 +9148,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Projet non enregistré</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
         <translation>%1 est ouvert dans une autre fenêtre (%2). Fermez-le dans cette fenêtre ou enregistrez sous un autre nom.</translation>
     </message>
     <message>
@@ -9156,7 +9156,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>un autre programme</translation>
     </message>
     <message>
-        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
         <translation>%1 a été modifié par un autre programme. Rechargez-le ou enregistrez sous un autre nom.</translation>
     </message>
     <message>

@@ -1970,8 +1970,8 @@
 <context>
     <name>Practice</name>
     <message>
-        <source>Waiting for the stop.</source>
-        <translation>停止を待っています。</translation>
+        <source>Waiting for the protective stop.</source>
+        <translation>保護停止を待っています。</translation>
     </message>
     <message>
         <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
@@ -2038,7 +2038,7 @@
         <translation>%1 まで減速しました。続けてください。</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will show it.</source>
+        <source>No limit reached yet. The line below the pad will show the limit.</source>
         <translation>まだ限界に達していません。パッドの下の行に限界が表示されます。</translation>
     </message>
     <message>
@@ -2054,8 +2054,8 @@
         <translation>記録中：%2 s のうち %1 s。</translation>
     </message>
     <message>
-        <source>That recording is too short. Record again.</source>
-        <translation>その記録は短すぎます。もう一度記録してください。</translation>
+        <source>The recording is too short. Record for at least three seconds.</source>
+        <translation>記録が短すぎます。3 秒以上記録してください。</translation>
     </message>
     <message>
         <source>No recording yet. Press “Record” above the plots.</source>
@@ -2094,7 +2094,7 @@
         <translation>記録と計測</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock the arm and take control again.</source>
         <translation>「開始」を押すと、保護停止を起こす衝突をシミュレートします。アームが停止した原因を調べ、5 秒待ち、ロックを解除し、もう一度制御を取得してください。</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>座標系タブで 3 点から座標系を教示してください。X 軸はベースの Y+ 方向、Z 軸は上向きにします：原点、次に Y+ 方向の点、次に X− 方向の点を記録します。</translation>
     </message>
     <message>
-        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog to the part, select the waypoint and touch it up (U).</source>
         <translation>「開始」を押すと、アームの現在位置にウェイポイント「部品」を追加します。その後、部品はベースの X+ 方向に %1 動きます。そこへジョグし、ウェイポイントを選んで修正教示 (U) してください。</translation>
     </message>
     <message>
@@ -4494,8 +4494,8 @@
 <context>
     <name>WaypointClipboard</name>
     <message>
-        <source>is missing</source>
-        <translation>がありません</translation>
+        <source>the value is missing</source>
+        <translation>値がありません</translation>
     </message>
     <message>
         <source>“%1” is not a number</source>
@@ -4506,35 +4506,35 @@
         <translation>%1 は %2〜%3 の範囲外です</translation>
     </message>
     <message>
-        <source>Line %1, %2: %3</source>
-        <translation>行 %1、%2：%3</translation>
+        <source>Line %1, column “%2”: %3.</source>
+        <translation>行 %1、列「%2」：%3。</translation>
     </message>
     <message>
-        <source>“%1” must be J or L</source>
-        <translation>「%1」は J または L でなければなりません</translation>
+        <source>“%1” must be “J” or “L”</source>
+        <translation>「%1」は「J」または「L」でなければなりません</translation>
     </message>
     <message>
-        <source>“%1” must be joints or pose</source>
-        <translation>「%1」は joints または pose でなければなりません</translation>
+        <source>“%1” must be “joints” or “pose”</source>
+        <translation>「%1」は「joints」または「pose」でなければなりません</translation>
     </message>
     <message>
-        <source>there is no frame “%1” in this project</source>
+        <source>the project has no frame named “%1”</source>
         <translation>このプロジェクトに座標系「%1」はありません</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
+        <source>The text is not a table of waypoints. Copy a waypoint from the list to see the columns, or use the six values of a pose.</source>
         <translation>これはウェイポイントの表ではありません。一覧から一つコピーして列を確かめるか、姿勢の六つの数を貼り付けてください。</translation>
     </message>
     <message>
-        <source>“%1” is not a waypoint colour</source>
-        <translation>「%1」はウェイポイントの色ではありません</translation>
+        <source>“%1” is not a waypoint colour (none, blue, orange, green, pink, yellow or sky)</source>
+        <translation>「%1」はウェイポイントの色（none、blue、orange、green、pink、yellow、sky）ではありません</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: missing closing quotation mark</source>
-        <translation>行 %1：閉じ引用符がありません</translation>
+        <source>Line %1: the closing quotation mark is missing.</source>
+        <translation>行 %1：閉じ引用符がありません。</translation>
     </message>
 </context>
 <context>
@@ -6158,7 +6158,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>インシデントを記録：%1</translation>
     </message>
     <message>
-        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open the recording.</source>
         <translation>記録 %2 は停止の %1 s 前から始まります。この項目をダブルクリックすると開きます。</translation>
     </message>
 </context>
@@ -8414,12 +8414,12 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>先にシミュレートされたロボットを起動してください：ロボットメニューにあります。</translation>
     </message>
     <message>
-        <source>Power the arm on and release the brakes first.</source>
+        <source>Power on the arm and release the brakes first.</source>
         <translation>先にアームの電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
-        <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>アームは安全システムにより停止しています。先に復旧してください。</translation>
+        <source>The safety system has stopped the arm. Use “Recover…” first.</source>
+        <translation>アームは安全システムにより停止しています。先に「復旧…」を使用してください。</translation>
     </message>
     <message>
         <source>Done. Press “Start” to repeat the task.</source>
@@ -8824,7 +8824,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::ProjectFiles</name>
     <message>
-        <source>The damaged project file was kept as %1</source>
+        <source>The damaged project file was kept as %1.</source>
         <translation>壊れたプロジェクトファイルを %1 として残しました</translation>
     </message>
     <message>
@@ -8832,7 +8832,7 @@ Release the button to stop the arm.</source>
         <translation>プロジェクトを保存できませんでした</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was not changed.</source>
+        <source>%1. Update Tiller to open the file. The file was not changed.</source>
         <translation>%1。開くには Tiller を更新してください。ファイルはそのままです。</translation>
     </message>
     <message>
@@ -8852,7 +8852,7 @@ Release the button to stop the arm.</source>
         <translation>プロジェクトを開けませんでした</translation>
     </message>
     <message>
-        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <source>Opened a copy of “%1”. Save the copy to a file to keep changes.</source>
         <translation>「%1」のコピーを開きました。変更を残すにはファイルに保存してください。</translation>
     </message>
     <message>
@@ -8886,7 +8886,7 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Saving %1 again</source>
+        <source>Changes are saved to %1 again.</source>
         <translation>%1の保存を再開しました</translation>
     </message>
     <message>
@@ -8938,7 +8938,7 @@ Release the button to stop the arm.</source>
         <translation>%1を再読み込みしました</translation>
     </message>
     <message>
-        <source>This window&apos;s project is now %1</source>
+        <source>The project in this window is now %1.</source>
         <translation>このウィンドウのプロジェクトは%1になりました</translation>
     </message>
     <message>
@@ -8962,7 +8962,7 @@ Release the button to stop the arm.</source>
         <translation>次回また確認する</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved. %2</source>
+        <source>%1 has unsaved changes. %2</source>
         <translation>%1には未保存の変更があります。%2</translation>
     </message>
     <message>
@@ -8970,11 +8970,11 @@ Release the button to stop the arm.</source>
         <translation>プロジェクトに未保存の変更があります。</translation>
     </message>
     <message>
-        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Tiller then offers to restore the unsaved changes at the next start.</source>
         <translation>「両方を残す」はこのウィンドウのプロジェクトを別のファイルに保存します。「再読み込み」は新しい内容を表示し、このウィンドウの未保存の変更は次回の起動時に提示されます。</translation>
     </message>
     <message>
-        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with these objects are not prevented.</source>
         <translation>読み取れないセルのボックスと平面: %1。それらとの衝突は防止されません。</translation>
     </message>
     <message>
@@ -9015,8 +9015,8 @@ Release the button to stop the arm.</source>
         <translation>プロジェクトは接続中のロボットに適合しています。</translation>
     </message>
     <message>
-        <source>Connect the robot for this project.</source>
-        <translation>このプロジェクト用のロボットを接続してください。</translation>
+        <source>No robot is connected. Connect the robot that belongs to this project.</source>
+        <translation>ロボットが接続されていません。このプロジェクト用のロボットを接続してください。</translation>
     </message>
     <message>
         <source>Project for another robot model</source>
@@ -9039,7 +9039,7 @@ Release the button to stop the arm.</source>
         <translation>TCPがプロジェクトと異なります</translation>
     </message>
     <message>
-        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
         <translation>ロボットのTCPでは、フランジは教示された姿勢に到達しますが、TCPは到達しません。決定するまで、プロジェクトの位置への動作はできません。</translation>
     </message>
     <message>
@@ -9063,7 +9063,7 @@ Release the button to stop the arm.</source>
         <translation>到達不可：%1。</translation>
     </message>
     <message>
-        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <source>Removed because they are out of reach: %1. Press Ctrl+Z to restore them.</source>
         <translation>到達できないため削除しました：%1。元に戻すで復元できます。</translation>
     </message>
     <message>
@@ -9090,7 +9090,7 @@ Release the button to stop the arm.</source>
         <translation>%1 — 写し、ファイル未保存</translation>
     </message>
     <message>
-        <source>project not saved to a file</source>
+        <source>Project not saved to a file</source>
         <translation>プロジェクトはファイル未保存</translation>
     </message>
     <message>
@@ -9126,7 +9126,7 @@ Release the button to stop the arm.</source>
         <translation>未保存のプロジェクト</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
         <translation>%1 は別のウィンドウで開かれています（%2）。そこで閉じるか、別の名前で保存してください。</translation>
     </message>
     <message>
@@ -9134,7 +9134,7 @@ Release the button to stop the arm.</source>
         <translation>別のプログラム</translation>
     </message>
     <message>
-        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
         <translation>%1 は別のプログラムによって変更されました。再読み込みするか、別の名前で保存してください。</translation>
     </message>
     <message>

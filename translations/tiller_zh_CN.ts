@@ -1970,8 +1970,8 @@
 <context>
     <name>Practice</name>
     <message>
-        <source>Waiting for the stop.</source>
-        <translation>等待停止。</translation>
+        <source>Waiting for the protective stop.</source>
+        <translation>等待保护性停止。</translation>
     </message>
     <message>
         <source>The arm is in a protective stop. Press “Recover…” in the header.</source>
@@ -2038,7 +2038,7 @@
         <translation>已减速到 %1。继续。</translation>
     </message>
     <message>
-        <source>No limit reached yet. The line below the pad will show it.</source>
+        <source>No limit reached yet. The line below the pad will show the limit.</source>
         <translation>尚未达到极限。操作盘下方的行会显示它。</translation>
     </message>
     <message>
@@ -2054,8 +2054,8 @@
         <translation>录制中：%1 s / %2 s。</translation>
     </message>
     <message>
-        <source>That recording is too short. Record again.</source>
-        <translation>该录制太短。请重新录制。</translation>
+        <source>The recording is too short. Record for at least three seconds.</source>
+        <translation>录制太短。请至少录制三秒。</translation>
     </message>
     <message>
         <source>No recording yet. Press “Record” above the plots.</source>
@@ -2094,7 +2094,7 @@
         <translation>录制并测量</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock it and take control again.</source>
+        <source>Press “Start” to simulate a collision that causes a protective stop. Find out what stopped the arm, wait five seconds, unlock the arm and take control again.</source>
         <translation>按“开始”模拟一次引发保护性停止的碰撞。查明机械臂停止的原因，等待五秒，解锁并再次获取控制。</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@
         <translation>在坐标系选项卡中用三点示教坐标系。其 X 轴须沿基座的 Y+ 方向，Z 轴向上：先取原点，再取沿 Y+ 方向的点，然后取沿 X− 方向的点。</translation>
     </message>
     <message>
-        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog there, select the waypoint and touch it up (U).</source>
+        <source>Press “Start” to add a waypoint “part” at the current position of the arm. The part then moves by %1 along the base X+ direction. Jog to the part, select the waypoint and touch it up (U).</source>
         <translation>按“开始”在机械臂的当前位置添加路点“工件”。随后工件沿基座 X+ 方向移动 %1。点动到那里，选择该路点并修正示教 (U)。</translation>
     </message>
     <message>
@@ -4494,8 +4494,8 @@
 <context>
     <name>WaypointClipboard</name>
     <message>
-        <source>is missing</source>
-        <translation>缺失</translation>
+        <source>the value is missing</source>
+        <translation>缺少值</translation>
     </message>
     <message>
         <source>“%1” is not a number</source>
@@ -4506,35 +4506,35 @@
         <translation>%1 超出 %2 至 %3</translation>
     </message>
     <message>
-        <source>Line %1, %2: %3</source>
-        <translation>第 %1 行，%2：%3</translation>
+        <source>Line %1, column “%2”: %3.</source>
+        <translation>第 %1 行，“%2”列：%3。</translation>
     </message>
     <message>
-        <source>“%1” must be J or L</source>
-        <translation>“%1”必须是 J 或 L</translation>
+        <source>“%1” must be “J” or “L”</source>
+        <translation>“%1”必须是“J”或“L”</translation>
     </message>
     <message>
-        <source>“%1” must be joints or pose</source>
-        <translation>“%1”必须是 joints 或 pose</translation>
+        <source>“%1” must be “joints” or “pose”</source>
+        <translation>“%1”必须是“joints”或“pose”</translation>
     </message>
     <message>
-        <source>there is no frame “%1” in this project</source>
+        <source>the project has no frame named “%1”</source>
         <translation>此项目中没有坐标系“%1”</translation>
     </message>
     <message>
-        <source>This is not a table of waypoints. Copy a waypoint from the list to see the columns, or paste the six values of a pose.</source>
+        <source>The text is not a table of waypoints. Copy a waypoint from the list to see the columns, or use the six values of a pose.</source>
         <translation>这不是路点表。从列表复制一个以查看其列，或粘贴一个位姿的六个数字。</translation>
     </message>
     <message>
-        <source>“%1” is not a waypoint colour</source>
-        <translation>“%1”不是路点的颜色</translation>
+        <source>“%1” is not a waypoint colour (none, blue, orange, green, pink, yellow or sky)</source>
+        <translation>“%1”不是路点的颜色（none、blue、orange、green、pink、yellow 或 sky）</translation>
     </message>
 </context>
 <context>
     <name>WaypointExchange</name>
     <message>
-        <source>Line %1: missing closing quotation mark</source>
-        <translation>第 %1 行：缺少右引号</translation>
+        <source>Line %1: the closing quotation mark is missing.</source>
+        <translation>第 %1 行：缺少右引号。</translation>
     </message>
 </context>
 <context>
@@ -6158,7 +6158,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>事件已录制：%1</translation>
     </message>
     <message>
-        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open it.</source>
+        <source>The recording %2 starts %1 s before the stop. Double-click this entry to open the recording.</source>
         <translation>录制 %2 从停止前 %1 s 开始。双击此条目可打开。</translation>
     </message>
 </context>
@@ -8414,12 +8414,12 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>请先启动模拟机器人：在机器人菜单中。</translation>
     </message>
     <message>
-        <source>Power the arm on and release the brakes first.</source>
+        <source>Power on the arm and release the brakes first.</source>
         <translation>请先给机械臂上电并松开制动器。</translation>
     </message>
     <message>
-        <source>The arm is stopped by the safety system. Recover first.</source>
-        <translation>机械臂已被安全系统停止。请先恢复。</translation>
+        <source>The safety system has stopped the arm. Use “Recover…” first.</source>
+        <translation>机械臂已被安全系统停止。请先使用“恢复…”。</translation>
     </message>
     <message>
         <source>Done. Press “Start” to repeat the task.</source>
@@ -8824,7 +8824,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::ProjectFiles</name>
     <message>
-        <source>The damaged project file was kept as %1</source>
+        <source>The damaged project file was kept as %1.</source>
         <translation>损坏的项目文件已保留为 %1</translation>
     </message>
     <message>
@@ -8832,7 +8832,7 @@ Release the button to stop the arm.</source>
         <translation>项目无法保存</translation>
     </message>
     <message>
-        <source>%1. Update Tiller to open it. The file was not changed.</source>
+        <source>%1. Update Tiller to open the file. The file was not changed.</source>
         <translation>%1。请更新 Tiller 后打开。文件保持原样。</translation>
     </message>
     <message>
@@ -8852,7 +8852,7 @@ Release the button to stop the arm.</source>
         <translation>项目无法打开</translation>
     </message>
     <message>
-        <source>Opened a copy of “%1”. Save it to a file to keep changes.</source>
+        <source>Opened a copy of “%1”. Save the copy to a file to keep changes.</source>
         <translation>已打开“%1”的副本。请保存到文件以保留更改。</translation>
     </message>
     <message>
@@ -8886,7 +8886,7 @@ Release the button to stop the arm.</source>
         </translation>
     </message>
     <message>
-        <source>Saving %1 again</source>
+        <source>Changes are saved to %1 again.</source>
         <translation>%1 已恢复保存</translation>
     </message>
     <message>
@@ -8938,7 +8938,7 @@ Release the button to stop the arm.</source>
         <translation>已重新加载 %1</translation>
     </message>
     <message>
-        <source>This window&apos;s project is now %1</source>
+        <source>The project in this window is now %1.</source>
         <translation>此窗口的项目现为 %1</translation>
     </message>
     <message>
@@ -8962,7 +8962,7 @@ Release the button to stop the arm.</source>
         <translation>下次再问</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved. %2</source>
+        <source>%1 has unsaved changes. %2</source>
         <translation>%1 有未保存的更改。%2</translation>
     </message>
     <message>
@@ -8970,11 +8970,11 @@ Release the button to stop the arm.</source>
         <translation>项目有未保存的更改。</translation>
     </message>
     <message>
-        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Unsaved changes of this window are then offered at the next start.</source>
+        <source>“Keep both” saves the project of this window to a second file. “Reload” shows the new content. Tiller then offers to restore the unsaved changes at the next start.</source>
         <translation>“两者都保留”将此窗口的项目保存到第二个文件。“重新加载”显示新内容；此窗口未保存的更改将在下次启动时提供。</translation>
     </message>
     <message>
-        <source>Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.</source>
+        <source>Unreadable boxes and planes of the cell: %1. Collisions with these objects are not prevented.</source>
         <translation>无法读取的单元长方体和平面：%1。与它们的碰撞不会被阻止。</translation>
     </message>
     <message>
@@ -9015,8 +9015,8 @@ Release the button to stop the arm.</source>
         <translation>项目与已连接的机器人相符。</translation>
     </message>
     <message>
-        <source>Connect the robot for this project.</source>
-        <translation>请连接此项目的机器人。</translation>
+        <source>No robot is connected. Connect the robot that belongs to this project.</source>
+        <translation>未连接机器人。请连接此项目的机器人。</translation>
     </message>
     <message>
         <source>Project for another robot model</source>
@@ -9039,7 +9039,7 @@ Release the button to stop the arm.</source>
         <translation>TCP 与项目不同</translation>
     </message>
     <message>
-        <source>With the robot&apos;s TCP, the flange reaches the taught poses but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
+        <source>With the robot&apos;s TCP, the flange moves to the same poses as taught, but the TCP does not. Until you decide, moves to positions of the project are blocked.</source>
         <translation>使用机器人的 TCP 时，法兰会到达示教的位姿，但 TCP 不会。在您决定之前，不能移动到项目中的位置。</translation>
     </message>
     <message>
@@ -9063,7 +9063,7 @@ Release the button to stop the arm.</source>
         <translation>不可达：%1。</translation>
     </message>
     <message>
-        <source>Removed because out of reach: %1. Undo restores them.</source>
+        <source>Removed because they are out of reach: %1. Press Ctrl+Z to restore them.</source>
         <translation>因不可达而移除：%1。撤销可恢复。</translation>
     </message>
     <message>
@@ -9090,7 +9090,7 @@ Release the button to stop the arm.</source>
         <translation>%1 — 副本，未保存到文件</translation>
     </message>
     <message>
-        <source>project not saved to a file</source>
+        <source>Project not saved to a file</source>
         <translation>项目未保存到文件</translation>
     </message>
     <message>
@@ -9126,7 +9126,7 @@ Release the button to stop the arm.</source>
         <translation>未保存的项目</translation>
     </message>
     <message>
-        <source>%1 is open in another window (%2). Close it there, or save under another name.</source>
+        <source>%1 is open in another window (%2). Close the project in that window, or save under another name.</source>
         <translation>%1 已在另一个窗口中打开（%2）。请在那里关闭，或以其他名称保存。</translation>
     </message>
     <message>
@@ -9134,7 +9134,7 @@ Release the button to stop the arm.</source>
         <translation>其他程序</translation>
     </message>
     <message>
-        <source>%1 was changed by another program. Reload it, or save under another name.</source>
+        <source>%1 was changed by another program. Reload the project, or save it under another name.</source>
         <translation>%1 已被其他程序更改。请重新加载，或以其他名称保存。</translation>
     </message>
     <message>

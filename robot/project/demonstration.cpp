@@ -218,7 +218,7 @@ Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
             return inRow(row, QStringLiteral("a cell is not a number"));
         }
         if (row > 0 && times[row] <= shown.times.back()) {
-            return inRow(row, QStringLiteral("its time is not later than the previous one"));
+            return inRow(row, QStringLiteral("the time is not later than in the previous row"));
         }
         if (q.values.cwiseAbs().maxCoeff() > kMaxJointTurn + 1e-6) {
             return inRow(
@@ -228,7 +228,7 @@ Result<Demonstration> demonstrationFrom(const std::vector<double>& times,
         shown.append(times[row], q);
     }
     if (shown.size() < 2) {
-        return Error{ErrorCode::FileCorrupt, QStringLiteral("it has fewer than two rows of numbers"), {}};
+        return Error{ErrorCode::FileCorrupt, QStringLiteral("fewer than two rows of numbers"), {}};
     }
     return shown;
 }

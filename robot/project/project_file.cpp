@@ -45,14 +45,15 @@ Result<QString> keepDamaged(const QString& path, const QByteArray& there) {
 Result<RecoveredProject> readRoot(const QJsonObject& root) {
     const QString format = root.value(QLatin1String("format")).toString();
     if (format != QLatin1String(kProjectFormat) && format != QLatin1String(kFormerFormat)) {
-        return corrupt(QStringLiteral("is not a Tiller project (field \"format\")"));
+        return corrupt(QStringLiteral("not a Tiller project (field \"format\")"));
     }
     ProjectReader reader;
     const QJsonValue version = root.value(QLatin1String("version"));
     if (version.toDouble(0) > kProjectFileVersion) {
         return Error{
             ErrorCode::VersionUnsupported,
-            QStringLiteral("was written by a newer Tiller (format version %1, this one reads up to %2)")
+            QStringLiteral(
+                "written by a newer version of Tiller (format version %1; this version reads up to %2)")
                 .arg(version.toDouble())
                 .arg(kProjectFileVersion),
             {}};
@@ -92,7 +93,7 @@ Result<RecoveredProject> recoverFromBytes(const QByteArray& bytes) {
         return salvage(bytes, error);
     }
     if (!json.isObject()) {
-        return corrupt(QStringLiteral("is not a Tiller project (not an object)"));
+        return corrupt(QStringLiteral("not a Tiller project (not an object)"));
     }
     return readRoot(json.object());
 }

@@ -359,7 +359,7 @@ private Q_SLOTS:
         QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
         bench.cell.advanceMs(60);
         QVERIFY(!bench.steps().isVisible());  // only one card is visible at a time
-        QVERIFY2(bench.check().text().contains("Power the arm on"), qPrintable(bench.check().text()));
+        QVERIFY2(bench.check().text().contains("Power on the arm"), qPrintable(bench.check().text()));
     }
 
     void theProtectiveStopTaskIsCompleted() {

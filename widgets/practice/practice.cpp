@@ -43,10 +43,10 @@ QString Practice::obstacle() const {
         return other;
     }
     if (state_.robotMode != RobotMode::Running) {
-        return tr("Power the arm on and release the brakes first.");
+        return tr("Power on the arm and release the brakes first.");
     }
     return allowsMotion(state_.safety()) ? QString()
-                                         : tr("The arm is stopped by the safety system. Recover first.");
+                                         : tr("The safety system has stopped the arm. Use “Recover…” first.");
 }
 
 void Practice::start() {

@@ -38,7 +38,7 @@ public:
         }
         stopped_ = stopped_ || state.safety() == SafetyMode::ProtectiveStop;
         if (!stopped_) {
-            say(PracticeText::tr("Waiting for the stop."));
+            say(PracticeText::tr("Waiting for the protective stop."));
         } else if (state.safety() == SafetyMode::ProtectiveStop) {
             say(PracticeText::tr("The arm is in a protective stop. Press “Recover…” in the header."));
         } else if (!isReady(state)) {
@@ -193,7 +193,7 @@ public:
             say(state.jogActive && limited && state.limiter.scale < 1
                     ? PracticeText::tr("Slowed down to %1. Continue.")
                           .arg(format::percent(state.limiter.scale))
-                    : PracticeText::tr("No limit reached yet. The line below the pad will show it."));
+                    : PracticeText::tr("No limit reached yet. The line below the pad will show the limit."));
             return;
         }
         const double back = (state.tcpPose.position - *at_).norm();
@@ -252,7 +252,7 @@ private:
                     .arg(kSeconds, 0, 'f', 0));
         } else if (!mean_) {
             say(seconds_ > 0 && seconds_ < kSeconds
-                    ? PracticeText::tr("That recording is too short. Record again.")
+                    ? PracticeText::tr("The recording is too short. Record for at least three seconds.")
                     : PracticeText::tr("No recording yet. Press “Record” above the plots."));
         } else if (!answer_) {
             say(PracticeText::tr("Recorded. Enter the force shown in the plot."));
@@ -311,7 +311,7 @@ QString practiceText(PracticeTask task) {
         case PracticeTask::Recover:
             return PracticeText::tr(
                 "Press “Start” to simulate a collision that causes a protective stop. Find out what stopped "
-                "the arm, wait five seconds, unlock it and take control again.");
+                "the arm, wait five seconds, unlock the arm and take control again.");
         case PracticeTask::TeachFrame:
             return PracticeText::tr(
                 "Teach a frame from three points in the Frames tab. Its X axis must point along the base Y+ "
@@ -320,8 +320,8 @@ QString practiceText(PracticeTask task) {
         case PracticeTask::TouchUp:
             return PracticeText::tr(
                        "Press “Start” to add a waypoint “part” at the current position of the arm. The part "
-                       "then moves by %1 along the base X+ direction. Jog there, select the waypoint and "
-                       "touch it up (U).")
+                       "then moves by %1 along the base X+ direction. Jog to the part, select the waypoint "
+                       "and touch it up (U).")
                 .arg(length(kPartMoved));
         case PracticeTask::FindLimit:
             return PracticeText::tr(

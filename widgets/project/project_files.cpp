@@ -35,13 +35,13 @@ QString projectFolder() {
 
 ProjectFiles::ProjectFiles(ProjectDocument& document, QObject* parent) : QObject(parent), store_(document) {
     connect(&store_, &ProjectStore::copyKept, this, [this](const QString& copy) {
-        Q_EMIT message(Severity::Warning, tr("The damaged project file was kept as %1").arg(copy));
+        Q_EMIT message(Severity::Warning, tr("The damaged project file was kept as %1.").arg(copy));
     });
     connect(&store_, &ProjectStore::saveFailed, this, [this](const Error& error) {
         warn(tr("The project could not be saved"), error, QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::saveRecovered, this, [this] {
-        Q_EMIT message(Severity::Info, tr("Saving %1 again").arg(store_.name()));
+        Q_EMIT message(Severity::Info, tr("Changes are saved to %1 again.").arg(store_.name()));
         Q_EMIT noticeResolved(QLatin1String(kSaving));
     });
     connect(&store_, &ProjectStore::openElsewhere, this, &ProjectFiles::onOpenElsewhere);
@@ -66,7 +66,7 @@ void ProjectFiles::warn(const QString& title, const Error& error, const QString&
     // software.
     const QString text =
         error.code == ErrorCode::VersionUnsupported
-            ? tr("%1. Update Tiller to open it. The file was not changed.").arg(error.context)
+            ? tr("%1. Update Tiller to open the file. The file was not changed.").arg(error.context)
             : texts::errorText(error);
     Q_EMIT message(Severity::Error, text);
     Q_EMIT noticeWanted({.title = title, .text = text, .cause = cause});
@@ -92,8 +92,8 @@ void ProjectFiles::onOpenElsewhere() {
 void ProjectFiles::onChangedByOther() {
     const QString title = tr("Another window or program has changed %1").arg(store_.name());
     const QString text =
-        tr("“Keep both” saves the project of this window to a second file. “Reload” shows the "
-           "new content. Unsaved changes of this window are then offered at the next start.");
+        tr("“Keep both” saves the project of this window to a second file. “Reload” shows the new content. "
+           "Tiller then offers to restore the unsaved changes at the next start.");
     Q_EMIT message(Severity::Warning, title + QStringLiteral(". ") + text);
     // This notice may replace another notice under the pointer, so the first button must not discard work.
     Q_EMIT noticeWanted({.title = title,
@@ -126,7 +126,7 @@ void ProjectFiles::keepBoth() {
     if (!copy) {
         warn(tr("The project could not be saved"), copy.error(), QLatin1String(kSaving));
     } else {
-        Q_EMIT message(Severity::Info, tr("This window's project is now %1").arg(*copy));
+        Q_EMIT message(Severity::Info, tr("The project in this window is now %1.").arg(*copy));
     }
 }
 
@@ -254,7 +254,8 @@ void ProjectFiles::openCopy(const QString& path, const QString& name) {
         warn(tr("The project could not be opened"), opened.error(), QLatin1String(kDamaged));
         return;
     }
-    Q_EMIT message(Severity::Info, tr("Opened a copy of “%1”. Save it to a file to keep changes.").arg(name));
+    Q_EMIT message(Severity::Info,
+                   tr("Opened a copy of “%1”. Save the copy to a file to keep changes.").arg(name));
 }
 
 bool ProjectFiles::mayLeave(QWidget* over) {
@@ -268,9 +269,8 @@ bool ProjectFiles::mayLeave(QWidget* over) {
     }
     const QString why =
         !store_.copyName().isEmpty() ? tr("“%1” is a copy with unsaved changes.").arg(store_.copyName())
-        : hasFile
-            ? tr("%1 has changes that are not saved. %2").arg(store_.name(), texts::errorText(saved.error()))
-            : tr("The project has unsaved changes.");
+        : hasFile ? tr("%1 has unsaved changes. %2").arg(store_.name(), texts::errorText(saved.error()))
+                  : tr("The project has unsaved changes.");
     QMessageBox question(QMessageBox::Question, tr("Save project"), why, QMessageBox::NoButton, over);
     question.setObjectName(QStringLiteral("unsavedCopy"));
     QPushButton* save = question.addButton(tr("Save as…"), QMessageBox::AcceptRole);
@@ -306,9 +306,9 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
                        .arg(whole)
                        .arg(found->lostWaypoints);
     if (found->lostObstacles > 0) {
-        text += QLatin1Char(' ') +
-                tr("Unreadable boxes and planes of the cell: %1. Collisions with them are not prevented.")
-                    .arg(found->lostObstacles);
+        text += QLatin1Char(' ') + tr("Unreadable boxes and planes of the cell: %1. Collisions with these "
+                                      "objects are not prevented.")
+                                       .arg(found->lostObstacles);
     }
     Q_EMIT noticeWanted({.title = title,
                          .text = text,

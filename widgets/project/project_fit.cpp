@@ -144,9 +144,10 @@ void ProjectFit::ask() {
     } else if (const std::optional<project::Tool> tool = otherTcp()) {
         askAboutTcp(*tool);
     } else {
-        Q_EMIT message(Severity::Info, session_.state().hasData()
-                                           ? tr("The project matches the connected robot.")
-                                           : tr("Connect the robot for this project."));
+        Q_EMIT message(Severity::Info,
+                       session_.state().hasData()
+                           ? tr("The project matches the connected robot.")
+                           : tr("No robot is connected. Connect the robot that belongs to this project."));
     }
 }
 
@@ -194,8 +195,8 @@ void ProjectFit::askAboutTcp(const project::Tool& tool) {
                                      QMessageBox::NoButton, over_);
     question->setObjectName(QStringLiteral("projectFit"));
     question->setInformativeText(
-        tr("With the robot's TCP, the flange reaches the taught poses but the TCP does not. Until you "
-           "decide, moves to positions of the project are blocked."));
+        tr("With the robot's TCP, the flange moves to the same poses as taught, but the TCP does not. Until "
+           "you decide, moves to positions of the project are blocked."));
     QPushButton* set =
         question->addButton(tr("Set “%1” on the robot").arg(tool.name), QMessageBox::AcceptRole);
     set->setObjectName(QStringLiteral("projectFit.setTcp"));
@@ -231,7 +232,8 @@ void ProjectFit::change(project::Keep keep) {
         left << tr("Out of reach: %1.").arg(namesText(made.unreachable));
     }
     if (!made.removed.isEmpty()) {
-        left << tr("Removed because out of reach: %1. Undo restores them.").arg(namesText(made.removed));
+        left << tr("Removed because they are out of reach: %1. Press Ctrl+Z to restore them.")
+                    .arg(namesText(made.removed));
     }
     if (!left.isEmpty()) {
         const QString text = left.join(QLatin1Char(' '));

@@ -97,11 +97,12 @@ void IncidentWatch::tell(const recording::Incident& incident) {
                     texts::errorText(incident.error), QString());
         return;
     }
-    Q_EMIT told(Severity::Warning, tr("Incident recorded: %1").arg(what),
-                tr("The recording %2 starts %1 s before the stop. Double-click this entry to open it.")
-                    .arg(incident.secondsBefore, 0, 'f', 0)
-                    .arg(QDir::toNativeSeparators(incident.path)),
-                incident.path);
+    Q_EMIT told(
+        Severity::Warning, tr("Incident recorded: %1").arg(what),
+        tr("The recording %2 starts %1 s before the stop. Double-click this entry to open the recording.")
+            .arg(incident.secondsBefore, 0, 'f', 0)
+            .arg(QDir::toNativeSeparators(incident.path)),
+        incident.path);
 }
 
 }  // namespace tiller

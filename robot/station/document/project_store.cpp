@@ -46,7 +46,7 @@ QString ProjectStore::statusText() const {
         return tr("%1 — a copy, not saved to a file").arg(copyName_);
     }
     if (path_.isEmpty()) {
-        return modified_ ? tr("project not saved to a file") : QString();
+        return modified_ ? tr("Project not saved to a file") : QString();
     }
     if (obstacle_ == Obstacle::OpenElsewhere) {
         return tr("%1 — open in another window; changes here are not saved").arg(name());
@@ -232,7 +232,8 @@ Result<void> ProjectStore::saveAs(const QString& path) {
 }
 
 QString ProjectStore::openElsewhereText(const QString& path, const std::optional<project::LockOwner>& owner) {
-    return tr("%1 is open in another window (%2). Close it there, or save under another name.")
+    return tr("%1 is open in another window (%2). Close the project in that window, or save under another "
+              "name.")
         .arg(path, owner ? owner->toString() : tr("another program"));
 }
 
@@ -447,7 +448,8 @@ Error ProjectStore::obstacleError() const {
     return {ErrorCode::FileNotWritable,
             obstacle_ == Obstacle::OpenElsewhere
                 ? openElsewhereText(path_, owner_)
-                : tr("%1 was changed by another program. Reload it, or save under another name.").arg(path_),
+                : tr("%1 was changed by another program. Reload the project, or save it under another name.")
+                      .arg(path_),
             {}};
 }
 

@@ -98,7 +98,7 @@ public:
         bool ok = false;
         const double value = text.toDouble(&ok);
         if (!ok || !std::isfinite(value)) {
-            fail(column, text.isEmpty() ? WaypointClipboard::tr("is missing")
+            fail(column, text.isEmpty() ? WaypointClipboard::tr("the value is missing")
                                         : WaypointClipboard::tr("“%1” is not a number").arg(text));
             return 0;
         }
@@ -124,7 +124,7 @@ public:
     void fail(int column, const QString& what) {
         if (error_.code == ErrorCode::None) {
             error_ = {ErrorCode::InvalidArgument,
-                      WaypointClipboard::tr("Line %1, %2: %3")
+                      WaypointClipboard::tr("Line %1, column “%2”: %3.")
                           .arg(number_)
                           .arg(QString::fromUtf8(kHeadings[static_cast<std::size_t>(column)]), what),
                       {}};
@@ -154,18 +154,18 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
     point.id = QUuid::createUuid();
     point.name = line.text(Name);
     if (point.name.isEmpty() && line.has(Name)) {
-        line.fail(Name, WaypointClipboard::tr("is missing"));
+        line.fail(Name, WaypointClipboard::tr("the value is missing"));
     }
     const bool hasJoints = line.hasAny(Joints);
     const bool hasPose = line.hasAny(PoseColumn) || !hasJoints;
     const QString move = line.text(Move);
     if (line.has(Move) && move != QLatin1String("J") && move != QLatin1String("L")) {
-        line.fail(Move, WaypointClipboard::tr("“%1” must be J or L").arg(move));
+        line.fail(Move, WaypointClipboard::tr("“%1” must be “J” or “L”").arg(move));
     }
     point.move = move == QLatin1String("L") ? project::MoveKind::Linear : project::MoveKind::Joint;
     const QString rules = line.text(Rules);
     if (line.has(Rules) && rules != QLatin1String("joints") && rules != QLatin1String("pose")) {
-        line.fail(Rules, WaypointClipboard::tr("“%1” must be joints or pose").arg(rules));
+        line.fail(Rules, WaypointClipboard::tr("“%1” must be “joints” or “pose”").arg(rules));
     }
     const bool poseRules = line.has(Rules) ? rules == QLatin1String("pose") : !hasJoints;
     point.ruling = poseRules ? project::TargetKind::Pose : project::TargetKind::Joints;
@@ -174,7 +174,7 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         if (const project::Frame* found = frames.findByName(frame)) {
             point.frame = found->id;
         } else {
-            line.fail(Frame, WaypointClipboard::tr("there is no frame “%1” in this project").arg(frame));
+            line.fail(Frame, WaypointClipboard::tr("the project has no frame named “%1”").arg(frame));
         }
     }
     if (line.has(Speed)) {
@@ -192,7 +192,10 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         const auto found = std::find_if(kColourWords.begin(), kColourWords.end(),
                                         [&](const char* word) { return colour == QLatin1String(word); });
         if (found == kColourWords.end()) {
-            line.fail(Colour, WaypointClipboard::tr("“%1” is not a waypoint colour").arg(colour));
+            line.fail(Colour,
+                      WaypointClipboard::tr(
+                          "“%1” is not a waypoint colour (none, blue, orange, green, pink, yellow or sky)")
+                          .arg(colour));
         } else {
             point.colour = static_cast<project::WaypointColour>(found - kColourWords.begin());
         }
@@ -301,8 +304,8 @@ Result<std::vector<project::Waypoint>> fromText(const QString& text, const proje
             if (!places) {
                 return Error{
                     ErrorCode::InvalidArgument,
-                    WaypointClipboard::tr("This is not a table of waypoints. Copy a waypoint from the list "
-                                          "to see the columns, or paste the six values of a pose."),
+                    WaypointClipboard::tr("The text is not a table of waypoints. Copy a waypoint from the "
+                                          "list to see the columns, or use the six values of a pose."),
                     {}};
             }
         }

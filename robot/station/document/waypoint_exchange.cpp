@@ -58,7 +58,7 @@ Result<QString> tabbed(const QString& text) {
     }
     if (inside) {
         return Error{ErrorCode::InvalidArgument,
-                     WaypointExchange::tr("Line %1: missing closing quotation mark").arg(line),
+                     WaypointExchange::tr("Line %1: the closing quotation mark is missing.").arg(line),
                      {}};
     }
     return result;

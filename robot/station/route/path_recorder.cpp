@@ -57,7 +57,7 @@ Result<project::Demonstration> readDemonstration(const QString& path) {
     Result<project::Demonstration> shown = project::demonstrationFrom(*times, joints);
     if (!shown) {
         return Error{shown.error().code,
-                     QStringLiteral("%1, %2").arg(QFileInfo(path).fileName(), shown.error().context),
+                     QStringLiteral("%1, %2.").arg(QFileInfo(path).fileName(), shown.error().context),
                      {}};
     }
     return shown;

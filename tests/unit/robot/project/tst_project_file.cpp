@@ -192,7 +192,7 @@ private Q_SLOTS:
             root[QLatin1String(key)] = value;
             return QJsonDocument(root).toJson();
         };
-        QTest::newRow("format") << change("format", "other") << "is not a Tiller project";
+        QTest::newRow("format") << change("format", "other") << "not a Tiller project";
         QTest::newRow("version text") << change("version", "one") << "version: is not a whole number";
         QTest::newRow("waypoints object")
             << change("waypoints", QJsonObject()) << "waypoints: is an object, not a list";
@@ -200,7 +200,7 @@ private Q_SLOTS:
                                << "waypoints[0]: is a number, not an object";
         QTest::newRow("frames text") << change("frames", "x") << "frames: is a text, not a list";
         QTest::newRow("robot") << change("robot", "UR99") << "robot: \"UR99\"";
-        QTest::newRow("list") << QByteArray("[1, 2]") << "is not a Tiller project";
+        QTest::newRow("list") << QByteArray("[1, 2]") << "not a Tiller project";
         QTest::newRow("empty") << QByteArray() << "line 1, column 1";
         QTest::newRow("not json") << QByteArray("{\n \"a\": nonsense\n}") << "line 2";
         QTest::newRow("huge number") << bytesOf(sample()).replace("0.005", "1e999") << "illegal number";

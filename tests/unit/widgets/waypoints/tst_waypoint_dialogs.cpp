@@ -362,8 +362,8 @@ private Q_SLOTS:
         QTest::newRow("no csv") << "a.csv" << QByteArray("hello\nworld\n") << "not a table of waypoints";
         QTest::newRow("figure") << "a.csv"
                                 << QByteArray("Name,X mm,Y mm,Z mm,RX °,RY °,RZ °\na,1,x,3,4,5,6\n")
-                                << "Line 2, Y mm: “x” is not a number";
-        QTest::newRow("quotes") << "a.csv" << QByteArray("Name,X mm\n\"a,1\n") << "missing closing";
+                                << "Line 2, column “Y mm”: “x” is not a number";
+        QTest::newRow("quotes") << "a.csv" << QByteArray("Name,X mm\n\"a,1\n") << "closing quotation mark";
         QTest::newRow("empty") << "a.csv" << QByteArray() << "no waypoints";
         QTest::newRow("json") << "a.json" << QByteArray("{ \"format\": 1 }") << "not a Tiller project";
         QTest::newRow("binary") << "a.json" << QByteArray(300, '\xff') << "line 1";

@@ -261,7 +261,7 @@ private Q_SLOTS:
         text.replace("\t60\t", "\tfast\t");
         const auto back = waypoint_clipboard::fromText(text, {});
         QVERIFY(back.error().code == ErrorCode::InvalidArgument);
-        QVERIFY2(back.error().context.contains("Line 2, Speed"), qPrintable(back.error().context));
+        QVERIFY2(back.error().context.contains("Line 2, column “Speed”"), qPrintable(back.error().context));
         QVERIFY(!waypoint_clipboard::fromText("hello", {}).ok());
         QVERIFY(waypoint_clipboard::fromText("", {})->empty());
     }
