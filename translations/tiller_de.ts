@@ -2010,11 +2010,11 @@
         <translation>„%1“ wurde nicht mit dem Arm geteacht: Der TCP war nie an seinem Ursprung.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new waypoint.</source>
         <translation>Der Wegpunkt wurde gelöscht. Drücken Sie „Start“, um einen neuen hinzuzufügen.</translation>
     </message>
     <message>
-        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
+        <source>“%1” has not changed. The arm is %2 away from the waypoint along X.</source>
         <translation>„%1“ wurde nicht geändert. Der Arm ist entlang X %2 davon entfernt.</translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@
         <translation>Fahren Sie nach außen, weg von der Basis, bis eine Grenze die Geschwindigkeit halbiert. Die Zeile unter dem Tastenfeld nennt die Grenze und wie Sie sie verlassen. Fahren Sie dann um %1 zurück.</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter the value.</source>
         <translation>Drücken Sie „Start“, um eine Hand zu simulieren, die von oben auf das Werkzeug drückt. Zeichnen Sie mindestens drei Sekunden auf und beenden Sie die Aufzeichnung. Lesen Sie die Kraft Fz in den Diagrammen ab und geben Sie sie ein.</translation>
     </message>
     <message>
@@ -4608,8 +4608,8 @@
         <translation>Klemme</translation>
     </message>
     <message>
-        <source>On or off</source>
-        <translation>An oder aus</translation>
+        <source>State</source>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -5188,7 +5188,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Hier teachen (T)</translation>
     </message>
     <message>
-        <source>Jog away and hold Go to (G)</source>
+        <source>Jog away and hold “Go to” (G)</source>
         <translation>Wegfahren, Anfahren halten (G)</translation>
     </message>
     <message>
@@ -5445,15 +5445,15 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Richtung +Y</translation>
     </message>
     <message>
-        <source>Record the origin here</source>
+        <source>Record the origin at the TCP</source>
         <translation>Den Ursprung hier nehmen</translation>
     </message>
     <message>
-        <source>Record the point on +X here</source>
+        <source>Record the point on +X at the TCP</source>
         <translation>Den Punkt auf +X hier nehmen</translation>
     </message>
     <message>
-        <source>Record the point towards +Y here</source>
+        <source>Record the point towards +Y at the TCP</source>
         <translation>Den Punkt Richtung +Y hier nehmen</translation>
     </message>
     <message>
@@ -5669,7 +5669,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Nächster Wegpunkt, halten</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the button is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, then stops</source>
         <translation>Fährt zum nächsten Wegpunkt, solange die Taste gehalten wird, und stoppt dort</translation>
     </message>
     <message>
@@ -6976,7 +6976,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
+        <source>%1 has no column “%2”. The columns “timestamp” and “actual_q_0” to “actual_q_5” are required.</source>
         <translation>%1 hat keine Spalte „%2“. Die Spalten timestamp und actual_q_0 bis actual_q_5 sind erforderlich.</translation>
     </message>
     <message>
@@ -7230,7 +7230,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>%1 kg, Schwerpunkt %2 vom Flansch entfernt. Die Posen stimmen innerhalb von %3 und %4 überein.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove this pose and record another pose.</source>
         <translation>%1 Die Genauigkeit ist gering: Pose %2 weicht am stärksten ab. Entfernen Sie sie und nehmen Sie eine andere Pose.</translation>
     </message>
     <message>
@@ -8428,7 +8428,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first (robot menu).</source>
+        <source>Start the simulated robot in the Robot menu first.</source>
         <translation>Starten Sie zuerst den simulierten Roboter (Menü Roboter).</translation>
     </message>
     <message>
@@ -9101,7 +9101,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Wählen…</translation>
     </message>
     <message>
-        <source>The robot model is not known yet. Wait until the robot reports it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>Das Robotermodell ist noch nicht bekannt. Warten Sie, bis der Roboter es meldet.</translation>
     </message>
 </context>
@@ -10231,7 +10231,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>Drehen Sie das Werkzeug, bis es senkrecht nach unten zeigt und seine X-Achse parallel zur X-Achse der Basis ist, und nehmen Sie dann die Pose.</translation>
     </message>
     <message>
-        <source>Orientation recorded. Record it again to replace it.</source>
+        <source>Orientation recorded. Record another pose to replace the orientation.</source>
         <translation>Orientierung genommen. Nehmen Sie sie erneut, um sie zu ersetzen.</translation>
     </message>
     <message>
@@ -10393,7 +10393,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         </translation>
     </message>
     <message>
-        <source>%1 from the live pose</source>
+        <source>%1 from the current pose</source>
         <translation>%1 von der jetzigen Pose</translation>
     </message>
     <message>

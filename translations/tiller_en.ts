@@ -2010,11 +2010,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
+        <source>“%1” has not changed. The arm is %2 away from the waypoint along X.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter the value.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4608,7 +4608,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On or off</source>
+        <source>State</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5185,7 +5185,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog away and hold Go to (G)</source>
+        <source>Jog away and hold “Go to” (G)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5442,15 +5442,15 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record the origin here</source>
+        <source>Record the origin at the TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record the point on +X here</source>
+        <source>Record the point on +X at the TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Record the point towards +Y here</source>
+        <source>Record the point towards +Y at the TCP</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5672,7 +5672,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the button is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, then stops</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6976,7 +6976,7 @@ Right-click or press F2 to rename it.</source>
         </translation>
     </message>
     <message>
-        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
+        <source>%1 has no column “%2”. The columns “timestamp” and “actual_q_0” to “actual_q_5” are required.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7223,7 +7223,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove this pose and record another pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8419,7 +8419,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first (robot menu).</source>
+        <source>Start the simulated robot in the Robot menu first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9088,7 +9088,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot model is not known yet. Wait until the robot reports it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10217,7 +10217,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Orientation recorded. Record it again to replace it.</source>
+        <source>Orientation recorded. Record another pose to replace the orientation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10371,7 +10371,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         </translation>
     </message>
     <message>
-        <source>%1 from the live pose</source>
+        <source>%1 from the current pose</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2010,11 +2010,11 @@
         <translation>«%1» no se enseñó con el brazo: el TCP nunca estuvo en su origen.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new waypoint.</source>
         <translation>El punto de paso se eliminó. Pulse Iniciar para añadir uno nuevo.</translation>
     </message>
     <message>
-        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
+        <source>“%1” has not changed. The arm is %2 away from the waypoint along X.</source>
         <translation>«%1» no ha cambiado. El brazo está a %2 de él a lo largo de X.</translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@
         <translation>Mueva el brazo hacia fuera, alejándolo de la base, hasta que un límite reduzca la velocidad a la mitad. La línea bajo los botones indica el límite y cómo salir de él. Después vuelva %1.</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter the value.</source>
         <translation>Pulse Iniciar para simular una mano que presiona la herramienta desde arriba. Grabe al menos tres segundos y detenga la grabación. Lea la fuerza Fz en los gráficos e introdúzcala.</translation>
     </message>
     <message>
@@ -4608,8 +4608,8 @@
         <translation>Borne</translation>
     </message>
     <message>
-        <source>On or off</source>
-        <translation>Activada o desactivada</translation>
+        <source>State</source>
+        <translation>Estado</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -5188,7 +5188,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Enseñar aquí (T)</translation>
     </message>
     <message>
-        <source>Jog away and hold Go to (G)</source>
+        <source>Jog away and hold “Go to” (G)</source>
         <translation>Alejarse, mantener Ir a (G)</translation>
     </message>
     <message>
@@ -5445,15 +5445,15 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>Hacia +Y</translation>
     </message>
     <message>
-        <source>Record the origin here</source>
+        <source>Record the origin at the TCP</source>
         <translation>Tomar aquí el origen</translation>
     </message>
     <message>
-        <source>Record the point on +X here</source>
+        <source>Record the point on +X at the TCP</source>
         <translation>Tomar aquí el punto en +X</translation>
     </message>
     <message>
-        <source>Record the point towards +Y here</source>
+        <source>Record the point towards +Y at the TCP</source>
         <translation>Tomar aquí el punto hacia +Y</translation>
     </message>
     <message>
@@ -5669,7 +5669,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Punto siguiente, mantener</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the button is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, then stops</source>
         <translation>Va al punto de paso siguiente mientras se mantiene el botón y se detiene allí</translation>
     </message>
     <message>
@@ -6976,7 +6976,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
+        <source>%1 has no column “%2”. The columns “timestamp” and “actual_q_0” to “actual_q_5” are required.</source>
         <translation>%1 no tiene la columna «%2». Se requieren las columnas timestamp y actual_q_0 a actual_q_5.</translation>
     </message>
     <message>
@@ -7230,7 +7230,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>%1 kg, centro de gravedad a %2 de la brida. Las poses coinciden dentro de %3 y %4.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove this pose and record another pose.</source>
         <translation>%1 La precisión es baja: la pose %2 es la que más se desvía. Quítela y tome otra.</translation>
     </message>
     <message>
@@ -8428,7 +8428,7 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first (robot menu).</source>
+        <source>Start the simulated robot in the Robot menu first.</source>
         <translation>Inicie primero el robot simulado (menú Robot).</translation>
     </message>
     <message>
@@ -9101,7 +9101,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Elegir…</translation>
     </message>
     <message>
-        <source>The robot model is not known yet. Wait until the robot reports it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>Aún no se conoce el modelo del robot. Espere a que el robot lo comunique.</translation>
     </message>
 </context>
@@ -10231,7 +10231,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>Gire la herramienta hasta que apunte recta hacia abajo y su eje X sea paralelo al eje X de la base; después tome la pose.</translation>
     </message>
     <message>
-        <source>Orientation recorded. Record it again to replace it.</source>
+        <source>Orientation recorded. Record another pose to replace the orientation.</source>
         <translation>Orientación tomada. Tómela de nuevo para sustituirla.</translation>
     </message>
     <message>
@@ -10393,7 +10393,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         </translation>
     </message>
     <message>
-        <source>%1 from the live pose</source>
+        <source>%1 from the current pose</source>
         <translation>a %1 de la pose actual</translation>
     </message>
     <message>

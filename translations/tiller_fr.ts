@@ -2010,11 +2010,11 @@
         <translation>« %1 » n’a pas été appris avec le bras : le TCP n’a jamais été à son origine.</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new waypoint.</source>
         <translation>Le point de passage a été supprimé. Appuyez sur Démarrer pour en ajouter un nouveau.</translation>
     </message>
     <message>
-        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
+        <source>“%1” has not changed. The arm is %2 away from the waypoint along X.</source>
         <translation>« %1 » n’a pas changé. Le bras en est éloigné de %2 selon X.</translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@
         <translation>Déplacez vers l’extérieur, loin de la base, jusqu’à ce qu’une limite réduise la vitesse de moitié. La ligne sous le pavé nomme la limite et la façon d’en sortir. Revenez ensuite de %1.</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter the value.</source>
         <translation>Appuyez sur Démarrer pour simuler une main qui appuie sur l’outil par le haut. Enregistrez au moins trois secondes, puis arrêtez. Lisez la force Fz dans les tracés et saisissez-la.</translation>
     </message>
     <message>
@@ -4608,8 +4608,8 @@
         <translation>Borne</translation>
     </message>
     <message>
-        <source>On or off</source>
-        <translation>Activée ou désactivée</translation>
+        <source>State</source>
+        <translation>État</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -5188,7 +5188,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Apprendre ici (T)</translation>
     </message>
     <message>
-        <source>Jog away and hold Go to (G)</source>
+        <source>Jog away and hold “Go to” (G)</source>
         <translation>S’éloigner, tenir Aller à (G)</translation>
     </message>
     <message>
@@ -5445,15 +5445,15 @@ Videz la recherche pour tout voir.</translation>
         <translation>Vers +Y</translation>
     </message>
     <message>
-        <source>Record the origin here</source>
+        <source>Record the origin at the TCP</source>
         <translation>Prendre l’origine ici</translation>
     </message>
     <message>
-        <source>Record the point on +X here</source>
+        <source>Record the point on +X at the TCP</source>
         <translation>Prendre le point sur +X ici</translation>
     </message>
     <message>
-        <source>Record the point towards +Y here</source>
+        <source>Record the point towards +Y at the TCP</source>
         <translation>Prendre le point vers +Y ici</translation>
     </message>
     <message>
@@ -5669,7 +5669,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Point suivant, maintenir</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the button is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, then stops</source>
         <translation>Va au point de passage suivant tant que le bouton est maintenu, et s’y arrête</translation>
     </message>
     <message>
@@ -6976,7 +6976,7 @@ Clic droit ou F2 pour renommer.</translation>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
+        <source>%1 has no column “%2”. The columns “timestamp” and “actual_q_0” to “actual_q_5” are required.</source>
         <translation>%1 n’a pas de colonne « %2 ». Les colonnes timestamp et actual_q_0 à actual_q_5 sont nécessaires.</translation>
     </message>
     <message>
@@ -7230,7 +7230,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>%1 kg, centre de gravité à %2 de la bride. Les poses concordent à %3 et %4 près.</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove this pose and record another pose.</source>
         <translation>%1 La précision est faible : la pose %2 s’écarte le plus. Retirez-la et prenez-en une autre.</translation>
     </message>
     <message>
@@ -8428,7 +8428,7 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first (robot menu).</source>
+        <source>Start the simulated robot in the Robot menu first.</source>
         <translation>Démarrez d’abord le robot simulé (menu Robot).</translation>
     </message>
     <message>
@@ -9101,7 +9101,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Choisir…</translation>
     </message>
     <message>
-        <source>The robot model is not known yet. Wait until the robot reports it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>Le modèle du robot n’est pas encore connu. Attendez que le robot l’ait indiqué.</translation>
     </message>
 </context>
@@ -10231,7 +10231,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>Tournez l’outil jusqu’à ce qu’il pointe droit vers le bas et que son axe X soit parallèle à l’axe X de la base, puis prenez la pose.</translation>
     </message>
     <message>
-        <source>Orientation recorded. Record it again to replace it.</source>
+        <source>Orientation recorded. Record another pose to replace the orientation.</source>
         <translation>Orientation prise. Reprenez-la pour la remplacer.</translation>
     </message>
     <message>
@@ -10393,7 +10393,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         </translation>
     </message>
     <message>
-        <source>%1 from the live pose</source>
+        <source>%1 from the current pose</source>
         <translation>à %1 de la pose actuelle</translation>
     </message>
     <message>

@@ -2010,11 +2010,11 @@
         <translation>「%1」はアームで教示されていません：TCP が原点に位置したことがありません。</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new waypoint.</source>
         <translation>ウェイポイントは削除されました。「開始」を押すと新しく追加します。</translation>
     </message>
     <message>
-        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
+        <source>“%1” has not changed. The arm is %2 away from the waypoint along X.</source>
         <translation>「%1」は元の位置です。アームは X に沿って %2 離れています。</translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@
         <translation>限界で速度が半分になるまで、ベースから外側へジョグしてください。パッドの下の行に限界と抜け出し方が表示されます。その後 %1 戻ってください。</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter the value.</source>
         <translation>「開始」を押すと、ツールを上から押す手をシミュレートします。3 秒以上記録して停止してください。グラフで力 Fz を読み取り、入力してください。</translation>
     </message>
     <message>
@@ -4606,8 +4606,8 @@
         <translation>端子</translation>
     </message>
     <message>
-        <source>On or off</source>
-        <translation>オンかオフか</translation>
+        <source>State</source>
+        <translation>状態</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -5186,7 +5186,7 @@ Clear the search to see everything.</source>
         <translation>ここを教示 (T)</translation>
     </message>
     <message>
-        <source>Jog away and hold Go to (G)</source>
+        <source>Jog away and hold “Go to” (G)</source>
         <translation>離れて、移動を押し続ける (G)</translation>
     </message>
     <message>
@@ -5438,15 +5438,15 @@ Clear the search to see everything.</source>
         <translation>+Y 側</translation>
     </message>
     <message>
-        <source>Record the origin here</source>
+        <source>Record the origin at the TCP</source>
         <translation>ここを原点として記録</translation>
     </message>
     <message>
-        <source>Record the point on +X here</source>
+        <source>Record the point on +X at the TCP</source>
         <translation>ここを +X 上の点として記録</translation>
     </message>
     <message>
-        <source>Record the point towards +Y here</source>
+        <source>Record the point towards +Y at the TCP</source>
         <translation>ここを +Y 側の点として記録</translation>
     </message>
     <message>
@@ -5662,7 +5662,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>次のウェイポイント、押し続ける</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the button is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, then stops</source>
         <translation>押している間、次のウェイポイントへ動き、そこで止まります</translation>
     </message>
     <message>
@@ -6967,7 +6967,7 @@ Right-click or press F2 to rename it.</source>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
+        <source>%1 has no column “%2”. The columns “timestamp” and “actual_q_0” to “actual_q_5” are required.</source>
         <translation>%1 に列「%2」がありません。timestamp と actual_q_0〜actual_q_5 が必要です。</translation>
     </message>
     <message>
@@ -7218,7 +7218,7 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 kg、重心はフランジから %2。姿勢は %3 と %4 以内で一致。</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove this pose and record another pose.</source>
         <translation>%1 精度が低いです：姿勢 %2 が最も合いません。除いて別の姿勢を記録してください。</translation>
     </message>
     <message>
@@ -8410,7 +8410,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first (robot menu).</source>
+        <source>Start the simulated robot in the Robot menu first.</source>
         <translation>先にシミュレートされたロボットを起動してください：ロボットメニューにあります。</translation>
     </message>
     <message>
@@ -9079,7 +9079,7 @@ Release the button to stop the arm.</source>
         <translation>選択…</translation>
     </message>
     <message>
-        <source>The robot model is not known yet. Wait until the robot reports it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>ロボットの機種がまだ不明です。ロボットが報告するまで待ってください。</translation>
     </message>
 </context>
@@ -10205,7 +10205,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>ツールを真下に向け、その X がベースの X に沿うまで回し、記録してください。</translation>
     </message>
     <message>
-        <source>Orientation recorded. Record it again to replace it.</source>
+        <source>Orientation recorded. Record another pose to replace the orientation.</source>
         <translation>方向を記録しました。記録し直すと置き換わります。</translation>
     </message>
     <message>
@@ -10366,7 +10366,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         </translation>
     </message>
     <message>
-        <source>%1 from the live pose</source>
+        <source>%1 from the current pose</source>
         <translation>現在の姿勢から %1</translation>
     </message>
     <message>

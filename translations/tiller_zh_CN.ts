@@ -2010,11 +2010,11 @@
         <translation>“%1”不是用机械臂示教的：TCP 从未到过其原点。</translation>
     </message>
     <message>
-        <source>The waypoint was deleted. Press “Start” to add a new one.</source>
+        <source>The waypoint was deleted. Press “Start” to add a new waypoint.</source>
         <translation>路点已删除。按“开始”添加一个新的。</translation>
     </message>
     <message>
-        <source>“%1” has not changed. The arm is %2 away from it along X.</source>
+        <source>“%1” has not changed. The arm is %2 away from the waypoint along X.</source>
         <translation>“%1”没有改变。机械臂沿 X 距其 %2。</translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@
         <translation>从基座向外点动，直到某个极限将速度降到一半。操作盘下方的行显示该极限和退出方法。然后点动返回 %1。</translation>
     </message>
     <message>
-        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter it.</source>
+        <source>Press “Start” to simulate a hand pressing on the tool from above. Record for at least three seconds, then stop. Read the force Fz in the plots and enter the value.</source>
         <translation>按“开始”模拟一只手从上方按压工具。至少录制三秒后停止。在曲线图中读取力 Fz 并输入。</translation>
     </message>
     <message>
@@ -4606,8 +4606,8 @@
         <translation>端子</translation>
     </message>
     <message>
-        <source>On or off</source>
-        <translation>接通或断开</translation>
+        <source>State</source>
+        <translation>状态</translation>
     </message>
     <message>
         <source>Duration</source>
@@ -5186,7 +5186,7 @@ Clear the search to see everything.</source>
         <translation>在此示教 (T)</translation>
     </message>
     <message>
-        <source>Jog away and hold Go to (G)</source>
+        <source>Jog away and hold “Go to” (G)</source>
         <translation>点动离开，按住“前往” (G)</translation>
     </message>
     <message>
@@ -5438,15 +5438,15 @@ Clear the search to see everything.</source>
         <translation>朝 +Y</translation>
     </message>
     <message>
-        <source>Record the origin here</source>
+        <source>Record the origin at the TCP</source>
         <translation>在此取原点</translation>
     </message>
     <message>
-        <source>Record the point on +X here</source>
+        <source>Record the point on +X at the TCP</source>
         <translation>在此取 +X 上的点</translation>
     </message>
     <message>
-        <source>Record the point towards +Y here</source>
+        <source>Record the point towards +Y at the TCP</source>
         <translation>在此取朝 +Y 的点</translation>
     </message>
     <message>
@@ -5662,7 +5662,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>下一个路点，按住</translation>
     </message>
     <message>
-        <source>Moves to the next waypoint while the button is held, and stops there</source>
+        <source>Moves to the next waypoint while the button is held, then stops</source>
         <translation>按住时前往下一个路点，并停在那里</translation>
     </message>
     <message>
@@ -6967,7 +6967,7 @@ Right-click or press F2 to rename it.</source>
 <context>
     <name>tiller::PathRecorder</name>
     <message>
-        <source>%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.</source>
+        <source>%1 has no column “%2”. The columns “timestamp” and “actual_q_0” to “actual_q_5” are required.</source>
         <translation>%1 没有列“%2”。需要 timestamp 和 actual_q_0 至 actual_q_5。</translation>
     </message>
     <message>
@@ -7218,7 +7218,7 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 kg，重心距法兰 %2。各位姿在 %3 和 %4 之内一致。</translation>
     </message>
     <message>
-        <source>%1 The accuracy is low: pose %2 deviates most. Remove it and record another pose.</source>
+        <source>%1 The accuracy is low: pose %2 deviates most. Remove this pose and record another pose.</source>
         <translation>%1 精度较低：位姿 %2 偏差最大。请移除它并另取一个位姿。</translation>
     </message>
     <message>
@@ -8410,7 +8410,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
 <context>
     <name>tiller::Practice</name>
     <message>
-        <source>Start the simulated robot first (robot menu).</source>
+        <source>Start the simulated robot in the Robot menu first.</source>
         <translation>请先启动模拟机器人：在机器人菜单中。</translation>
     </message>
     <message>
@@ -9079,7 +9079,7 @@ Release the button to stop the arm.</source>
         <translation>选择…</translation>
     </message>
     <message>
-        <source>The robot model is not known yet. Wait until the robot reports it.</source>
+        <source>The robot model is not known yet. Wait until the robot reports the model.</source>
         <translation>尚不知道机器人的型号。请等待机器人报告。</translation>
     </message>
 </context>
@@ -10205,7 +10205,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>转动工具，使其竖直向下且 X 轴与基座 X 轴平行，然后取位姿。</translation>
     </message>
     <message>
-        <source>Orientation recorded. Record it again to replace it.</source>
+        <source>Orientation recorded. Record another pose to replace the orientation.</source>
         <translation>已取方向。再取一次即可替换。</translation>
     </message>
     <message>
@@ -10366,7 +10366,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         </translation>
     </message>
     <message>
-        <source>%1 from the live pose</source>
+        <source>%1 from the current pose</source>
         <translation>距当前位姿 %1</translation>
     </message>
     <message>

@@ -38,8 +38,9 @@ FrameTeacher::FrameTeacher(QWidget* parent)
 
     static constexpr std::array<const char*, 3> kNames = {"origin", "onX", "towardsY"};
     const std::array<QString, 3> texts = {tr("Origin"), tr("On +X"), tr("Towards +Y")};
-    const std::array<QString, 3> spoken = {tr("Record the origin here"), tr("Record the point on +X here"),
-                                           tr("Record the point towards +Y here")};
+    const std::array<QString, 3> spoken = {tr("Record the origin at the TCP"),
+                                           tr("Record the point on +X at the TCP"),
+                                           tr("Record the point towards +Y at the TCP")};
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(4);

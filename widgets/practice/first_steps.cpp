@@ -84,7 +84,7 @@ QString FirstSteps::text(FirstStep step) {
         case FirstStep::Teach:
             return tr("Teach here (T)");
         case FirstStep::GoTo:
-            return tr("Jog away and hold Go to (G)");
+            return tr("Jog away and hold “Go to” (G)");
         case FirstStep::Record:
             break;
     }

@@ -37,7 +37,7 @@ void Practice::turn(int by) {
 
 QString Practice::obstacle() const {
     if (!state_.hasData() || state_.link != LinkState::Live) {
-        return tr("Start the simulated robot first (robot menu).");
+        return tr("Start the simulated robot in the Robot menu first.");
     }
     if (const QString other = hooks_.obstacle(state_); !other.isEmpty()) {
         return other;

@@ -140,7 +140,7 @@ public:
     void follow(const SessionState& state, const project::Project& project) override {
         const int row = project.waypoints.indexOf(waypoint_);
         if (row < 0 || !from_) {
-            say(PracticeText::tr("The waypoint was deleted. Press “Start” to add a new one."));
+            say(PracticeText::tr("The waypoint was deleted. Press “Start” to add a new waypoint."));
             return;
         }
         const project::Waypoint& point = project.waypoints.at(row);
@@ -152,7 +152,7 @@ public:
         const Eigen::Vector3d wanted(kPartMoved, 0, 0);
         if (by.norm() < kClose) {
             const double way = state.hasData() ? state.tcpPose.position.x() - from_->position.x() : 0;
-            say(PracticeText::tr("“%1” has not changed. The arm is %2 away from it along X.")
+            say(PracticeText::tr("“%1” has not changed. The arm is %2 away from the waypoint along X.")
                     .arg(point.name, length(way)));
         } else if ((by - wanted).norm() > kTolerance) {
             say(PracticeText::tr("“%1” has moved by %2 and is %3 from the expected position.")
@@ -333,7 +333,7 @@ QString practiceText(PracticeTask task) {
     }
     return PracticeText::tr(
         "Press “Start” to simulate a hand pressing on the tool from above. Record for at least three "
-        "seconds, then stop. Read the force Fz in the plots and enter it.");
+        "seconds, then stop. Read the force Fz in the plots and enter the value.");
 }
 
 project::Waypoint practiceWaypoint(const SessionState& state, const project::Project& project) {

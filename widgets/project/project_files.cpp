@@ -297,7 +297,8 @@ void ProjectFiles::offerRecovery(const QString& path, const Error& error) {
     const QString title = tr("%1 is damaged").arg(QFileInfo(path).fileName());
     const Result<project::RecoveredProject> found = project::recoverProject(path);
     if (!found || found->document.waypoints.isEmpty()) {
-        Q_EMIT noticeWanted({.title = title, .text = error.context, .cause = QLatin1String(kDamaged)});
+        Q_EMIT noticeWanted(
+            {.title = title, .text = texts::errorText(error), .cause = QLatin1String(kDamaged)});
         return;
     }
     const int whole = found->document.waypoints.size();

@@ -105,7 +105,7 @@ QString ProjectFit::tcpText(const project::Tool& tool) const {
 QString ProjectFit::obstacle() const {
     const SessionState& state = session_.state();
     if (state.hasData() && !state.modelKnown && document_.project().robot) {
-        return tr("The robot model is not known yet. Wait until the robot reports it.");
+        return tr("The robot model is not known yet. Wait until the robot reports the model.");
     }
     if (isOfOtherModel()) {
         return modelText();

@@ -221,8 +221,8 @@ QString PayloadEstimator::feedback() const {
                          format::newtons(estimate_.forceResidual),
                          format::newtonMetres(estimate_.torqueResidual));
             return estimate_.forceResidual > kPoorForce || estimate_.torqueResidual > kPoorTorque
-                       ? tr("%1 The accuracy is low: pose %2 deviates most. Remove it and record another "
-                            "pose.")
+                       ? tr("%1 The accuracy is low: pose %2 deviates most. Remove this pose and record "
+                            "another pose.")
                              .arg(result)
                              .arg(estimate_.worst + 1)
                        : result;

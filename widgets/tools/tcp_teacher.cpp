@@ -214,7 +214,7 @@ QString TcpTeacher::turnFeedback() const {
     if (turning_->currentIndex() == StraightDown) {
         return turns_.empty() ? tr("Rotate the tool until it points straight down and its X axis is parallel "
                                    "to the base X axis, then record the pose.")
-                              : tr("Orientation recorded. Record it again to replace it.");
+                              : tr("Orientation recorded. Record another pose to replace the orientation.");
     }
     switch (turns_.size()) {
         case 0:

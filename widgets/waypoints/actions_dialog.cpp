@@ -113,7 +113,7 @@ QWidget* ActionsDialog::buildFields() {
     };
     name(kind_, "kind", tr("Action"));
     name(pin_, "pin", tr("Terminal"));
-    name(value_, "value", tr("On or off"));
+    name(value_, "value", tr("State"));
     name(seconds_, "seconds", tr("Duration"));
     kind_->addItems(ActionWords::kinds());
     value_->addItems({tr("off"), tr("on")});
@@ -128,7 +128,7 @@ QWidget* ActionsDialog::buildFields() {
 
     kindText_ = labelFor(tr("Action"), kind_);
     pinText_ = labelFor(tr("Terminal"), pin_);
-    valueText_ = labelFor(tr("On or off"), value_);
+    valueText_ = labelFor(tr("State"), value_);
     secondsText_ = labelFor(tr("Duration"), seconds_);
     auto* fields = new QWidget;
     auto* grid = new QGridLayout(fields);

@@ -45,7 +45,7 @@ GoThroughBar::GoThroughBar(MotionPort port, HoldPolicy& policy, ActionPort actio
                              tr("Moves to the previous waypoint while the button is held"), Way::StepBack));
     layout->addWidget(
         addKey(QStringLiteral("›"), QStringLiteral("waypoint.stepOn"), tr("Next waypoint, hold"),
-               tr("Moves to the next waypoint while the button is held, and stops there"), Way::StepOn));
+               tr("Moves to the next waypoint while the button is held, then stops"), Way::StepOn));
     through().setWidestDetail(QStringLiteral("000 waypoints · 000 mm/s"));
 
     scope_->setObjectName(QStringLiteral("waypoint.routeScope"));

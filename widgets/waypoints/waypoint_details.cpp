@@ -200,7 +200,7 @@ void WaypointDetails::refresh() {
         // With the TCP of the waypoint, because a move there also uses it.
         const Pose live = live_.tcpPose * live_.tcpOffset.inverse() * point.tcpOffset;
         const project::PoseDifference away = project::poseDifference(*place, live);
-        facts << tr("%1 from the live pose").arg(format::difference(away.distance, away.angle));
+        facts << tr("%1 from the current pose").arg(format::difference(away.distance, away.angle));
     } else {
         facts << (joints ? tr("joints have priority") : tr("pose has priority"));
     }

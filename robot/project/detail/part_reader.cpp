@@ -122,7 +122,7 @@ CellBox PartReader::box(const QString& where, const QJsonObject& object) {
         if (!(box.size[i] >= kMinBoxEdge)) {
             fields_.addProblem(
                 fieldAt(fieldAt(where, "size"), i),
-                QStringLiteral("is %1 m, a box needs at least %2 m").arg(box.size[i]).arg(kMinBoxEdge));
+                QStringLiteral("is %1 m; the minimum edge length is %2 m").arg(box.size[i]).arg(kMinBoxEdge));
         }
     }
     box.enabled = !object.contains(QLatin1String("enabled")) || fields_.flag(where, object, "enabled");

@@ -52,7 +52,7 @@ void ProjectReader::readList(const QString& where, const QJsonObject& root, cons
         [&](const QString& at, Entity entity) {
             if (list.find(entity.id) != nullptr) {
                 fields_.addProblem(fieldAt(at, "id"),
-                                   QStringLiteral("is used by another of %1").arg(QLatin1String(key)));
+                                   QStringLiteral("is already used in %1").arg(QLatin1String(key)));
             } else {
                 list.append(std::move(entity));
             }

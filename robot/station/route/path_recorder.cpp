@@ -35,12 +35,11 @@ Result<project::Demonstration> readDemonstration(const QString& path) {
         return table.error();
     }
     const auto missing = [&path](const QString& column) {
-        return Error{
-            ErrorCode::FileCorrupt,
-            PathRecorder::tr(
-                "%1 has no column “%2”. The columns timestamp and actual_q_0 to actual_q_5 are required.")
-                .arg(QFileInfo(path).fileName(), column),
-            {}};
+        return Error{ErrorCode::FileCorrupt,
+                     PathRecorder::tr("%1 has no column “%2”. The columns “timestamp” and “actual_q_0” to "
+                                      "“actual_q_5” are required.")
+                         .arg(QFileInfo(path).fileName(), column),
+                     {}};
     };
     std::array<const std::vector<double>*, 6> joints{};
     for (std::size_t joint = 0; joint < joints.size(); ++joint) {

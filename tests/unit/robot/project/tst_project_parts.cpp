@@ -213,7 +213,7 @@ private Q_SLOTS:
         row("cell.floor", "low", "cell.floor: is a text, not a number");
         row("cell.boxes[0].enabled", 1, "cell.boxes[0].enabled: is a number, not ");
         row("cell.safetyDistance", -0.01, "cell.safetyDistance: ");
-        row("cell.boxes[0].size[1]", 0, "cell.boxes[0].size[1]: is 0 m, a box needs at least");
+        row("cell.boxes[0].size[1]", 0, "cell.boxes[0].size[1]: is 0 m; the minimum edge length");
         row("cell.planes[0].frame", "x", "cell.planes[0].frame: \"x\" is not an id");
         row("paths[0].points[1].t", -1, "paths[0].points[1].t: is -1 s");
         row("paths[0].points[0].q", QJsonArray{1}, "paths[0].points[0].q: has 1 numbers, not 6");
@@ -241,7 +241,7 @@ private Q_SLOTS:
         const QJsonObject root = rootOfFull();
         const QJsonValue id = root["tools"].toArray()[0].toObject()["id"];
         const QByteArray twice = QJsonDocument(replaced(root, "tools[1].id", id).toObject()).toJson();
-        QVERIFY2(parseProject(twice).error().context.contains("tools[1].id: is used by another of tools"),
+        QVERIFY2(parseProject(twice).error().context.contains("tools[1].id: is already used in tools"),
                  qPrintable(parseProject(twice).error().context));
     }
 
