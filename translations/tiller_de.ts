@@ -5469,7 +5469,7 @@ Leeren Sie die Suche, um alles zu sehen.</translation>
         <translation>Der Roboter hat eine ungültige Position gesendet. Nehmen Sie den Punkt erneut.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Der Punkt auf +X ist nur %1 vom Ursprung entfernt. Nehmen Sie ihn mindestens %2 entfernt erneut. Ein größerer Abstand ergibt genauere Achsen.</translation>
     </message>
     <message>

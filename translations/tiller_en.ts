@@ -5466,7 +5466,7 @@ Clear the search to see everything.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5469,7 +5469,7 @@ Vacíe la búsqueda para verlo todo.</translation>
         <translation>El robot envió una posición no válida. Tome el punto de nuevo.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>El punto en +X está a solo %1 del origen. Tómelo de nuevo a %2 como mínimo. Una distancia mayor da ejes más precisos.</translation>
     </message>
     <message>

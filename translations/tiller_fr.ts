@@ -5469,7 +5469,7 @@ Videz la recherche pour tout voir.</translation>
         <translation>Le robot a envoyé une position non valide. Reprenez le point.</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>Le point sur +X n’est qu’à %1 de l’origine. Reprenez-le à au moins %2. Une plus grande distance donne des axes plus précis.</translation>
     </message>
     <message>

@@ -5462,7 +5462,7 @@ Clear the search to see everything.</source>
         <translation>ロボットが有効な位置を送りませんでした。点を記録し直してください。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上の点は原点から %1 しか離れていません。%2 以上離して記録し直してください：遠いほど軸が正確です。</translation>
     </message>
     <message>

@@ -5462,7 +5462,7 @@ Clear the search to see everything.</source>
         <translation>机器人没有发送有效位置。请重新取点。</translation>
     </message>
     <message>
-        <source>The point on +X is only %1 from the origin. Record the point again at least %2 away. A larger distance gives more accurate axes.</source>
+        <source>The point on +X is only %1 from the origin. Record it again at least %2 away. A larger distance gives more accurate axes.</source>
         <translation>+X 上的点距原点仅 %1。请重新取，至少 %2：越远，轴越准。</translation>
     </message>
     <message>

@@ -141,8 +141,8 @@ QString FrameTeacher::feedback() const {
         case Problem::NotFinite:
             return tr("The robot sent an invalid position. Record the point again.");
         case Problem::XTooClose:
-            return tr("The point on +X is only %1 from the origin. Record the point again at least %2 away. "
-                      "A larger distance gives more accurate axes.")
+            return tr("The point on +X is only %1 from the origin. Record it again at least %2 away. A "
+                      "larger distance gives more accurate axes.")
                 .arg(format::length(found.alongX, 1), arm);
         case Problem::YTooClose:
             return tr("The third point is only %1 from the origin. Record the point again at least %2 away.")
