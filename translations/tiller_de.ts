@@ -7078,7 +7078,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Lagenhöhe</translation>
     </message>
     <message>
-        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
+        <source>Distance from one layer to the next, measured opposite to the tool direction.</source>
         <translation>Abstand zwischen den Lagen, entgegen der Werkzeugrichtung.</translation>
     </message>
     <message>

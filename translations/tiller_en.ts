@@ -7071,7 +7071,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
+        <source>Distance from one layer to the next, measured opposite to the tool direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -7078,7 +7078,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Altura de capa</translation>
     </message>
     <message>
-        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
+        <source>Distance from one layer to the next, measured opposite to the tool direction.</source>
         <translation>Distancia entre capas, opuesta a la dirección de la herramienta.</translation>
     </message>
     <message>

@@ -7078,7 +7078,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Hauteur de couche</translation>
     </message>
     <message>
-        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
+        <source>Distance from one layer to the next, measured opposite to the tool direction.</source>
         <translation>Distance entre les couches, opposée à la direction de l’outil.</translation>
     </message>
     <message>

@@ -7068,7 +7068,7 @@ Right-click or press F2 to rename it.</source>
         <translation>層の高さ</translation>
     </message>
     <message>
-        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
+        <source>Distance from one layer to the next, measured opposite to the tool direction.</source>
         <translation>層の間の距離。ツールの方向と逆向きです。</translation>
     </message>
     <message>

@@ -7068,7 +7068,7 @@ Right-click or press F2 to rename it.</source>
         <translation>层高</translation>
     </message>
     <message>
-        <source>Distance between layers. The layers are stacked opposite to the tool direction.</source>
+        <source>Distance from one layer to the next, measured opposite to the tool direction.</source>
         <translation>层间距离，方向与工具方向相反。</translation>
     </message>
     <message>

@@ -104,7 +104,7 @@ void PatternDialog::build(bool isNew) {
     layerStep_->setObjectName(QStringLiteral("pattern.layerStep"));
     layerStep_->setAccessibleName(tr("Layer height"));
     layerStep_->setToolTip(
-        tr("Distance between layers. The layers are stacked opposite to the tool direction."));
+        tr("Distance from one layer to the next, measured opposite to the tool direction."));
     const double perUnit = format::metresPerUnit();
     layerStep_->setRange(-10 / perUnit, 10 / perUnit);
     layerStep_->setSuffix(QLatin1Char(' ') + format::lengthUnit());
