@@ -328,12 +328,12 @@
         <translation>Nahe an einer Gelenkgrenze</translation>
     </message>
     <message>
-        <source>A joint came close to the end of its range.</source>
+        <source>A joint came close to its limit.</source>
         <translation>Ein Gelenk kam dem Ende seines Bereichs nahe.</translation>
     </message>
     <message>
-        <source>Jog the joint back, and plan the move away from the limit.</source>
-        <translation>Fahren Sie das Gelenk zurück und planen Sie die Bewegung abseits der Grenze.</translation>
+        <source>Jog the joint away from the limit, or change the waypoint.</source>
+        <translation>Verfahren Sie das Gelenk von der Grenze weg oder ändern Sie den Wegpunkt.</translation>
     </message>
     <message>
         <source>Near a tool orientation limit</source>
@@ -344,7 +344,7 @@
         <translation>Die Werkzeugausrichtung kam der Grenze der Sicherheitskonfiguration nahe.</translation>
     </message>
     <message>
-        <source>Rotate the tool back, or change the waypoint.</source>
+        <source>Rotate the tool away from the limit, or change the waypoint.</source>
         <translation>Drehen Sie das Werkzeug zurück oder ändern Sie den Wegpunkt.</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation>Die lineare Bewegung führt durch eine Singularität des Arms.</translation>
     </message>
     <message>
-        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <source>Jog individual joints away from the singularity. Use MoveJ to pass through the region.</source>
         <translation>Verfahren Sie einzelne Gelenke aus der Singularität heraus; durchfahren Sie diesen Bereich mit MoveJ.</translation>
     </message>
     <message>
@@ -416,15 +416,15 @@
         <translation>Ein Gelenk benötigte mehr Drehmoment, als die Bewegung erfordert.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there is none, check the payload.</source>
+        <source>Remove the obstacle. If the arm did not touch anything, check the payload.</source>
         <translation>Entfernen Sie das Hindernis; war keines da, prüfen Sie die Nutzlast.</translation>
     </message>
     <message>
-        <source>Collision detected by the tool force</source>
-        <translation>Kollision durch Kraft am Werkzeug erkannt</translation>
+        <source>Collision detected at the tool</source>
+        <translation>Kollision am Werkzeug erkannt</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded its limit.</source>
+        <source>The force at the tool exceeded the limit.</source>
         <translation>Die Kraft am Werkzeug hat ihren Grenzwert überschritten.</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Positionsabweichung</translation>
     </message>
     <message>
-        <source>A joint left its commanded position.</source>
+        <source>A joint deviated from its commanded position.</source>
         <translation>Ein Gelenk verließ seine Sollposition.</translation>
     </message>
     <message>
@@ -460,7 +460,7 @@
         <translation>Ein Programm hat einen Positionssprung befohlen.</translation>
     </message>
     <message>
-        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and send servo targets in small steps.</source>
         <translation>Starten Sie das Programm an der aktuellen Position des Arms und halten Sie die Servo-Schritte klein.</translation>
     </message>
     <message>
@@ -484,8 +484,8 @@
         <translation>Das laufende Programm hat den Stopp angefordert.</translation>
     </message>
     <message>
-        <source>See the preceding messages of the program.</source>
-        <translation>Lesen Sie die vorherigen Meldungen des Programms.</translation>
+        <source>See the preceding program messages in the log.</source>
+        <translation>Lesen Sie die vorherigen Meldungen des Programms im Protokoll.</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -1426,7 +1426,7 @@
         <translation>Leerlauf</translation>
     </message>
     <message>
-        <source>The brakes are on. Release them.</source>
+        <source>The brakes are engaged. Release the brakes.</source>
         <translation>Die Bremsen sind angezogen. Lösen Sie sie.</translation>
     </message>
     <message>
@@ -1458,8 +1458,8 @@
         <translation>Normal</translation>
     </message>
     <message>
-        <source>No safety function is active.</source>
-        <translation>Keine Sicherheitsfunktion ist aktiv.</translation>
+        <source>No safety stop is active.</source>
+        <translation>Es ist kein Sicherheitsstopp aktiv.</translation>
     </message>
     <message>
         <source>Reduced</source>
@@ -1482,7 +1482,7 @@
         <translation>Wiederherstellung</translation>
     </message>
     <message>
-        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <source>The arm is outside a safety limit. Use the teach pendant to move the arm back within the limits.</source>
         <translation>Der Arm ist außerhalb einer Sicherheitsgrenze. Bewegen Sie ihn am Teach-Pendant in seine Grenzen zurück.</translation>
     </message>
     <message>
@@ -1586,15 +1586,15 @@
         <translation>PROFIsafe wartet</translation>
     </message>
     <message>
-        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
-        <translation>Der Roboter wartet auf seine PROFIsafe-Steuerung. Prüfen Sie den Feldbus und seine Parameter.</translation>
+        <source>The robot is waiting for the PROFIsafe controller. Check the fieldbus and the PROFIsafe parameters.</source>
+        <translation>Der Roboter wartet auf die PROFIsafe-Steuerung. Prüfen Sie den Feldbus und die PROFIsafe-Parameter.</translation>
     </message>
     <message>
         <source>PROFIsafe automatic stop</source>
         <translation>PROFIsafe-Automatik-Stopp</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request on that controller.</source>
         <translation>Die PROFIsafe-Steuerung fordert den Safeguard-Stopp des Automatikbetriebs an. Heben Sie die Anforderung dort auf.</translation>
     </message>
     <message>
@@ -1602,7 +1602,7 @@
         <translation>PROFIsafe-Safeguard-Stopp</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request on that controller.</source>
         <translation>Die PROFIsafe-Steuerung fordert einen Safeguard-Stopp an. Heben Sie die Anforderung dort auf.</translation>
     </message>
     <message>
@@ -1610,7 +1610,7 @@
         <translation>PROFIsafe-Not-Halt</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
         <translation>Die PROFIsafe-Steuerung fordert einen Not-Halt an. Heben Sie ihn dort auf, schalten Sie dann ein und lösen Sie die Bremsen.</translation>
     </message>
     <message>
@@ -1618,15 +1618,15 @@
         <translation>Stopp durch Safety API</translation>
     </message>
     <message>
-        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
-        <translation>Ein Programm fordert über die Sicherheitsschnittstelle einen Safeguard-Stopp an. Heben Sie die Anforderung in diesem Programm auf.</translation>
+        <source>A program requests a safeguard stop through the safety API. Clear the request in that program.</source>
+        <translation>Ein Programm fordert über die Sicherheits-API einen Safeguard-Stopp an. Heben Sie die Anforderung in diesem Programm auf.</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
         <translation>Stopp E/A-Ebene</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move the tool back with the teach pendant, or turn the input off.</source>
         <translation>Das Werkzeug hat eine Sicherheitsebene durchquert, die ein Eingang aktiviert. Fahren Sie es mit dem Teach-Pendant zurück oder schalten Sie den Eingang aus.</translation>
     </message>
     <message>
@@ -1674,7 +1674,7 @@
         <translation>Programm setzt fort</translation>
     </message>
     <message>
-        <source>The program is resuming: the arm may move.</source>
+        <source>The program is resuming, and the arm may move.</source>
         <translation>Das Programm wird fortgesetzt: Der Arm kann sich bewegen.</translation>
     </message>
     <message>
@@ -3051,7 +3051,7 @@
 <context>
     <name>Reasons</name>
     <message>
-        <source>No robot connected. Choose one at the top left.</source>
+        <source>No robot connected. Choose a robot at the top left.</source>
         <translation>Kein Roboter verbunden. Wählen Sie oben links einen.</translation>
     </message>
     <message>
@@ -4148,8 +4148,8 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>Prüfen Sie die Adresse: vier Zahlen, z. B. 192.168.0.10, oder ein Hostname.</translation>
+        <source>Enter an IP address, such as 192.168.0.10, or a host name.</source>
+        <translation>Geben Sie eine IP-Adresse ein, z. B. 192.168.0.10, oder einen Hostnamen.</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
@@ -4160,7 +4160,7 @@
         <translation>Aktivieren Sie die Schnittstelle am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste. Ein gerade gestarteter Roboter benötigt eventuell noch eine Minute.</translation>
     </message>
     <message>
-        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <source>The robot may be restarting or switching between Local and Remote control. Wait a minute, then connect again.</source>
         <translation>Er startet eventuell neu oder wird zwischen Lokal und Fernsteuerung umgeschaltet. Warten Sie eine Minute und verbinden Sie dann erneut.</translation>
     </message>
     <message>
@@ -4172,19 +4172,19 @@
         <translation>Es werden keine Daten mehr empfangen. Prüfen Sie das Kabel. Tiller verbindet sich automatisch neu; die Bewegung wird nicht fortgesetzt.</translation>
     </message>
     <message>
-        <source>The response violates the RTDE protocol. Check address and port.</source>
-        <translation>Die Antwort verletzt das RTDE-Protokoll. Prüfen Sie Adresse und Port.</translation>
+        <source>The response is not valid for this protocol. Check the address and the port.</source>
+        <translation>Die Antwort entspricht nicht dem Protokoll. Prüfen Sie die Adresse und den Port.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this function.</source>
-        <translation>Die Software des Roboters ist für diese Funktion zu alt.</translation>
+        <source>If newer software is available for this robot, update the robot.</source>
+        <translation>Wenn es für diesen Roboter eine neuere Software gibt, aktualisieren Sie den Roboter.</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
         <translation>Die Software des Roboters stellt diesen Wert nicht bereit.</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers. Close the other program, or disable the fieldbus in the installation.</source>
         <translation>Ein anderes Programm oder ein Feldbus des Roboters verwendet diese Register: Schließen Sie das andere Programm oder deaktivieren Sie den Feldbus in der Installation.</translation>
     </message>
     <message>
@@ -4196,19 +4196,19 @@
         <translation>Übernehmen Sie zuerst die Steuerung.</translation>
     </message>
     <message>
-        <source>First bring the robot to mode Running and safety mode Normal.</source>
-        <translation>Bringen Sie den Roboter zuerst in den Modus „Läuft“ und den Sicherheitsmodus „Normal“.</translation>
+        <source>Power on the arm, release the brakes and clear any safety stop first.</source>
+        <translation>Schalten Sie zuerst den Arm ein, lösen Sie die Bremsen und heben Sie einen Sicherheitsstopp auf.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Schalten Sie den Roboter am Teach-Pendant oben rechts auf Fernsteuerung.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed below the cap.</source>
+        <source>Choose a target within the reach of the arm and a speed below the speed cap.</source>
         <translation>Wählen Sie ein Ziel im Bewegungsbereich des Arms und eine Geschwindigkeit innerhalb der Grenze.</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
+        <source>The arm cannot reach this pose. Move the target closer or rotate the tool.</source>
         <translation>Der Arm kann diese Pose nicht erreichen: Verschieben Sie den Punkt näher heran oder drehen Sie das Werkzeug.</translation>
     </message>
     <message>
@@ -4224,7 +4224,7 @@
         <translation>Wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
     </message>
     <message>
-        <source>The file was not changed. Open a backup, or repair the reported position.</source>
+        <source>The file was not changed. Open a backup, or repair the file at the reported position.</source>
         <translation>Die Datei wurde nicht geändert. Öffnen Sie eine Sicherung oder reparieren Sie die gemeldete Stelle.</translation>
     </message>
     <message>
@@ -4284,8 +4284,8 @@
         <translation>Nicht gesteuert</translation>
     </message>
     <message>
-        <source>Not possible in this state</source>
-        <translation>In diesem Zustand nicht möglich</translation>
+        <source>Robot not ready</source>
+        <translation>Roboter nicht bereit</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -4368,23 +4368,23 @@
         <translation>andere Taste gedrückt</translation>
     </message>
     <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
+        <source>Esc pressed</source>
+        <translation>Esc gedrückt</translation>
     </message>
     <message>
-        <source>Space</source>
-        <translation>Leertaste</translation>
+        <source>Space pressed</source>
+        <translation>Leertaste gedrückt</translation>
     </message>
     <message>
-        <source>STOP</source>
-        <translation>STOP</translation>
+        <source>STOP pressed</source>
+        <translation>STOP gedrückt</translation>
     </message>
     <message>
         <source>input device lost</source>
         <translation>Eingabegerät verloren</translation>
     </message>
     <message>
-        <source>robot data too old</source>
+        <source>robot data arrived too late</source>
         <translation>Roboterdaten zu alt</translation>
     </message>
     <message>
@@ -4392,7 +4392,7 @@
         <translation>Roboter- oder Sicherheitsmodus geändert</translation>
     </message>
     <message>
-        <source>PC going to sleep</source>
+        <source>PC is going to sleep</source>
         <translation>PC wechselt in den Ruhezustand</translation>
     </message>
     <message>
@@ -4416,8 +4416,8 @@
         <translation>von einem Programm gestoppt</translation>
     </message>
     <message>
-        <source>contact</source>
-        <translation>Kontakt</translation>
+        <source>contact detected</source>
+        <translation>Kontakt erkannt</translation>
     </message>
     <message>
         <source>target cannot be reached</source>
@@ -4456,7 +4456,7 @@
         <translation>Die Steuerung wurde abgegeben. Übernehmen Sie sie, um den Arm zu bewegen.</translation>
     </message>
     <message>
-        <source>The control program was stopped on the robot. Take control again.</source>
+        <source>The control program on the robot was stopped. Take control again.</source>
         <translation>Das Steuerprogramm wurde am Roboter gestoppt. Übernehmen Sie wieder die Steuerung.</translation>
     </message>
     <message>
@@ -4468,7 +4468,7 @@
         <translation>Die Verbindung wurde unterbrochen. Übernehmen Sie erneut die Steuerung.</translation>
     </message>
     <message>
-        <source>Your script is running. Tiller regains control when it ends.</source>
+        <source>Your script is running. Tiller regains control when the script ends.</source>
         <translation>Ihr Skript läuft. Tiller erhält die Steuerung zurück, wenn es endet.</translation>
     </message>
     <message>
@@ -4476,8 +4476,8 @@
         <translation>Geben Sie Speicherplatz frei, und speichern oder zeichnen Sie dann erneut auf.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
-        <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. Aktiviert in den Einstellungen oder mit --monitor-only.</translation>
+        <source>Monitor only: this window does not change anything on the robot. Turn off “Monitor only” in Settings, or start Tiller without --monitor-only.</source>
+        <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. Schalten Sie „Nur beobachten“ in den Einstellungen aus, oder starten Sie Tiller ohne --monitor-only.</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -6786,7 +6786,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Nach %1 der Bahn müsste ein Gelenk springen</translation>
     </message>
     <message>
-        <source>%1 exceeds its range after %2 of the path</source>
+        <source>%1 exceeds its limit after %2 of the path</source>
         <translation>%1 überschreitet nach %2 der Bahn seinen Bereich</translation>
     </message>
     <message>
@@ -9390,15 +9390,15 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Keine Daten vom Roboter. Die Verbindung wird automatisch wiederhergestellt; die Bewegung wird nicht fortgesetzt.</translation>
     </message>
     <message>
-        <source>Robot data are late.</source>
-        <translation>Die Daten des Roboters sind verspätet.</translation>
+        <source>Robot data are late. Waiting for new data.</source>
+        <translation>Die Daten des Roboters sind verspätet. Warten auf neue Daten.</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>Übernehme Steuerung…</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <source>Monitor only: this window does not change anything on the robot. STOP still works.</source>
         <translation>Nur beobachten: Dieses Fenster ändert am Roboter nichts. STOP funktioniert weiterhin.</translation>
     </message>
     <message>
@@ -10722,7 +10722,7 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
         <translation>✕ zu weit</translation>
     </message>
     <message>
-        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
+        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
         <translation>Ein Gelenk würde seinen Bereich überschreiten. Teachen Sie den Wegpunkt mit einer anderen Armstellung nach.</translation>
     </message>
     <message>

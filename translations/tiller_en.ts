@@ -328,11 +328,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A joint came close to the end of its range.</source>
+        <source>A joint came close to its limit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog the joint back, and plan the move away from the limit.</source>
+        <source>Jog the joint away from the limit, or change the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -344,7 +344,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotate the tool back, or change the waypoint.</source>
+        <source>Rotate the tool away from the limit, or change the waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <source>Jog individual joints away from the singularity. Use MoveJ to pass through the region.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -416,15 +416,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there is none, check the payload.</source>
+        <source>Remove the obstacle. If the arm did not touch anything, check the payload.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Collision detected by the tool force</source>
+        <source>Collision detected at the tool</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The force at the tool exceeded its limit.</source>
+        <source>The force at the tool exceeded the limit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A joint left its commanded position.</source>
+        <source>A joint deviated from its commanded position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -460,7 +460,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and send servo targets in small steps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -484,7 +484,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>See the preceding messages of the program.</source>
+        <source>See the preceding program messages in the log.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1426,7 +1426,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The brakes are on. Release them.</source>
+        <source>The brakes are engaged. Release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1458,7 +1458,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No safety function is active.</source>
+        <source>No safety stop is active.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1482,7 +1482,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <source>The arm is outside a safety limit. Use the teach pendant to move the arm back within the limits.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1586,7 +1586,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
+        <source>The robot is waiting for the PROFIsafe controller. Check the fieldbus and the PROFIsafe parameters.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request on that controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1602,7 +1602,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request on that controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1610,7 +1610,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1618,7 +1618,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
+        <source>A program requests a safeguard stop through the safety API. Clear the request in that program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1626,7 +1626,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move the tool back with the teach pendant, or turn the input off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1674,7 +1674,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program is resuming: the arm may move.</source>
+        <source>The program is resuming, and the arm may move.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3051,7 +3051,7 @@
 <context>
     <name>Reasons</name>
     <message>
-        <source>No robot connected. Choose one at the top left.</source>
+        <source>No robot connected. Choose a robot at the top left.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4148,7 +4148,7 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
+        <source>Enter an IP address, such as 192.168.0.10, or a host name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4160,7 +4160,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <source>The robot may be restarting or switching between Local and Remote control. Wait a minute, then connect again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4172,11 +4172,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The response violates the RTDE protocol. Check address and port.</source>
+        <source>The response is not valid for this protocol. Check the address and the port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this function.</source>
+        <source>If newer software is available for this robot, update the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4184,7 +4184,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers. Close the other program, or disable the fieldbus in the installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4196,7 +4196,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>First bring the robot to mode Running and safety mode Normal.</source>
+        <source>Power on the arm, release the brakes and clear any safety stop first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4204,11 +4204,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed below the cap.</source>
+        <source>Choose a target within the reach of the arm and a speed below the speed cap.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
+        <source>The arm cannot reach this pose. Move the target closer or rotate the tool.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4224,7 +4224,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file was not changed. Open a backup, or repair the reported position.</source>
+        <source>The file was not changed. Open a backup, or repair the file at the reported position.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4284,7 +4284,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not possible in this state</source>
+        <source>Robot not ready</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4368,15 +4368,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Esc</source>
+        <source>Esc pressed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Space</source>
+        <source>Space pressed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>STOP</source>
+        <source>STOP pressed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4384,7 +4384,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>robot data too old</source>
+        <source>robot data arrived too late</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4392,7 +4392,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PC going to sleep</source>
+        <source>PC is going to sleep</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4416,7 +4416,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>contact</source>
+        <source>contact detected</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4456,7 +4456,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The control program was stopped on the robot. Take control again.</source>
+        <source>The control program on the robot was stopped. Take control again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4468,7 +4468,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Your script is running. Tiller regains control when it ends.</source>
+        <source>Your script is running. Tiller regains control when the script ends.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4476,7 +4476,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
+        <source>Monitor only: this window does not change anything on the robot. Turn off “Monitor only” in Settings, or start Tiller without --monitor-only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6779,7 +6779,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 exceeds its range after %2 of the path</source>
+        <source>%1 exceeds its limit after %2 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9369,7 +9369,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Robot data are late.</source>
+        <source>Robot data are late. Waiting for new data.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9385,7 +9385,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <source>Monitor only: this window does not change anything on the robot. STOP still works.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10708,7 +10708,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
+        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -328,12 +328,12 @@
         <translation>Cerca del límite de una articulación</translation>
     </message>
     <message>
-        <source>A joint came close to the end of its range.</source>
+        <source>A joint came close to its limit.</source>
         <translation>Una articulación se acercó al final de su rango.</translation>
     </message>
     <message>
-        <source>Jog the joint back, and plan the move away from the limit.</source>
-        <translation>Mueva la articulación hacia atrás y planifique el movimiento lejos del límite.</translation>
+        <source>Jog the joint away from the limit, or change the waypoint.</source>
+        <translation>Aleje la articulación del límite o cambie el punto de paso.</translation>
     </message>
     <message>
         <source>Near a tool orientation limit</source>
@@ -344,7 +344,7 @@
         <translation>La orientación de la herramienta se acercó al límite de la configuración de seguridad.</translation>
     </message>
     <message>
-        <source>Rotate the tool back, or change the waypoint.</source>
+        <source>Rotate the tool away from the limit, or change the waypoint.</source>
         <translation>Gire la herramienta hacia atrás o cambie el punto de paso.</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation>El movimiento lineal atraviesa una singularidad del brazo.</translation>
     </message>
     <message>
-        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <source>Jog individual joints away from the singularity. Use MoveJ to pass through the region.</source>
         <translation>Salga de ella moviendo articulaciones una a una; use MoveJ para pasar por esta zona.</translation>
     </message>
     <message>
@@ -416,15 +416,15 @@
         <translation>Una articulación necesitó más par del que requiere el movimiento.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there is none, check the payload.</source>
+        <source>Remove the obstacle. If the arm did not touch anything, check the payload.</source>
         <translation>Quite el obstáculo; si no lo había, compruebe la carga útil.</translation>
     </message>
     <message>
-        <source>Collision detected by the tool force</source>
-        <translation>Colisión detectada por la fuerza en la herramienta</translation>
+        <source>Collision detected at the tool</source>
+        <translation>Colisión detectada en la herramienta</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded its limit.</source>
+        <source>The force at the tool exceeded the limit.</source>
         <translation>La fuerza en la herramienta superó su límite.</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Desviación de posición</translation>
     </message>
     <message>
-        <source>A joint left its commanded position.</source>
+        <source>A joint deviated from its commanded position.</source>
         <translation>Una articulación se apartó de su posición ordenada.</translation>
     </message>
     <message>
@@ -460,7 +460,7 @@
         <translation>Un programa ordenó un salto de posición.</translation>
     </message>
     <message>
-        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and send servo targets in small steps.</source>
         <translation>Inicie el programa en la posición actual del brazo y use pasos de servo pequeños.</translation>
     </message>
     <message>
@@ -484,8 +484,8 @@
         <translation>El programa en ejecución solicitó la parada.</translation>
     </message>
     <message>
-        <source>See the preceding messages of the program.</source>
-        <translation>Consulte los mensajes anteriores del programa.</translation>
+        <source>See the preceding program messages in the log.</source>
+        <translation>Consulte los mensajes anteriores del programa en el registro.</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -1426,7 +1426,7 @@
         <translation>En reposo</translation>
     </message>
     <message>
-        <source>The brakes are on. Release them.</source>
+        <source>The brakes are engaged. Release the brakes.</source>
         <translation>Los frenos están puestos. Libérelos.</translation>
     </message>
     <message>
@@ -1458,8 +1458,8 @@
         <translation>Normal</translation>
     </message>
     <message>
-        <source>No safety function is active.</source>
-        <translation>Ninguna función de seguridad está activa.</translation>
+        <source>No safety stop is active.</source>
+        <translation>Ninguna parada de seguridad está activa.</translation>
     </message>
     <message>
         <source>Reduced</source>
@@ -1482,7 +1482,7 @@
         <translation>Recuperación</translation>
     </message>
     <message>
-        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <source>The arm is outside a safety limit. Use the teach pendant to move the arm back within the limits.</source>
         <translation>El brazo está fuera de un límite de seguridad. Devuélvalo a sus límites con la consola portátil.</translation>
     </message>
     <message>
@@ -1586,15 +1586,15 @@
         <translation>PROFIsafe en espera</translation>
     </message>
     <message>
-        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
-        <translation>El robot espera a su controlador PROFIsafe. Compruebe el bus de campo y sus parámetros.</translation>
+        <source>The robot is waiting for the PROFIsafe controller. Check the fieldbus and the PROFIsafe parameters.</source>
+        <translation>El robot espera al controlador PROFIsafe. Compruebe el bus de campo y los parámetros de PROFIsafe.</translation>
     </message>
     <message>
         <source>PROFIsafe automatic stop</source>
         <translation>Parada automática PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request on that controller.</source>
         <translation>El controlador PROFIsafe solicita la parada de salvaguarda del modo automático. Anule la solicitud allí.</translation>
     </message>
     <message>
@@ -1602,7 +1602,7 @@
         <translation>Parada de salvaguarda PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request on that controller.</source>
         <translation>El controlador PROFIsafe solicita una parada de salvaguarda. Anule la solicitud allí.</translation>
     </message>
     <message>
@@ -1610,7 +1610,7 @@
         <translation>Parada de emergencia PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
         <translation>El controlador PROFIsafe solicita una parada de emergencia. Anúlela allí, después encienda y libere los frenos.</translation>
     </message>
     <message>
@@ -1618,15 +1618,15 @@
         <translation>Parada por Safety API</translation>
     </message>
     <message>
-        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
-        <translation>Un programa solicita una parada de salvaguarda a través de la interfaz de seguridad. Anule la solicitud en ese programa.</translation>
+        <source>A program requests a safeguard stop through the safety API. Clear the request in that program.</source>
+        <translation>Un programa solicita una parada de salvaguarda a través de la API de seguridad. Anule la solicitud en ese programa.</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
         <translation>Parada por plano de E/S</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move the tool back with the teach pendant, or turn the input off.</source>
         <translation>La herramienta cruzó un plano de seguridad activado por una entrada. Sáquela con la consola portátil o desactive la entrada.</translation>
     </message>
     <message>
@@ -1674,7 +1674,7 @@
         <translation>Programa reanudándose</translation>
     </message>
     <message>
-        <source>The program is resuming: the arm may move.</source>
+        <source>The program is resuming, and the arm may move.</source>
         <translation>El programa se reanuda: el brazo puede moverse.</translation>
     </message>
     <message>
@@ -3051,7 +3051,7 @@
 <context>
     <name>Reasons</name>
     <message>
-        <source>No robot connected. Choose one at the top left.</source>
+        <source>No robot connected. Choose a robot at the top left.</source>
         <translation>Ningún robot conectado. Elija uno arriba a la izquierda.</translation>
     </message>
     <message>
@@ -4148,8 +4148,8 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>Compruebe la dirección: cuatro números, p. ej. 192.168.0.10, o un nombre de host.</translation>
+        <source>Enter an IP address, such as 192.168.0.10, or a host name.</source>
+        <translation>Introduzca una dirección IP, p. ej. 192.168.0.10, o un nombre de host.</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
@@ -4160,7 +4160,7 @@
         <translation>Active la interfaz en el robot en Ajustes &gt; Seguridad &gt; Servicios. Un robot recién arrancado puede necesitar un minuto más.</translation>
     </message>
     <message>
-        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <source>The robot may be restarting or switching between Local and Remote control. Wait a minute, then connect again.</source>
         <translation>Puede estar reiniciándose o cambiando entre Local y Remoto. Espere un minuto y conecte de nuevo.</translation>
     </message>
     <message>
@@ -4172,19 +4172,19 @@
         <translation>No se reciben más datos. Compruebe el cable. Tiller se reconecta automáticamente; el movimiento no se reanuda.</translation>
     </message>
     <message>
-        <source>The response violates the RTDE protocol. Check address and port.</source>
-        <translation>La respuesta no cumple el protocolo RTDE. Compruebe la dirección y el puerto.</translation>
+        <source>The response is not valid for this protocol. Check the address and the port.</source>
+        <translation>La respuesta no cumple el protocolo. Compruebe la dirección y el puerto.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this function.</source>
-        <translation>El software del robot es demasiado antiguo para esta función.</translation>
+        <source>If newer software is available for this robot, update the robot.</source>
+        <translation>Si hay un software más reciente para este robot, actualice el robot.</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
         <translation>El software del robot no ofrece este valor.</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers. Close the other program, or disable the fieldbus in the installation.</source>
         <translation>Otro programa o un bus de campo del robot usa estos registros: cierre el otro programa o desactive el bus de campo en la instalación.</translation>
     </message>
     <message>
@@ -4196,19 +4196,19 @@
         <translation>Tome primero el control.</translation>
     </message>
     <message>
-        <source>First bring the robot to mode Running and safety mode Normal.</source>
-        <translation>Lleve primero el robot al modo «En marcha» y al modo de seguridad «Normal».</translation>
+        <source>Power on the arm, release the brakes and clear any safety stop first.</source>
+        <translation>Encienda primero el brazo, libere los frenos y anule cualquier parada de seguridad.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Cambie el robot a control remoto en la consola portátil, arriba a la derecha.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed below the cap.</source>
+        <source>Choose a target within the reach of the arm and a speed below the speed cap.</source>
         <translation>Elija un objetivo dentro del alcance del brazo y una velocidad dentro del límite.</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
+        <source>The arm cannot reach this pose. Move the target closer or rotate the tool.</source>
         <translation>El brazo no puede alcanzar esta pose: acerque el punto o gire la herramienta.</translation>
     </message>
     <message>
@@ -4224,7 +4224,7 @@
         <translation>Elija una carpeta en la que tenga permiso para escribir.</translation>
     </message>
     <message>
-        <source>The file was not changed. Open a backup, or repair the reported position.</source>
+        <source>The file was not changed. Open a backup, or repair the file at the reported position.</source>
         <translation>El archivo no se modificó. Abra una copia de seguridad o repare la posición indicada.</translation>
     </message>
     <message>
@@ -4284,8 +4284,8 @@
         <translation>Sin control</translation>
     </message>
     <message>
-        <source>Not possible in this state</source>
-        <translation>No es posible en este estado</translation>
+        <source>Robot not ready</source>
+        <translation>Robot no preparado</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -4368,23 +4368,23 @@
         <translation>otro botón o tecla pulsado</translation>
     </message>
     <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
+        <source>Esc pressed</source>
+        <translation>Esc pulsada</translation>
     </message>
     <message>
-        <source>Space</source>
-        <translation>Espacio</translation>
+        <source>Space pressed</source>
+        <translation>Espacio pulsado</translation>
     </message>
     <message>
-        <source>STOP</source>
-        <translation>STOP</translation>
+        <source>STOP pressed</source>
+        <translation>STOP pulsado</translation>
     </message>
     <message>
         <source>input device lost</source>
         <translation>dispositivo de entrada perdido</translation>
     </message>
     <message>
-        <source>robot data too old</source>
+        <source>robot data arrived too late</source>
         <translation>datos del robot demasiado viejos</translation>
     </message>
     <message>
@@ -4392,7 +4392,7 @@
         <translation>cambió el modo del robot o de seguridad</translation>
     </message>
     <message>
-        <source>PC going to sleep</source>
+        <source>PC is going to sleep</source>
         <translation>el PC entra en suspensión</translation>
     </message>
     <message>
@@ -4416,8 +4416,8 @@
         <translation>detenido por un programa</translation>
     </message>
     <message>
-        <source>contact</source>
-        <translation>contacto</translation>
+        <source>contact detected</source>
+        <translation>contacto detectado</translation>
     </message>
     <message>
         <source>target cannot be reached</source>
@@ -4456,7 +4456,7 @@
         <translation>El control se devolvió. Tome el control para mover el brazo.</translation>
     </message>
     <message>
-        <source>The control program was stopped on the robot. Take control again.</source>
+        <source>The control program on the robot was stopped. Take control again.</source>
         <translation>El programa de control se detuvo en el robot. Tome de nuevo el control.</translation>
     </message>
     <message>
@@ -4468,7 +4468,7 @@
         <translation>Se perdió la conexión. Tome de nuevo el control.</translation>
     </message>
     <message>
-        <source>Your script is running. Tiller regains control when it ends.</source>
+        <source>Your script is running. Tiller regains control when the script ends.</source>
         <translation>Su script está en ejecución. Tiller recupera el control cuando termine.</translation>
     </message>
     <message>
@@ -4476,8 +4476,8 @@
         <translation>Libere espacio en el disco y vuelva a guardar o grabar.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
-        <translation>Solo supervisión: esta ventana no cambia nada en el robot. Activado en los ajustes o con --monitor-only.</translation>
+        <source>Monitor only: this window does not change anything on the robot. Turn off “Monitor only” in Settings, or start Tiller without --monitor-only.</source>
+        <translation>Solo supervisión: esta ventana no cambia nada en el robot. Desactive «Solo supervisión» en los ajustes o inicie Tiller sin --monitor-only.</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -6786,7 +6786,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Una articulación tendría que saltar tras el %1 de la trayectoria</translation>
     </message>
     <message>
-        <source>%1 exceeds its range after %2 of the path</source>
+        <source>%1 exceeds its limit after %2 of the path</source>
         <translation>%1 supera su recorrido tras el %2 de la trayectoria</translation>
     </message>
     <message>
@@ -9390,15 +9390,15 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Sin datos del robot. Se reconecta automáticamente; el movimiento no se reanuda.</translation>
     </message>
     <message>
-        <source>Robot data are late.</source>
-        <translation>Los datos del robot se retrasan.</translation>
+        <source>Robot data are late. Waiting for new data.</source>
+        <translation>Los datos del robot se retrasan. Esperando datos nuevos.</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>Tomando el control…</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <source>Monitor only: this window does not change anything on the robot. STOP still works.</source>
         <translation>Solo supervisión: esta ventana no cambia nada en el robot. STOP sigue funcionando.</translation>
     </message>
     <message>
@@ -10722,7 +10722,7 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
         <translation>✕ alcance</translation>
     </message>
     <message>
-        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
+        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
         <translation>Una articulación superaría su recorrido. Retoque el punto con otra configuración del brazo.</translation>
     </message>
     <message>

@@ -328,12 +328,12 @@
         <translation>Près d’une butée d’articulation</translation>
     </message>
     <message>
-        <source>A joint came close to the end of its range.</source>
+        <source>A joint came close to its limit.</source>
         <translation>Une articulation s’est approchée de la fin de sa plage.</translation>
     </message>
     <message>
-        <source>Jog the joint back, and plan the move away from the limit.</source>
-        <translation>Ramenez l’articulation et prévoyez le mouvement loin de la limite.</translation>
+        <source>Jog the joint away from the limit, or change the waypoint.</source>
+        <translation>Éloignez l’articulation de la limite ou modifiez le point de passage.</translation>
     </message>
     <message>
         <source>Near a tool orientation limit</source>
@@ -344,7 +344,7 @@
         <translation>L’orientation de l’outil s’est approchée de la limite de la configuration de sécurité.</translation>
     </message>
     <message>
-        <source>Rotate the tool back, or change the waypoint.</source>
+        <source>Rotate the tool away from the limit, or change the waypoint.</source>
         <translation>Tournez l’outil en arrière ou changez le point de passage.</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation>Le mouvement linéaire traverse une singularité du bras.</translation>
     </message>
     <message>
-        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <source>Jog individual joints away from the singularity. Use MoveJ to pass through the region.</source>
         <translation>Sortez-en en déplaçant les articulations une par une ; utilisez MoveJ pour traverser cette zone.</translation>
     </message>
     <message>
@@ -416,15 +416,15 @@
         <translation>Une articulation a demandé plus de couple que le mouvement n’en exige.</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there is none, check the payload.</source>
+        <source>Remove the obstacle. If the arm did not touch anything, check the payload.</source>
         <translation>Enlevez l’obstacle ; s’il n’y en avait pas, vérifiez la charge utile.</translation>
     </message>
     <message>
-        <source>Collision detected by the tool force</source>
-        <translation>Collision détectée par la force à l’outil</translation>
+        <source>Collision detected at the tool</source>
+        <translation>Collision détectée à l’outil</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded its limit.</source>
+        <source>The force at the tool exceeded the limit.</source>
         <translation>La force à l’outil a dépassé sa limite.</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Écart de position</translation>
     </message>
     <message>
-        <source>A joint left its commanded position.</source>
+        <source>A joint deviated from its commanded position.</source>
         <translation>Une articulation a quitté sa position commandée.</translation>
     </message>
     <message>
@@ -460,7 +460,7 @@
         <translation>Un programme a commandé un saut de position.</translation>
     </message>
     <message>
-        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and send servo targets in small steps.</source>
         <translation>Démarrez le programme à la position actuelle du bras et gardez de petits pas d’asservissement.</translation>
     </message>
     <message>
@@ -484,8 +484,8 @@
         <translation>Le programme en cours a demandé l’arrêt.</translation>
     </message>
     <message>
-        <source>See the preceding messages of the program.</source>
-        <translation>Consultez les messages précédents du programme.</translation>
+        <source>See the preceding program messages in the log.</source>
+        <translation>Consultez les messages précédents du programme dans le journal.</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -1426,7 +1426,7 @@
         <translation>Au repos</translation>
     </message>
     <message>
-        <source>The brakes are on. Release them.</source>
+        <source>The brakes are engaged. Release the brakes.</source>
         <translation>Les freins sont serrés. Desserrez-les.</translation>
     </message>
     <message>
@@ -1458,8 +1458,8 @@
         <translation>Normal</translation>
     </message>
     <message>
-        <source>No safety function is active.</source>
-        <translation>Aucune fonction de sécurité n’est active.</translation>
+        <source>No safety stop is active.</source>
+        <translation>Aucun arrêt de sécurité n’est actif.</translation>
     </message>
     <message>
         <source>Reduced</source>
@@ -1482,7 +1482,7 @@
         <translation>Récupération</translation>
     </message>
     <message>
-        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <source>The arm is outside a safety limit. Use the teach pendant to move the arm back within the limits.</source>
         <translation>Le bras est hors d’une limite de sécurité. Ramenez-le dans ses limites avec le pupitre.</translation>
     </message>
     <message>
@@ -1586,15 +1586,15 @@
         <translation>PROFIsafe en attente</translation>
     </message>
     <message>
-        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
-        <translation>Le robot attend son contrôleur PROFIsafe. Vérifiez le bus de terrain et ses paramètres.</translation>
+        <source>The robot is waiting for the PROFIsafe controller. Check the fieldbus and the PROFIsafe parameters.</source>
+        <translation>Le robot attend le contrôleur PROFIsafe. Vérifiez le bus de terrain et les paramètres PROFIsafe.</translation>
     </message>
     <message>
         <source>PROFIsafe automatic stop</source>
         <translation>Arrêt automatique PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request on that controller.</source>
         <translation>Le contrôleur PROFIsafe demande l’arrêt de sauvegarde du mode automatique. Annulez la demande sur ce contrôleur.</translation>
     </message>
     <message>
@@ -1602,7 +1602,7 @@
         <translation>Arrêt de sauvegarde PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request on that controller.</source>
         <translation>Le contrôleur PROFIsafe demande un arrêt de sauvegarde. Annulez la demande sur ce contrôleur.</translation>
     </message>
     <message>
@@ -1610,7 +1610,7 @@
         <translation>Arrêt d’urgence PROFIsafe</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
         <translation>Le contrôleur PROFIsafe demande un arrêt d’urgence. Annulez la demande sur ce contrôleur, puis mettez sous tension et desserrez les freins.</translation>
     </message>
     <message>
@@ -1618,15 +1618,15 @@
         <translation>Arrêt par Safety API</translation>
     </message>
     <message>
-        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
-        <translation>Un programme demande un arrêt de sauvegarde par l’interface de sécurité. Annulez la demande dans ce programme.</translation>
+        <source>A program requests a safeguard stop through the safety API. Clear the request in that program.</source>
+        <translation>Un programme demande un arrêt de sauvegarde par l’API de sécurité. Annulez la demande dans ce programme.</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
         <translation>Arrêt par plan d’E/S</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move the tool back with the teach pendant, or turn the input off.</source>
         <translation>L’outil a franchi un plan de sécurité activé par une entrée. Sortez-le avec le pupitre ou désactivez l’entrée.</translation>
     </message>
     <message>
@@ -1674,7 +1674,7 @@
         <translation>Reprise du programme</translation>
     </message>
     <message>
-        <source>The program is resuming: the arm may move.</source>
+        <source>The program is resuming, and the arm may move.</source>
         <translation>Le programme reprend : le bras peut bouger.</translation>
     </message>
     <message>
@@ -3051,7 +3051,7 @@
 <context>
     <name>Reasons</name>
     <message>
-        <source>No robot connected. Choose one at the top left.</source>
+        <source>No robot connected. Choose a robot at the top left.</source>
         <translation>Aucun robot connecté. Choisissez-en un en haut à gauche.</translation>
     </message>
     <message>
@@ -4148,8 +4148,8 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>Vérifiez l’adresse : quatre nombres, p. ex. 192.168.0.10, ou un nom d’hôte.</translation>
+        <source>Enter an IP address, such as 192.168.0.10, or a host name.</source>
+        <translation>Saisissez une adresse IP, p. ex. 192.168.0.10, ou un nom d’hôte.</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
@@ -4160,7 +4160,7 @@
         <translation>Activez l’interface sur le robot sous Réglages &gt; Sécurité &gt; Services. Un robot qui vient de démarrer peut avoir besoin d’une minute de plus.</translation>
     </message>
     <message>
-        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <source>The robot may be restarting or switching between Local and Remote control. Wait a minute, then connect again.</source>
         <translation>Il redémarre peut-être, ou il passe entre Local et À distance. Attendez une minute, puis reconnectez-vous.</translation>
     </message>
     <message>
@@ -4172,19 +4172,19 @@
         <translation>Plus aucune donnée reçue. Vérifiez le câble. Tiller se reconnecte automatiquement ; le mouvement ne reprend pas.</translation>
     </message>
     <message>
-        <source>The response violates the RTDE protocol. Check address and port.</source>
-        <translation>La réponse ne respecte pas le protocole RTDE. Vérifiez l’adresse et le port.</translation>
+        <source>The response is not valid for this protocol. Check the address and the port.</source>
+        <translation>La réponse ne respecte pas le protocole. Vérifiez l’adresse et le port.</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this function.</source>
-        <translation>Le logiciel du robot est trop ancien pour cette fonction.</translation>
+        <source>If newer software is available for this robot, update the robot.</source>
+        <translation>Si un logiciel plus récent existe pour ce robot, mettez le robot à jour.</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
         <translation>Le logiciel du robot ne fournit pas cette valeur.</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers. Close the other program, or disable the fieldbus in the installation.</source>
         <translation>Un autre programme ou un bus de terrain du robot utilise ces registres : fermez l’autre programme ou désactivez le bus de terrain dans l’installation.</translation>
     </message>
     <message>
@@ -4196,19 +4196,19 @@
         <translation>Prenez d’abord le contrôle.</translation>
     </message>
     <message>
-        <source>First bring the robot to mode Running and safety mode Normal.</source>
-        <translation>Amenez d’abord le robot au mode « En marche » et au mode de sécurité « Normal ».</translation>
+        <source>Power on the arm, release the brakes and clear any safety stop first.</source>
+        <translation>Mettez d’abord le bras sous tension, desserrez les freins et annulez tout arrêt de sécurité.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>Passez le robot en commande à distance sur le pupitre, en haut à droite.</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed below the cap.</source>
+        <source>Choose a target within the reach of the arm and a speed below the speed cap.</source>
         <translation>Choisissez une cible à la portée du bras et une vitesse sous le plafond.</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
+        <source>The arm cannot reach this pose. Move the target closer or rotate the tool.</source>
         <translation>Le bras ne peut pas atteindre cette pose : rapprochez le point ou tournez l’outil.</translation>
     </message>
     <message>
@@ -4224,7 +4224,7 @@
         <translation>Choisissez un dossier où vous avez le droit d’écrire.</translation>
     </message>
     <message>
-        <source>The file was not changed. Open a backup, or repair the reported position.</source>
+        <source>The file was not changed. Open a backup, or repair the file at the reported position.</source>
         <translation>Le fichier n’a pas été modifié. Ouvrez une sauvegarde ou réparez l’endroit signalé.</translation>
     </message>
     <message>
@@ -4284,8 +4284,8 @@
         <translation>Non contrôlé</translation>
     </message>
     <message>
-        <source>Not possible in this state</source>
-        <translation>Impossible dans cet état</translation>
+        <source>Robot not ready</source>
+        <translation>Robot non prêt</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -4368,23 +4368,23 @@
         <translation>autre bouton ou touche enfoncé</translation>
     </message>
     <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
+        <source>Esc pressed</source>
+        <translation>Échap enfoncée</translation>
     </message>
     <message>
-        <source>Space</source>
-        <translation>Espace</translation>
+        <source>Space pressed</source>
+        <translation>Espace enfoncée</translation>
     </message>
     <message>
-        <source>STOP</source>
-        <translation>STOP</translation>
+        <source>STOP pressed</source>
+        <translation>STOP enfoncé</translation>
     </message>
     <message>
         <source>input device lost</source>
         <translation>périphérique perdu</translation>
     </message>
     <message>
-        <source>robot data too old</source>
+        <source>robot data arrived too late</source>
         <translation>données du robot trop anciennes</translation>
     </message>
     <message>
@@ -4392,7 +4392,7 @@
         <translation>mode du robot ou de sécurité changé</translation>
     </message>
     <message>
-        <source>PC going to sleep</source>
+        <source>PC is going to sleep</source>
         <translation>le PC se met en veille</translation>
     </message>
     <message>
@@ -4416,8 +4416,8 @@
         <translation>arrêté par un programme</translation>
     </message>
     <message>
-        <source>contact</source>
-        <translation>contact</translation>
+        <source>contact detected</source>
+        <translation>contact détecté</translation>
     </message>
     <message>
         <source>target cannot be reached</source>
@@ -4456,7 +4456,7 @@
         <translation>Le contrôle a été rendu. Prenez le contrôle pour bouger le bras.</translation>
     </message>
     <message>
-        <source>The control program was stopped on the robot. Take control again.</source>
+        <source>The control program on the robot was stopped. Take control again.</source>
         <translation>Le programme de commande a été arrêté sur le robot. Reprenez le contrôle.</translation>
     </message>
     <message>
@@ -4468,7 +4468,7 @@
         <translation>La connexion a été perdue. Reprenez le contrôle.</translation>
     </message>
     <message>
-        <source>Your script is running. Tiller regains control when it ends.</source>
+        <source>Your script is running. Tiller regains control when the script ends.</source>
         <translation>Votre script est en cours. Tiller reprend le contrôle quand il se termine.</translation>
     </message>
     <message>
@@ -4476,8 +4476,8 @@
         <translation>Libérez de l’espace disque, puis enregistrez de nouveau.</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
-        <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. Activé dans les réglages ou par --monitor-only.</translation>
+        <source>Monitor only: this window does not change anything on the robot. Turn off “Monitor only” in Settings, or start Tiller without --monitor-only.</source>
+        <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. Désactivez « Surveillance seule » dans les réglages, ou démarrez Tiller sans --monitor-only.</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -6786,7 +6786,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Une articulation devrait sauter après %1 de la trajectoire</translation>
     </message>
     <message>
-        <source>%1 exceeds its range after %2 of the path</source>
+        <source>%1 exceeds its limit after %2 of the path</source>
         <translation>%1 dépasse sa course après %2 de la trajectoire</translation>
     </message>
     <message>
@@ -9390,15 +9390,15 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Aucune donnée du robot. Reconnexion automatique ; le mouvement ne reprend pas.</translation>
     </message>
     <message>
-        <source>Robot data are late.</source>
-        <translation>Les données du robot sont en retard.</translation>
+        <source>Robot data are late. Waiting for new data.</source>
+        <translation>Les données du robot sont en retard. En attente de nouvelles données.</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>Prise de contrôle…</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <source>Monitor only: this window does not change anything on the robot. STOP still works.</source>
         <translation>Surveillance seule : cette fenêtre ne change rien sur le robot. STOP reste actif.</translation>
     </message>
     <message>
@@ -10722,7 +10722,7 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
         <translation>✕ portée</translation>
     </message>
     <message>
-        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
+        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
         <translation>Une articulation dépasserait sa course. Retouchez le point avec une autre configuration du bras.</translation>
     </message>
     <message>

@@ -328,12 +328,12 @@
         <translation>関節限界の近く</translation>
     </message>
     <message>
-        <source>A joint came close to the end of its range.</source>
+        <source>A joint came close to its limit.</source>
         <translation>関節が可動範囲の端に近づきました。</translation>
     </message>
     <message>
-        <source>Jog the joint back, and plan the move away from the limit.</source>
-        <translation>関節をジョグで戻し、限界から離れた動きにしてください。</translation>
+        <source>Jog the joint away from the limit, or change the waypoint.</source>
+        <translation>関節をジョグして限界から離すか、ウェイポイントを変更してください。</translation>
     </message>
     <message>
         <source>Near a tool orientation limit</source>
@@ -344,7 +344,7 @@
         <translation>ツールが安全設定の限界近くまで回転しました。</translation>
     </message>
     <message>
-        <source>Rotate the tool back, or change the waypoint.</source>
+        <source>Rotate the tool away from the limit, or change the waypoint.</source>
         <translation>ツールを戻すか、ウェイポイントを変更してください。</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation>直線動作がアームの特異姿勢を通ります。</translation>
     </message>
     <message>
-        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <source>Jog individual joints away from the singularity. Use MoveJ to pass through the region.</source>
         <translation>関節を一つずつジョグして抜け出し、この領域では MoveJ を使ってください。</translation>
     </message>
     <message>
@@ -416,15 +416,15 @@
         <translation>関節が、動作から説明できる以上のトルクを必要としました。</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there is none, check the payload.</source>
+        <source>Remove the obstacle. If the arm did not touch anything, check the payload.</source>
         <translation>障害物を取り除いてください。なければペイロードを確認してください。</translation>
     </message>
     <message>
-        <source>Collision detected by the tool force</source>
-        <translation>ツールの力が衝突を検出</translation>
+        <source>Collision detected at the tool</source>
+        <translation>ツールで衝突を検出</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded its limit.</source>
+        <source>The force at the tool exceeded the limit.</source>
         <translation>ツールの力が許容値を超えました。</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>位置のずれ</translation>
     </message>
     <message>
-        <source>A joint left its commanded position.</source>
+        <source>A joint deviated from its commanded position.</source>
         <translation>関節が指令位置から外れました。</translation>
     </message>
     <message>
@@ -460,7 +460,7 @@
         <translation>プログラムが不連続な位置を指令しました。</translation>
     </message>
     <message>
-        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and send servo targets in small steps.</source>
         <translation>プログラムをアームの現在位置から始め、サーボの刻みを小さくしてください。</translation>
     </message>
     <message>
@@ -484,8 +484,8 @@
         <translation>実行中のプログラムが停止を要求しました。</translation>
     </message>
     <message>
-        <source>See the preceding messages of the program.</source>
-        <translation>プログラムの以前のメッセージを確認してください。</translation>
+        <source>See the preceding program messages in the log.</source>
+        <translation>ログでプログラムの以前のメッセージを確認してください。</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -1426,7 +1426,7 @@
         <translation>待機</translation>
     </message>
     <message>
-        <source>The brakes are on. Release them.</source>
+        <source>The brakes are engaged. Release the brakes.</source>
         <translation>ブレーキがかかっています。解除してください。</translation>
     </message>
     <message>
@@ -1458,8 +1458,8 @@
         <translation>通常</translation>
     </message>
     <message>
-        <source>No safety function is active.</source>
-        <translation>安全機能は作動していません。</translation>
+        <source>No safety stop is active.</source>
+        <translation>安全停止は作動していません。</translation>
     </message>
     <message>
         <source>Reduced</source>
@@ -1482,7 +1482,7 @@
         <translation>リカバリー</translation>
     </message>
     <message>
-        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <source>The arm is outside a safety limit. Use the teach pendant to move the arm back within the limits.</source>
         <translation>アームが安全限界の外にあります。ティーチペンダントで限界内に戻してください。</translation>
     </message>
     <message>
@@ -1586,15 +1586,15 @@
         <translation>PROFIsafe 待機</translation>
     </message>
     <message>
-        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
-        <translation>ロボットは PROFIsafe コントローラーを待っています。フィールドバスとパラメーターを確認してください。</translation>
+        <source>The robot is waiting for the PROFIsafe controller. Check the fieldbus and the PROFIsafe parameters.</source>
+        <translation>ロボットは PROFIsafe コントローラーを待っています。フィールドバスと PROFIsafe のパラメーターを確認してください。</translation>
     </message>
     <message>
         <source>PROFIsafe automatic stop</source>
         <translation>PROFIsafe 自動停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request on that controller.</source>
         <translation>PROFIsafe コントローラーが自動モードの安全防護停止を要求しています。PROFIsafe コントローラー側で解除してください。</translation>
     </message>
     <message>
@@ -1602,7 +1602,7 @@
         <translation>PROFIsafe 安全防護停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request on that controller.</source>
         <translation>PROFIsafe コントローラーが安全防護停止を要求しています。PROFIsafe コントローラー側で解除してください。</translation>
     </message>
     <message>
@@ -1610,7 +1610,7 @@
         <translation>PROFIsafe 非常停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
         <translation>PROFIsafe コントローラーが非常停止を要求しています。そちらで解除してから電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
@@ -1618,15 +1618,15 @@
         <translation>Safety API 停止</translation>
     </message>
     <message>
-        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
-        <translation>プログラムが安全インターフェースを通じて安全防護停止を要求しています。そのプログラムで要求を解除してください。</translation>
+        <source>A program requests a safeguard stop through the safety API. Clear the request in that program.</source>
+        <translation>プログラムが安全 API を通じて安全防護停止を要求しています。そのプログラムで要求を解除してください。</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
         <translation>I/O 平面停止</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move the tool back with the teach pendant, or turn the input off.</source>
         <translation>入力で有効になった安全平面をツールが越えました。ティーチペンダントで外へ出すか、入力を切ってください。</translation>
     </message>
     <message>
@@ -1674,7 +1674,7 @@
         <translation>プログラム再開中</translation>
     </message>
     <message>
-        <source>The program is resuming: the arm may move.</source>
+        <source>The program is resuming, and the arm may move.</source>
         <translation>プログラムを再開しています：アームが動くことがあります。</translation>
     </message>
     <message>
@@ -3051,7 +3051,7 @@
 <context>
     <name>Reasons</name>
     <message>
-        <source>No robot connected. Choose one at the top left.</source>
+        <source>No robot connected. Choose a robot at the top left.</source>
         <translation>ロボット未接続。左上で選んでください。</translation>
     </message>
     <message>
@@ -4147,8 +4147,8 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>アドレスを確認してください：192.168.0.10 のような四つの数か、ネットワークにある名前。</translation>
+        <source>Enter an IP address, such as 192.168.0.10, or a host name.</source>
+        <translation>192.168.0.10 のような IP アドレスか、ホスト名を入力してください。</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
@@ -4159,7 +4159,7 @@
         <translation>ロボットの「設定 &gt; セキュリティ &gt; サービス」でインターフェースを有効にしてください。起動直後のロボットはもう 1 分かかることがあります。</translation>
     </message>
     <message>
-        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <source>The robot may be restarting or switching between Local and Remote control. Wait a minute, then connect again.</source>
         <translation>再起動中か、ローカルとリモートを切り替えている可能性があります。1 分待ってから、もう一度接続してください。</translation>
     </message>
     <message>
@@ -4171,19 +4171,19 @@
         <translation>データが届かなくなりました。ケーブルを確認してください。自動で再接続します。動作は再開しません。</translation>
     </message>
     <message>
-        <source>The response violates the RTDE protocol. Check address and port.</source>
-        <translation>応答が RTDE プロトコルに違反しています。アドレスとポートを確認してください。</translation>
+        <source>The response is not valid for this protocol. Check the address and the port.</source>
+        <translation>応答がプロトコルに合っていません。アドレスとポートを確認してください。</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this function.</source>
-        <translation>この機能にはロボットのソフトウェアが古すぎます。</translation>
+        <source>If newer software is available for this robot, update the robot.</source>
+        <translation>このロボット用の新しいソフトウェアがあれば、ロボットを更新してください。</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
         <translation>ロボットのソフトウェアにこの値はありません。</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers. Close the other program, or disable the fieldbus in the installation.</source>
         <translation>別のプログラムかロボットのフィールドバスがこれらのレジスターを使っています：そのプログラムを閉じるか、インストールでフィールドバスを無効にしてください。</translation>
     </message>
     <message>
@@ -4195,19 +4195,19 @@
         <translation>先に制御を取得してください。</translation>
     </message>
     <message>
-        <source>First bring the robot to mode Running and safety mode Normal.</source>
-        <translation>先にロボットをモード「稼働中」、安全モード「通常」にしてください。</translation>
+        <source>Power on the arm, release the brakes and clear any safety stop first.</source>
+        <translation>先にアームの電源を入れ、ブレーキを解除し、安全停止があれば解除してください。</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>ティーチペンダント右上でロボットをリモート制御に切り替えてください。</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed below the cap.</source>
+        <source>Choose a target within the reach of the arm and a speed below the speed cap.</source>
         <translation>アームの範囲内の目標と上限内の速度を選んでください。</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
+        <source>The arm cannot reach this pose. Move the target closer or rotate the tool.</source>
         <translation>アームはこの姿勢に到達できません：点を近づけるか、ツールを回してください。</translation>
     </message>
     <message>
@@ -4223,7 +4223,7 @@
         <translation>書き込めるフォルダーを選んでください。</translation>
     </message>
     <message>
-        <source>The file was not changed. Open a backup, or repair the reported position.</source>
+        <source>The file was not changed. Open a backup, or repair the file at the reported position.</source>
         <translation>ファイルは変更されていません。バックアップを開くか、示された箇所を修正してください。</translation>
     </message>
     <message>
@@ -4283,8 +4283,8 @@
         <translation>制御なし</translation>
     </message>
     <message>
-        <source>Not possible in this state</source>
-        <translation>この状態では不可</translation>
+        <source>Robot not ready</source>
+        <translation>ロボットの準備ができていません</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -4367,23 +4367,23 @@
         <translation>別のボタンまたはキーが押された</translation>
     </message>
     <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
+        <source>Esc pressed</source>
+        <translation>Esc が押された</translation>
     </message>
     <message>
-        <source>Space</source>
-        <translation>Space</translation>
+        <source>Space pressed</source>
+        <translation>Space が押された</translation>
     </message>
     <message>
-        <source>STOP</source>
-        <translation>STOP</translation>
+        <source>STOP pressed</source>
+        <translation>STOP が押された</translation>
     </message>
     <message>
         <source>input device lost</source>
         <translation>入力デバイスを失った</translation>
     </message>
     <message>
-        <source>robot data too old</source>
+        <source>robot data arrived too late</source>
         <translation>ロボットのデータが古い</translation>
     </message>
     <message>
@@ -4391,7 +4391,7 @@
         <translation>ロボットか安全のモードが変わった</translation>
     </message>
     <message>
-        <source>PC going to sleep</source>
+        <source>PC is going to sleep</source>
         <translation>PC がスリープ</translation>
     </message>
     <message>
@@ -4415,8 +4415,8 @@
         <translation>プログラムが停止</translation>
     </message>
     <message>
-        <source>contact</source>
-        <translation>接触</translation>
+        <source>contact detected</source>
+        <translation>接触を検出</translation>
     </message>
     <message>
         <source>target cannot be reached</source>
@@ -4455,7 +4455,7 @@
         <translation>制御を返却しました。アームを動かすには制御を取得してください。</translation>
     </message>
     <message>
-        <source>The control program was stopped on the robot. Take control again.</source>
+        <source>The control program on the robot was stopped. Take control again.</source>
         <translation>制御プログラムがロボットで停止されました。もう一度制御を取得してください。</translation>
     </message>
     <message>
@@ -4467,7 +4467,7 @@
         <translation>リンクが切れました。もう一度制御を取得してください。</translation>
     </message>
     <message>
-        <source>Your script is running. Tiller regains control when it ends.</source>
+        <source>Your script is running. Tiller regains control when the script ends.</source>
         <translation>スクリプトが実行中です。終了すると Tiller に制御が戻ります。</translation>
     </message>
     <message>
@@ -4475,8 +4475,8 @@
         <translation>ディスクの空きを増やしてから、もう一度保存または記録してください。</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
-        <translation>監視のみ：このウィンドウはロボットを変更しません。設定または --monitor-only で指定されています。</translation>
+        <source>Monitor only: this window does not change anything on the robot. Turn off “Monitor only” in Settings, or start Tiller without --monitor-only.</source>
+        <translation>監視のみ：このウィンドウはロボットを変更しません。設定で「監視のみ」をオフにするか、--monitor-only なしで Tiller を起動してください。</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -6778,7 +6778,7 @@ Right-click or press F2 to rename it.</source>
         <translation>経路の %1 で関節の急な変化が必要です</translation>
     </message>
     <message>
-        <source>%1 exceeds its range after %2 of the path</source>
+        <source>%1 exceeds its limit after %2 of the path</source>
         <translation>%1 が経路の %2 で可動範囲を超えます</translation>
     </message>
     <message>
@@ -9367,15 +9367,15 @@ Release the button to stop the arm.</source>
         <translation>ロボットからのデータなし。自動で再接続します。動作は再開しません。</translation>
     </message>
     <message>
-        <source>Robot data are late.</source>
-        <translation>ロボットのデータが遅れています。</translation>
+        <source>Robot data are late. Waiting for new data.</source>
+        <translation>ロボットのデータが遅れています。新しいデータを待っています。</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>制御を取得中…</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <source>Monitor only: this window does not change anything on the robot. STOP still works.</source>
         <translation>監視のみ：このウィンドウはロボットを変更しません。STOPは使えます。</translation>
     </message>
     <message>
@@ -10688,7 +10688,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>✕ 到達</translation>
     </message>
     <message>
-        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
+        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
         <translation>関節が可動範囲を出ます。別のアーム姿勢からウェイポイントを修正教示してください。</translation>
     </message>
     <message>

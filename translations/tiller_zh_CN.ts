@@ -328,12 +328,12 @@
         <translation>接近关节极限</translation>
     </message>
     <message>
-        <source>A joint came close to the end of its range.</source>
+        <source>A joint came close to its limit.</source>
         <translation>某个关节接近其范围的末端。</translation>
     </message>
     <message>
-        <source>Jog the joint back, and plan the move away from the limit.</source>
-        <translation>点动该关节返回，并使运动远离极限。</translation>
+        <source>Jog the joint away from the limit, or change the waypoint.</source>
+        <translation>将关节点动离开极限，或更改路点。</translation>
     </message>
     <message>
         <source>Near a tool orientation limit</source>
@@ -344,7 +344,7 @@
         <translation>工具转到了安全配置所设极限附近。</translation>
     </message>
     <message>
-        <source>Rotate the tool back, or change the waypoint.</source>
+        <source>Rotate the tool away from the limit, or change the waypoint.</source>
         <translation>把工具转回来，或更改路点。</translation>
     </message>
     <message>
@@ -380,7 +380,7 @@
         <translation>直线动作经过机械臂的奇异位置。</translation>
     </message>
     <message>
-        <source>Jog individual joints away from it; use MoveJ to pass through this region.</source>
+        <source>Jog individual joints away from the singularity. Use MoveJ to pass through the region.</source>
         <translation>逐个点动关节离开奇异点；在此区域使用 MoveJ。</translation>
     </message>
     <message>
@@ -416,15 +416,15 @@
         <translation>某个关节所需的力矩超出运动所需。</translation>
     </message>
     <message>
-        <source>Remove the obstacle; if there is none, check the payload.</source>
+        <source>Remove the obstacle. If the arm did not touch anything, check the payload.</source>
         <translation>移除障碍物；若没有障碍物，检查有效负载。</translation>
     </message>
     <message>
-        <source>Collision detected by the tool force</source>
-        <translation>工具力检测到碰撞</translation>
+        <source>Collision detected at the tool</source>
+        <translation>检测到工具处碰撞</translation>
     </message>
     <message>
-        <source>The force at the tool exceeded its limit.</source>
+        <source>The force at the tool exceeded the limit.</source>
         <translation>工具处的力超过允许值。</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>位置偏差</translation>
     </message>
     <message>
-        <source>A joint left its commanded position.</source>
+        <source>A joint deviated from its commanded position.</source>
         <translation>某个关节离开了指令位置。</translation>
     </message>
     <message>
@@ -460,7 +460,7 @@
         <translation>程序指令了位置跳变。</translation>
     </message>
     <message>
-        <source>Start the program at the current position of the arm, and keep its servo steps small.</source>
+        <source>Start the program at the current position of the arm, and send servo targets in small steps.</source>
         <translation>请从机械臂的当前位置启动程序，并保持较小的伺服步长。</translation>
     </message>
     <message>
@@ -484,8 +484,8 @@
         <translation>正在运行的程序请求了停止。</translation>
     </message>
     <message>
-        <source>See the preceding messages of the program.</source>
-        <translation>请查看程序此前的消息。</translation>
+        <source>See the preceding program messages in the log.</source>
+        <translation>请在日志中查看程序此前的消息。</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -1426,7 +1426,7 @@
         <translation>空闲</translation>
     </message>
     <message>
-        <source>The brakes are on. Release them.</source>
+        <source>The brakes are engaged. Release the brakes.</source>
         <translation>制动器已抱紧。请松开。</translation>
     </message>
     <message>
@@ -1458,8 +1458,8 @@
         <translation>正常</translation>
     </message>
     <message>
-        <source>No safety function is active.</source>
-        <translation>没有安全功能在起作用。</translation>
+        <source>No safety stop is active.</source>
+        <translation>没有安全停止处于激活状态。</translation>
     </message>
     <message>
         <source>Reduced</source>
@@ -1482,7 +1482,7 @@
         <translation>恢复</translation>
     </message>
     <message>
-        <source>The arm is outside a safety limit. Move it back within its limits on the teach pendant.</source>
+        <source>The arm is outside a safety limit. Use the teach pendant to move the arm back within the limits.</source>
         <translation>机械臂超出安全极限。用示教器把它移回极限之内。</translation>
     </message>
     <message>
@@ -1586,15 +1586,15 @@
         <translation>PROFIsafe 等待中</translation>
     </message>
     <message>
-        <source>The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.</source>
-        <translation>机器人在等待 PROFIsafe 控制器。检查现场总线及其参数。</translation>
+        <source>The robot is waiting for the PROFIsafe controller. Check the fieldbus and the PROFIsafe parameters.</source>
+        <translation>机器人在等待 PROFIsafe 控制器。检查现场总线和 PROFIsafe 参数。</translation>
     </message>
     <message>
         <source>PROFIsafe automatic stop</source>
         <translation>PROFIsafe 自动停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request on that controller.</source>
         <translation>PROFIsafe 控制器请求自动模式的防护停止。请在该控制器上解除请求。</translation>
     </message>
     <message>
@@ -1602,7 +1602,7 @@
         <translation>PROFIsafe 防护停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests a safeguard stop. Clear the request there.</source>
+        <source>The PROFIsafe controller requests a safeguard stop. Clear the request on that controller.</source>
         <translation>PROFIsafe 控制器请求防护停止。请在该控制器上解除请求。</translation>
     </message>
     <message>
@@ -1610,7 +1610,7 @@
         <translation>PROFIsafe 紧急停止</translation>
     </message>
     <message>
-        <source>The PROFIsafe controller requests an emergency stop. Clear the request there, then power on and release the brakes.</source>
+        <source>The PROFIsafe controller requests an emergency stop. Clear the request on that controller, then power on and release the brakes.</source>
         <translation>PROFIsafe 控制器请求紧急停止。请在该控制器上解除请求，然后上电并松开制动器。</translation>
     </message>
     <message>
@@ -1618,15 +1618,15 @@
         <translation>Safety API 停止</translation>
     </message>
     <message>
-        <source>A program requests a safeguard stop through the safety interface. Clear the request in that program.</source>
-        <translation>某个程序通过安全接口请求防护停止。请在该程序中解除请求。</translation>
+        <source>A program requests a safeguard stop through the safety API. Clear the request in that program.</source>
+        <translation>某个程序通过安全 API 请求防护停止。请在该程序中解除请求。</translation>
     </message>
     <message>
         <source>I/O plane stop</source>
         <translation>I/O 平面停止</translation>
     </message>
     <message>
-        <source>The tool crossed a safety plane that is enabled by an input. Move it back with the teach pendant, or switch the input off.</source>
+        <source>The tool crossed a safety plane that is enabled by an input. Move the tool back with the teach pendant, or turn the input off.</source>
         <translation>工具越过了由输入启用的安全平面。用示教器将其移回，或关闭该输入。</translation>
     </message>
     <message>
@@ -1674,7 +1674,7 @@
         <translation>程序恢复中</translation>
     </message>
     <message>
-        <source>The program is resuming: the arm may move.</source>
+        <source>The program is resuming, and the arm may move.</source>
         <translation>程序正在恢复：机械臂可能移动。</translation>
     </message>
     <message>
@@ -3051,7 +3051,7 @@
 <context>
     <name>Reasons</name>
     <message>
-        <source>No robot connected. Choose one at the top left.</source>
+        <source>No robot connected. Choose a robot at the top left.</source>
         <translation>未连接机器人。请在左上角选择。</translation>
     </message>
     <message>
@@ -4147,8 +4147,8 @@
 <context>
     <name>Texts</name>
     <message>
-        <source>Check the address: four numbers, e.g. 192.168.0.10, or a host name.</source>
-        <translation>检查地址：四个数字，例如 192.168.0.10，或主机名。</translation>
+        <source>Enter an IP address, such as 192.168.0.10, or a host name.</source>
+        <translation>请输入 IP 地址（例如 192.168.0.10）或主机名。</translation>
     </message>
     <message>
         <source>Check that the robot is switched on, the cable is plugged in, and this PC is on the same network.</source>
@@ -4159,7 +4159,7 @@
         <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开接口。刚启动的机器人可能还需要一分钟。</translation>
     </message>
     <message>
-        <source>It may be restarting or switching between Local and Remote. Wait a minute, then connect again.</source>
+        <source>The robot may be restarting or switching between Local and Remote control. Wait a minute, then connect again.</source>
         <translation>机器人可能正在重启，或在本地与远程之间切换。请等待一分钟后重新连接。</translation>
     </message>
     <message>
@@ -4171,19 +4171,19 @@
         <translation>不再收到数据。请检查网线。Tiller 会自动重连；运动不会恢复。</translation>
     </message>
     <message>
-        <source>The response violates the RTDE protocol. Check address and port.</source>
-        <translation>应答不符合 RTDE 协议。请检查地址和端口。</translation>
+        <source>The response is not valid for this protocol. Check the address and the port.</source>
+        <translation>响应不符合协议。请检查地址和端口。</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old for this function.</source>
-        <translation>机器人的软件版本过旧，不支持此功能。</translation>
+        <source>If newer software is available for this robot, update the robot.</source>
+        <translation>如果此机器人有更新的软件版本，请更新机器人。</translation>
     </message>
     <message>
         <source>The robot&apos;s software does not provide this value.</source>
         <translation>机器人的软件不提供此数值。</translation>
     </message>
     <message>
-        <source>Another program or a fieldbus on the robot uses these registers: close the other program, or disable the fieldbus in the installation.</source>
+        <source>Another program or a fieldbus on the robot uses these registers. Close the other program, or disable the fieldbus in the installation.</source>
         <translation>另一个程序或机器人上的现场总线占用这些寄存器：关闭该程序，或在安装设置中关闭现场总线。</translation>
     </message>
     <message>
@@ -4195,19 +4195,19 @@
         <translation>请先获取控制。</translation>
     </message>
     <message>
-        <source>First bring the robot to mode Running and safety mode Normal.</source>
-        <translation>请先使机器人进入模式“运行”和安全模式“正常”。</translation>
+        <source>Power on the arm, release the brakes and clear any safety stop first.</source>
+        <translation>请先给机械臂上电、松开制动器并解除安全停止。</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant.</source>
         <translation>在示教器右上角把机器人切换到远程控制。</translation>
     </message>
     <message>
-        <source>Choose a target within the range of the arm and a speed below the cap.</source>
+        <source>Choose a target within the reach of the arm and a speed below the speed cap.</source>
         <translation>选择机械臂范围内的目标和上限内的速度。</translation>
     </message>
     <message>
-        <source>The arm cannot reach this pose: move the point closer or rotate the tool.</source>
+        <source>The arm cannot reach this pose. Move the target closer or rotate the tool.</source>
         <translation>机械臂无法到达此位姿：把点移近或转动工具。</translation>
     </message>
     <message>
@@ -4223,7 +4223,7 @@
         <translation>选择一个可以写入的文件夹。</translation>
     </message>
     <message>
-        <source>The file was not changed. Open a backup, or repair the reported position.</source>
+        <source>The file was not changed. Open a backup, or repair the file at the reported position.</source>
         <translation>文件未更改。请打开备份，或修复报告的位置。</translation>
     </message>
     <message>
@@ -4283,8 +4283,8 @@
         <translation>未控制</translation>
     </message>
     <message>
-        <source>Not possible in this state</source>
-        <translation>此状态下不可能</translation>
+        <source>Robot not ready</source>
+        <translation>机器人未就绪</translation>
     </message>
     <message>
         <source>Robot is in Local control</source>
@@ -4367,23 +4367,23 @@
         <translation>按下了另一个按钮或按键</translation>
     </message>
     <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
+        <source>Esc pressed</source>
+        <translation>按下 Esc</translation>
     </message>
     <message>
-        <source>Space</source>
-        <translation>Space</translation>
+        <source>Space pressed</source>
+        <translation>按下空格键</translation>
     </message>
     <message>
-        <source>STOP</source>
-        <translation>STOP</translation>
+        <source>STOP pressed</source>
+        <translation>按下 STOP</translation>
     </message>
     <message>
         <source>input device lost</source>
         <translation>输入设备丢失</translation>
     </message>
     <message>
-        <source>robot data too old</source>
+        <source>robot data arrived too late</source>
         <translation>机器人数据太旧</translation>
     </message>
     <message>
@@ -4391,7 +4391,7 @@
         <translation>机器人或安全模式改变</translation>
     </message>
     <message>
-        <source>PC going to sleep</source>
+        <source>PC is going to sleep</source>
         <translation>PC 将休眠</translation>
     </message>
     <message>
@@ -4415,8 +4415,8 @@
         <translation>被程序停止</translation>
     </message>
     <message>
-        <source>contact</source>
-        <translation>接触</translation>
+        <source>contact detected</source>
+        <translation>检测到接触</translation>
     </message>
     <message>
         <source>target cannot be reached</source>
@@ -4455,7 +4455,7 @@
         <translation>控制已交还。获取控制以移动机械臂。</translation>
     </message>
     <message>
-        <source>The control program was stopped on the robot. Take control again.</source>
+        <source>The control program on the robot was stopped. Take control again.</source>
         <translation>控制程序在机器人上被停止。请再次获取控制。</translation>
     </message>
     <message>
@@ -4467,7 +4467,7 @@
         <translation>链路已中断。请再次获取控制。</translation>
     </message>
     <message>
-        <source>Your script is running. Tiller regains control when it ends.</source>
+        <source>Your script is running. Tiller regains control when the script ends.</source>
         <translation>您的脚本正在运行。结束后 Tiller 恢复控制。</translation>
     </message>
     <message>
@@ -4475,8 +4475,8 @@
         <translation>请释放一些磁盘空间，然后重新保存或录制。</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. Enabled in Settings or with --monitor-only.</source>
-        <translation>仅监视：此窗口不更改机器人的任何状态。已在设置中或通过 --monitor-only 启用。</translation>
+        <source>Monitor only: this window does not change anything on the robot. Turn off “Monitor only” in Settings, or start Tiller without --monitor-only.</source>
+        <translation>仅监视：此窗口不更改机器人的任何状态。请在设置中关闭“仅监视”，或不带 --monitor-only 启动 Tiller。</translation>
     </message>
     <message>
         <source>The control connection does not respond.</source>
@@ -6778,7 +6778,7 @@ Right-click or press F2 to rename it.</source>
         <translation>在路径 %1 处某关节须突变</translation>
     </message>
     <message>
-        <source>%1 exceeds its range after %2 of the path</source>
+        <source>%1 exceeds its limit after %2 of the path</source>
         <translation>%1 在路径 %2 处超出范围</translation>
     </message>
     <message>
@@ -9367,15 +9367,15 @@ Release the button to stop the arm.</source>
         <translation>没有来自机器人的数据。正在自动重连；动作不会恢复。</translation>
     </message>
     <message>
-        <source>Robot data are late.</source>
-        <translation>机器人数据延迟。</translation>
+        <source>Robot data are late. Waiting for new data.</source>
+        <translation>机器人数据延迟。正在等待新数据。</translation>
     </message>
     <message>
         <source>Taking control…</source>
         <translation>正在获取控制…</translation>
     </message>
     <message>
-        <source>Monitor only: this window changes nothing on the robot. STOP still works.</source>
+        <source>Monitor only: this window does not change anything on the robot. STOP still works.</source>
         <translation>仅监视：此窗口不更改机器人的任何状态。STOP 仍然有效。</translation>
     </message>
     <message>
@@ -10688,7 +10688,7 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
         <translation>✕ 可达</translation>
     </message>
     <message>
-        <source>A joint would exceed its range. Touch up the waypoint with another arm configuration.</source>
+        <source>A joint would exceed its limit. Touch up the waypoint with another arm configuration.</source>
         <translation>某个关节会超出范围。请以另一种机械臂姿态修正示教该路点。</translation>
     </message>
     <message>

@@ -26,7 +26,7 @@ QString cannotMoveReason(const SessionState& state) {
     }
     switch (state.link) {
         case LinkState::Disconnected:
-            return ReasonsText::tr("No robot connected. Choose one at the top left.");
+            return ReasonsText::tr("No robot connected. Choose a robot at the top left.");
         case LinkState::Connecting:
             return ReasonsText::tr("Connecting…");
         case LinkState::Lost:

@@ -233,10 +233,11 @@ void RobotSession::setMonitorOnly(bool on) {
     }
     d_->monitorOnly = on;
     d_->refusal.clear();
-    Q_EMIT message(Severity::Info,
-                   on ? tr("Monitor only: this window changes nothing on the robot. STOP still works.")
-                      : tr("“Monitor only” is off. Commands to the robot are enabled."),
-                   Origin::Operator);
+    Q_EMIT message(
+        Severity::Info,
+        on ? tr("Monitor only: this window does not change anything on the robot. STOP still works.")
+           : tr("“Monitor only” is off. Commands to the robot are enabled."),
+        Origin::Operator);
     if (on && d_->link && d_->state.hasData()) {
         outputs_.release();
     }

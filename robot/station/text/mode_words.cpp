@@ -43,7 +43,7 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
     {RobotMode::PowerOn, QT_TRANSLATE_NOOP("ModeWords", "Power on"),
      QT_TRANSLATE_NOOP("ModeWords", "The arm is powered on and initializing. Wait a moment.")},
     {RobotMode::Idle, QT_TRANSLATE_NOOP("ModeWords", "Idle"),
-     QT_TRANSLATE_NOOP("ModeWords", "The brakes are on. Release them.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The brakes are engaged. Release the brakes.")},
     {RobotMode::Backdrive, QT_TRANSLATE_NOOP("ModeWords", "Backdrive"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -58,7 +58,7 @@ constexpr auto kRobotModes = std::to_array<Row<RobotMode>>({
 
 constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::Normal, QT_TRANSLATE_NOOP("ModeWords", "Normal"),
-     QT_TRANSLATE_NOOP("ModeWords", "No safety function is active.")},
+     QT_TRANSLATE_NOOP("ModeWords", "No safety stop is active.")},
     {SafetyMode::Reduced, QT_TRANSLATE_NOOP("ModeWords", "Reduced"),
      QT_TRANSLATE_NOOP("ModeWords", "The reduced safety limits are active.")},
     {SafetyMode::ProtectiveStop, QT_TRANSLATE_NOOP("ModeWords", "Protective stop"),
@@ -68,7 +68,7 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::Recovery, QT_TRANSLATE_NOOP("ModeWords", "Recovery"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The arm is outside a safety limit. Move it back within its limits on the teach pendant.")},
+         "The arm is outside a safety limit. Use the teach pendant to move the arm back within the limits.")},
     {SafetyMode::SafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Safeguard stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
@@ -111,29 +111,30 @@ constexpr auto kSafety = std::to_array<Row<SafetyStatus>>({
     {SafetyMode::ImmiSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "IMMI safeguard stop"),
      QT_TRANSLATE_NOOP("ModeWords", "The moulding machine's safeguard is open. Close it.")},
     {SafetyMode::ProfisafeWaitingForParameters, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe waiting"),
-     QT_TRANSLATE_NOOP(
-         "ModeWords",
-         "The robot is waiting for its PROFIsafe controller. Check the fieldbus and its parameters.")},
+     QT_TRANSLATE_NOOP("ModeWords",
+                       "The robot is waiting for the PROFIsafe controller. Check the fieldbus and the "
+                       "PROFIsafe parameters.")},
     {SafetyMode::ProfisafeAutomaticModeSafeguardStop,
      QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe automatic stop"),
+     QT_TRANSLATE_NOOP("ModeWords",
+                       "The PROFIsafe controller requests an automatic mode safeguard stop. Clear the "
+                       "request on that controller.")},
+    {SafetyMode::ProfisafeSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe safeguard stop"),
      QT_TRANSLATE_NOOP(
          "ModeWords",
-         "The PROFIsafe controller requests an automatic mode safeguard stop. Clear the request there.")},
-    {SafetyMode::ProfisafeSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe safeguard stop"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "The PROFIsafe controller requests a safeguard stop. Clear the request there.")},
+         "The PROFIsafe controller requests a safeguard stop. Clear the request on that controller.")},
     {SafetyMode::ProfisafeEmergencyStop, QT_TRANSLATE_NOOP("ModeWords", "PROFIsafe emergency stop"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "The PROFIsafe controller requests an emergency stop. Clear the request there, then "
-                       "power on and release the brakes.")},
+                       "The PROFIsafe controller requests an emergency stop. Clear the request on that "
+                       "controller, then power on and release the brakes.")},
     {SafetyMode::SafetyApiSafeguardStop, QT_TRANSLATE_NOOP("ModeWords", "Safety API stop"),
-     QT_TRANSLATE_NOOP("ModeWords",
-                       "A program requests a safeguard stop through the safety interface. Clear the request "
-                       "in that program.")},
+     QT_TRANSLATE_NOOP(
+         "ModeWords",
+         "A program requests a safeguard stop through the safety API. Clear the request in that program.")},
     {kIoPlaneStop, QT_TRANSLATE_NOOP("ModeWords", "I/O plane stop"),
      QT_TRANSLATE_NOOP("ModeWords",
-                       "The tool crossed a safety plane that is enabled by an input. Move it back with the "
-                       "teach pendant, or switch the input off.")},
+                       "The tool crossed a safety plane that is enabled by an input. Move the tool back with "
+                       "the teach pendant, or turn the input off.")},
 });
 
 constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
@@ -149,7 +150,7 @@ constexpr auto kRuntime = std::to_array<Row<RuntimeState>>({
      QT_TRANSLATE_NOOP(
          "ModeWords", "Press “Play” to continue the interrupted motion, or stop the program to discard it.")},
     {RuntimeState::Resuming, QT_TRANSLATE_NOOP("ModeWords", "Program resuming"),
-     QT_TRANSLATE_NOOP("ModeWords", "The program is resuming: the arm may move.")},
+     QT_TRANSLATE_NOOP("ModeWords", "The program is resuming, and the arm may move.")},
 });
 
 }  // namespace

@@ -73,7 +73,7 @@ public:
     static QString other(const collision::MoveLimit& limit) {
         const QString share = format::percent(limit.share);
         return limit.kind == collision::MoveLimit::Kind::JointRange
-                   ? tr("%1 exceeds its range after %2 of the path").arg(jointName(limit.joint), share)
+                   ? tr("%1 exceeds its limit after %2 of the path").arg(jointName(limit.joint), share)
                    : tr("The path leaves the reach of the arm after %1 of its length").arg(share);
     }
 

@@ -37,7 +37,7 @@ QString reachAdvice(const project::Reach& reach) {
             return {};
         case project::Reach::Obstacle::JointLimit:
             return WaypointModelText::tr(
-                "A joint would exceed its range. Touch up the waypoint with another arm configuration.");
+                "A joint would exceed its limit. Touch up the waypoint with another arm configuration.");
         case project::Reach::Obstacle::FrameMissing:
             return WaypointModelText::tr(
                 "The frame of the waypoint is not in this project. Choose another frame.");

@@ -17,7 +17,7 @@ struct TextsText {
 QString advice(ErrorCode code) {
     switch (code) {
         case ErrorCode::AddressInvalid:
-            return TextsText::tr("Check the address: four numbers, e.g. 192.168.0.10, or a host name.");
+            return TextsText::tr("Enter an IP address, such as 192.168.0.10, or a host name.");
         case ErrorCode::HostUnreachable:
             return TextsText::tr(
                 "Check that the robot is switched on, the cable is plugged in, and this PC is on the same "
@@ -28,8 +28,8 @@ QString advice(ErrorCode code) {
                 "just started may need another minute.");
         case ErrorCode::ConnectionClosed:
             return TextsText::tr(
-                "It may be restarting or switching between Local and Remote. Wait a minute, then connect "
-                "again.");
+                "The robot may be restarting or switching between Local and Remote control. Wait a minute, "
+                "then connect again.");
         case ErrorCode::Timeout:
             return TextsText::tr("The robot does not respond. Check the cable and the address.");
         case ErrorCode::LinkLost:
@@ -37,27 +37,30 @@ QString advice(ErrorCode code) {
                 "No more data received. Check the cable. Tiller reconnects automatically; motion does not "
                 "resume.");
         case ErrorCode::ProtocolError:
-            return TextsText::tr("The response violates the RTDE protocol. Check address and port.");
+            return TextsText::tr(
+                "The response is not valid for this protocol. Check the address and the port.");
         case ErrorCode::VersionUnsupported:
-            return TextsText::tr("The robot's software is too old for this function.");
+            return TextsText::tr("If newer software is available for this robot, update the robot.");
         case ErrorCode::FieldUnknown:
             return TextsText::tr("The robot's software does not provide this value.");
         case ErrorCode::RegisterInUse:
             return TextsText::tr(
-                "Another program or a fieldbus on the robot uses these registers: close the other program, "
+                "Another program or a fieldbus on the robot uses these registers. Close the other program, "
                 "or disable the fieldbus in the installation.");
         case ErrorCode::NotConnected:
             return TextsText::tr("Connect to a robot first.");
         case ErrorCode::NotInControl:
             return TextsText::tr("Take control first.");
         case ErrorCode::UnsafeState:
-            return TextsText::tr("First bring the robot to mode Running and safety mode Normal.");
+            return TextsText::tr("Power on the arm, release the brakes and clear any safety stop first.");
         case ErrorCode::RemoteControlRequired:
             return TextsText::tr("Switch the robot to Remote control at the top right of the teach pendant.");
         case ErrorCode::LimitExceeded:
-            return TextsText::tr("Choose a target within the range of the arm and a speed below the cap.");
+            return TextsText::tr(
+                "Choose a target within the reach of the arm and a speed below the speed cap.");
         case ErrorCode::NoSolution:
-            return TextsText::tr("The arm cannot reach this pose: move the point closer or rotate the tool.");
+            return TextsText::tr(
+                "The arm cannot reach this pose. Move the target closer or rotate the tool.");
         case ErrorCode::ScriptError:
             return TextsText::tr(
                 "The robot could not run the program. See the log for the controller's message.");
@@ -66,7 +69,8 @@ QString advice(ErrorCode code) {
         case ErrorCode::FileNotWritable:
             return TextsText::tr("Choose a folder that you have permission to write to.");
         case ErrorCode::FileCorrupt:
-            return TextsText::tr("The file was not changed. Open a backup, or repair the reported position.");
+            return TextsText::tr(
+                "The file was not changed. Open a backup, or repair the file at the reported position.");
         case ErrorCode::DiskFull:
             return TextsText::tr("Free some space on the disk, then save or record again.");
         case ErrorCode::None:
@@ -111,7 +115,7 @@ QString happening(ErrorCode code) {
         case ErrorCode::NotInControl:
             return TextsText::tr("Not in control");
         case ErrorCode::UnsafeState:
-            return TextsText::tr("Not possible in this state");
+            return TextsText::tr("Robot not ready");
         case ErrorCode::RemoteControlRequired:
             return TextsText::tr("Robot is in Local control");
         case ErrorCode::LimitExceeded:
@@ -180,21 +184,21 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::SecondButton:
             return TextsText::tr("another button or key pressed");
         case StopCause::Escape:
-            return TextsText::tr("Esc");
+            return TextsText::tr("Esc pressed");
         case StopCause::Space:
-            return TextsText::tr("Space");
+            return TextsText::tr("Space pressed");
         case StopCause::StopButton:
-            return TextsText::tr("STOP");
+            return TextsText::tr("STOP pressed");
         case StopCause::DeviceLost:
             return TextsText::tr("input device lost");
         case StopCause::DataStale:
-            return TextsText::tr("robot data too old");
+            return TextsText::tr("robot data arrived too late");
         case StopCause::UnsafeMode:
             return TextsText::tr("robot or safety mode changed");
         case StopCause::EventLoopStalled:
             return TextsText::tr("this PC was too busy");
         case StopCause::Sleep:
-            return TextsText::tr("PC going to sleep");
+            return TextsText::tr("PC is going to sleep");
         case StopCause::LinkLost:
             return TextsText::tr("connection lost");
         case StopCause::LimitReached:
@@ -206,7 +210,7 @@ QString stopCauseText(control::StopCause cause) {
         case StopCause::ApiCall:
             return TextsText::tr("stopped by a program");
         case StopCause::Contact:
-            return TextsText::tr("contact");
+            return TextsText::tr("contact detected");
         case StopCause::Unreachable:
             return TextsText::tr("target cannot be reached");
         case StopCause::TargetTooFar:
@@ -234,8 +238,8 @@ QString safetyModeObstacle(SafetyMode mode) {
 
 QString monitorOnlyObstacle() {
     return TextsText::tr(
-        "Monitor only: this window changes nothing on the robot. Enabled in Settings or with "
-        "--monitor-only.");
+        "Monitor only: this window does not change anything on the robot. Turn off “Monitor only” in "
+        "Settings, or start Tiller without --monitor-only.");
 }
 
 QString remoteObstacle() {
@@ -254,7 +258,7 @@ QString controlLossText(control::ControlLoss loss) {
         case ControlLoss::Released:
             return TextsText::tr("Control was given back. Take control to move the arm.");
         case ControlLoss::ScriptStopped:
-            return TextsText::tr("The control program was stopped on the robot. Take control again.");
+            return TextsText::tr("The control program on the robot was stopped. Take control again.");
         case ControlLoss::EchoStalled:
             return TextsText::tr("The control program does not respond. Take control again.");
         case ControlLoss::LinkLost:
@@ -262,7 +266,7 @@ QString controlLossText(control::ControlLoss loss) {
         case ControlLoss::DataStale:
             return TextsText::tr("The control connection does not respond.");
         case ControlLoss::OwnScript:
-            return TextsText::tr("Your script is running. Tiller regains control when it ends.");
+            return TextsText::tr("Your script is running. Tiller regains control when the script ends.");
     }
     return {};
 }

@@ -310,7 +310,7 @@ QString SessionBackend::obstacle() const {
                        : RobotSession::tr(
                              "No data from the robot. Reconnecting automatically; motion does not resume.");
         case LinkState::Stale:
-            return RobotSession::tr("Robot data are late.");
+            return RobotSession::tr("Robot data are late. Waiting for new data.");
         case LinkState::Live:
             break;
     }
