@@ -83,7 +83,7 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
     };
     table.add({"power.on",
                commandText(RobotCommand::PowerOn),
-               tr("Powers the arm on. Brakes stay engaged."),
+               tr("Powers on the arm. The brakes stay engaged."),
                {},
                perform(RobotCommand::PowerOn),
                [](const SessionState& s) {

@@ -573,11 +573,11 @@
         <translation>Die Software des Roboters ist zu alt. Aktualisieren Sie sie auf %1.%2 oder neuer.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <source>Some values and the control registers are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>Einige Werte und die Register zum Steuern fehlen. Aktualisieren Sie die Software des Roboters auf %1.%2 oder neuer.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Prüfen Sie den Arm, beseitigen Sie die Ursache und stellen Sie den Betrieb wieder her: „Wiederherstellen…“ in der Kopfzeile oder am Teach-Pendant.</translation>
     </message>
     <message>
@@ -593,11 +593,11 @@
         <translation>der Dienst auf Port %1 verwendet kein RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller has stopped responding. Close other programs, then restart the controller.</source>
         <translation>Zu viele RTDE-Clients, oder die Steuerung reagiert nicht: Schließen Sie andere Programme und starten Sie dann die Steuerung neu.</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program uses the port.</source>
+        <source>Check the address. The address may belong to another device, or another program may be using the port.</source>
         <translation>Prüfen Sie die Adresse: Dort antwortet ein anderes Gerät, oder ein anderes Programm verwendet den Port.</translation>
     </message>
     <message>
@@ -677,12 +677,12 @@
         <translation>Ist ein Werkzeug montiert, stellen Sie TCP und Nutzlast in der Installation des Roboters ein: Eine falsche Nutzlast löst Schutzstopps aus und lässt den Arm in Freedrive wegdriften.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
-        <translation>&quot;%1&quot; ist keine gültige Adresse, und es wurde kein Host mit diesem Namen gefunden</translation>
+        <source>“%1” is not a valid address, and no host with this name was found</source>
+        <translation>„%1“ ist keine gültige Adresse, und es wurde kein Host mit diesem Namen gefunden</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
-        <translation>Geben Sie die vier Zahlen ein, die das Teach-Pendant unter „Über“ anzeigt, oder fragen Sie Ihre Netzwerkadministration nach dem Namen.</translation>
+        <source>Enter the IP address shown on the teach pendant under About, or ask your network administrator for the host name.</source>
+        <translation>Geben Sie die IP-Adresse ein, die das Teach-Pendant unter „Über“ anzeigt, oder fragen Sie Ihre Netzwerkadministration nach dem Hostnamen.</translation>
     </message>
     <message>
         <source>%1 does not respond</source>
@@ -733,8 +733,8 @@
         <translation>Aktivieren Sie diese Schnittstelle am Roboter unter Einstellungen &gt; Sicherheit &gt; Dienste.</translation>
     </message>
     <message>
-        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>Eine Firewall blockiert diesen Port: Geben Sie TCP-Port %1 zum Roboter frei.</translation>
+        <source>A firewall may be blocking this port. Allow TCP port %1 to the robot.</source>
+        <translation>Möglicherweise blockiert eine Firewall diesen Port. Geben Sie TCP-Port %1 zum Roboter frei.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
@@ -749,11 +749,11 @@
         <translation>der Dienst auf Port %1 ist kein Dashboard-Server</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
+        <source>Restart the robot&apos;s controller. If the problem persists, see the controller log.</source>
         <translation>Starten Sie die Steuerung des Roboters neu; wenn das Problem bleibt, lesen Sie ihr Protokoll.</translation>
     </message>
     <message>
-        <source>Check the address, and check that no other program uses this port.</source>
+        <source>Check the address, and check that no other program is using this port.</source>
         <translation>Prüfen Sie die Adresse und ob ein anderes Programm diesen Port verwendet.</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation>Warten Sie auf Stillstand, bevor Sie Freedrive starten.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
+        <source>The arm would drift: the robot measures %1 with a payload of %2 kg. Do not touch the tool, or correct the payload and the TCP.</source>
         <translation>Der Arm würde wegdriften: Er misst %1 bei einer Nutzlast von %2 kg. Lassen Sie das Werkzeug los oder korrigieren Sie Nutzlast und TCP.</translation>
     </message>
 </context>
@@ -1351,7 +1351,7 @@
         <translation>Wählen Sie den Simulator oder geben Sie die Adresse eines Roboters ein</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Schaltet den Arm ein. Die Bremsen bleiben angezogen.</translation>
     </message>
     <message>
@@ -1729,7 +1729,7 @@
         <translation>beide Ausgänge ein</translation>
     </message>
     <message>
-        <source>Choose two different outputs: one closes, the other opens.</source>
+        <source>Choose different outputs for closing and opening.</source>
         <translation>Wählen Sie zwei verschiedene Ausgänge: Einer schließt, der andere öffnet.</translation>
     </message>
 </context>
@@ -3097,11 +3097,11 @@
         <translation>Sicherheitsmodus wieder „Normal“</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume. Press the button again for each motion.</source>
         <translation>Der Arm kann bewegt werden. Durch den Stopp unterbrochene Bewegungen werden nicht fortgesetzt: Jede Bewegung erfordert einen neuen Tastendruck.</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
+        <source>The arm is ready. Take control to move the arm, or continue on the teach pendant.</source>
         <translation>Der Arm ist bereit. Übernehmen Sie die Steuerung, um ihn zu bewegen, oder fahren Sie am Teach-Pendant fort.</translation>
     </message>
     <message>
@@ -3113,8 +3113,8 @@
         <translation>Keine Daten vom Roboter</translation>
     </message>
     <message>
-        <source>Waiting for the connection</source>
-        <translation>Warte auf die Verbindung</translation>
+        <source>Waiting for the connection…</source>
+        <translation>Warten auf die Verbindung…</translation>
     </message>
     <message>
         <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
@@ -3129,8 +3129,8 @@
         <translation>Nutzlast und TCP passen zum montierten Werkzeug.</translation>
     </message>
     <message>
-        <source>Possible in %1 s</source>
-        <translation>Möglich in %1 s</translation>
+        <source>Unlocking is available in %1 s</source>
+        <translation>Entsperren möglich in %1 s</translation>
     </message>
     <message>
         <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
@@ -3141,7 +3141,7 @@
         <translation>Die Ursache ist beseitigt, und niemand befindet sich im Arbeitsbereich des Arms.</translation>
     </message>
     <message>
-        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <source>No action is needed in Tiller. This state ends when the cause is removed.</source>
         <translation>In Tiller ist keine Aktion nötig. Der Zustand endet, wenn die Ursache beseitigt ist.</translation>
     </message>
     <message>
@@ -3254,7 +3254,7 @@
         <translation>Kein Roboter ist verbunden.</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Schaltet den Arm ein. Die Bremsen bleiben angezogen.</translation>
     </message>
     <message>
@@ -3401,7 +3401,7 @@
         <translation>Der Roboter taktet Impulse nur, solange Tiller die Steuerung hat. Übernehmen Sie zuerst die Steuerung, oder schalten Sie den Ausgang von Hand ein und aus.</translation>
     </message>
     <message>
-        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <source>The robot did not end the pulse on %1 because the program on the robot was stopped or paused. Tiller switches the output off.</source>
         <translation>Der Roboter hat den Impuls von %1 nicht beendet, weil sein Programm gestoppt oder angehalten wurde. Tiller schaltet den Ausgang aus.</translation>
     </message>
     <message>
@@ -3464,11 +3464,11 @@
         <translation>Programm %1 laden</translation>
     </message>
     <message>
-        <source>The program on the robot was stopped</source>
-        <translation>Das Programm auf dem Roboter wurde gestoppt</translation>
+        <source>The program on the robot was stopped.</source>
+        <translation>Das Programm auf dem Roboter wurde gestoppt.</translation>
     </message>
     <message>
-        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped. Stop the program on the teach pendant. %1</source>
         <translation>Das Programm auf dem Roboter konnte nicht gestoppt werden: Stoppen Sie es am Teach-Pendant. %1</translation>
     </message>
     <message>
@@ -3571,6 +3571,10 @@
 </context>
 <context>
     <name>SessionRecording</name>
+    <message>
+        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <translation>Der Roboter kann nicht so viele Signale gleichzeitig senden. Nicht aufgezeichnete Signale: %1</translation>
+    </message>
     <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>Aufzeichnen nicht möglich: Verbinden Sie sich zuerst mit einem Roboter.</translation>
@@ -4436,11 +4440,11 @@
         <translation>maximale Haltezeit erreicht; erneut drücken</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network. Use the teach pendant.</source>
         <translation>PolyScope X vor 10.11 nimmt diese Befehle nicht über das Netzwerk an: Verwenden Sie das Teach-Pendant.</translation>
     </message>
     <message>
-        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
+        <source>PolyScope X cannot close popups over the network. Use the teach pendant.</source>
         <translation>PolyScope X kann Popups nicht über das Netzwerk schließen: Verwenden Sie das Teach-Pendant.</translation>
     </message>
     <message>
@@ -5918,7 +5922,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 (Geschwindigkeit %2, Kraft %3)</translation>
     </message>
     <message>
-        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <source>Connect to a robot first. The gripper is stored for each robot.</source>
         <translation>Verbinden Sie sich zuerst mit einem Roboter: Der Greifer wird für jeden Roboter gespeichert.</translation>
     </message>
     <message>
@@ -5978,8 +5982,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>nichts</translation>
     </message>
     <message>
-        <source>The gripper is not available with this port offset.</source>
-        <translation>Der Greifer ist mit diesem Port-Versatz nicht verfügbar.</translation>
+        <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
+        <translation>Der Greifer ist mit diesem Port-Versatz nicht verfügbar. Verwenden Sie einen kleineren Port-Versatz.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -6014,8 +6018,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Bewegt die Finger auf diese Öffnung.</translation>
     </message>
     <message>
-        <source>Speed or force is out of range.</source>
-        <translation>Geschwindigkeit oder Kraft liegt außerhalb des Bereichs.</translation>
+        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
+        <translation>Geschwindigkeit oder Kraft liegt außerhalb des Bereichs. Geben Sie 0 bis 100 % ein.</translation>
     </message>
     <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
@@ -6077,7 +6081,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>nicht gemessen</translation>
     </message>
     <message>
-        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
+        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
         <translation>Die Daten endeten während der Bewegung des Arms: Der Stopp konnte nicht gemessen werden.</translation>
     </message>
     <message>
@@ -6124,7 +6128,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Eine andere Taste wird bereits gehalten.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
         <translation>Der Display-Server antwortet nicht: Das Loslassen einer Taste kann nicht erkannt werden. Lassen Sie sie los und versuchen Sie es erneut.</translation>
     </message>
 </context>
@@ -6135,7 +6139,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>halten</translation>
     </message>
     <message>
-        <source>Hold this button: the arm moves only while it is held.</source>
+        <source>Hold this button. The arm moves only while the button is held.</source>
         <translation>Halten Sie diese Taste: Der Arm bewegt sich nur, solange sie gehalten wird.</translation>
     </message>
 </context>
@@ -6281,7 +6285,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Werkzeugeingänge</translation>
     </message>
     <message>
-        <source>Select a row of the I/O tab with the Tab key first.</source>
+        <source>Press the Tab key to select a row on the I/O tab first.</source>
         <translation>Wählen Sie zuerst mit der Tabulatortaste eine Zeile im Register E/A.</translation>
     </message>
     <message>
@@ -6289,7 +6293,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Der Roboter hat %1 nicht bestätigt</translation>
     </message>
     <message>
-        <source>Another program or the installation may control it.</source>
+        <source>Another program or the installation may control the output.</source>
         <translation>Möglicherweise steuert ihn ein anderes Programm oder die Installation.</translation>
     </message>
     <message>
@@ -6297,16 +6301,16 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Analog</translation>
     </message>
     <message>
-        <source>Registers of robot programs</source>
-        <translation>Register von Roboterprogrammen</translation>
+        <source>General purpose registers</source>
+        <translation>Allgemeine Register</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
         <translation>Keine Daten vom Roboter.</translation>
     </message>
     <message>
-        <source>Replay is active: return to live data first.</source>
-        <translation>Wiedergabe ist aktiv: Kehren Sie zuerst zu den Livedaten zurück.</translation>
+        <source>Replay is active. Press “Back to live” first.</source>
+        <translation>Die Wiedergabe ist aktiv. Drücken Sie zuerst „Zurück zu Live“.</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -6348,8 +6352,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Gelenke</translation>
     </message>
     <message>
-        <source>Frame of the displayed pose</source>
-        <translation>Koordinatensystem der angezeigten Pose</translation>
+        <source>Pose or joints</source>
+        <translation>Pose oder Gelenke</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -6501,7 +6505,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Braucht die 3D-Ansicht</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
+        <source>No frame taught yet. Teach a frame on the Frames tab.</source>
         <translation>Noch kein Koordinatensystem geteacht. Teachen Sie eines im Register Koordinatensysteme.</translation>
     </message>
     <message>
@@ -6569,7 +6573,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Kontaktkraft in N, bei der die Bewegung endet</translation>
     </message>
     <message>
-        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <source>The step continues after the button is released. Space, Esc and STOP end the step.</source>
         <translation>Der Schritt läuft nach dem Loslassen weiter. Leertaste, Esc und STOP beenden ihn.</translation>
     </message>
     <message>
@@ -6743,8 +6747,8 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Aufzeichnung öffnen</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents only)</source>
-        <translation>Aufzeichnung des gewählten Eintrags öffnen (nur Vorfälle)</translation>
+        <source>Open the recording of the selected entry</source>
+        <translation>Aufzeichnung des gewählten Eintrags öffnen</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -8240,11 +8244,11 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>TCP-Pose in %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <source>orientation as set in Settings. Δ₀: displacement from the zero position. Click to show the displacement since the start of the last motion.</source>
         <translation>Orientierung wie in den Einstellungen. Δ₀: Verschiebung seit null. Klick zeigt die Verschiebung seit Beginn der letzten Bewegung.</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to set the displacement to zero.</source>
         <translation>Orientierung wie in den Einstellungen. Δ: Verschiebung seit Beginn der letzten Bewegung. Klick setzt hier null.</translation>
     </message>
     <message>
@@ -8522,8 +8526,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Home hier“ oder „Pos
         <translation>Bevor Sie sich mit %1 verbinden</translation>
     </message>
     <message>
-        <source>Conditions</source>
-        <translation>Bedingungen</translation>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
@@ -9187,8 +9191,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Warte auf Daten vom Roboter…</translation>
     </message>
     <message>
-        <source>At X %1, Y %2, Z %3.</source>
-        <translation>Bei X %1, Y %2, Z %3.</translation>
+        <source>Stopped at X %1, Y %2, Z %3.</source>
+        <translation>Gestoppt bei X %1, Y %2, Z %3.</translation>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
@@ -9203,8 +9207,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Haken Sie die Punkte ab, die Sie geprüft haben.</translation>
     </message>
     <message>
-        <source>Requested; waiting for the robot…</source>
-        <translation>Angefordert; warten auf den Roboter…</translation>
+        <source>Command sent; waiting for the robot…</source>
+        <translation>Befehl gesendet; warten auf den Roboter…</translation>
     </message>
 </context>
 <context>
@@ -9284,8 +9288,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Meldungsfenster am Roboter</translation>
     </message>
     <message>
-        <source>The popup could not be closed from here: close it on the teach pendant.</source>
-        <translation>Das Popup konnte von hier nicht geschlossen werden: Schließen Sie es am Teach-Pendant.</translation>
+        <source>Tiller could not close the popup. Close the popup on the teach pendant.</source>
+        <translation>Tiller konnte das Popup nicht schließen. Schließen Sie es am Teach-Pendant.</translation>
     </message>
     <message>
         <source>No data from the robot. Close the popup on the teach pendant.</source>
@@ -9346,8 +9350,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Gesteuert</translation>
     </message>
     <message>
-        <source>Taking control was cancelled by a stop</source>
-        <translation>Das Übernehmen der Steuerung wurde durch einen Stopp abgebrochen</translation>
+        <source>Taking control was cancelled by a stop.</source>
+        <translation>Die Übernahme der Steuerung wurde durch einen Stopp abgebrochen.</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -9418,10 +9422,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Die Steuerung ging verloren: Die Steuerverbindung hat 0,5 s lang nicht geantwortet oder wurde geschlossen. STOP, Leertaste und Esc halten den Roboter weiterhin an. Übernehmen Sie die Steuerung erneut.</translation>
     </message>
     <message numerus="yes">
-        <source>The robot sends too many messages: %n were not shown</source>
+        <source>The robot is sending too many messages. %n messages were not shown.</source>
         <translation>
-            <numerusform>Der Roboter sendet zu viele Meldungen: %n wurde nicht angezeigt</numerusform>
-            <numerusform>Der Roboter sendet zu viele Meldungen: %n wurden nicht angezeigt</numerusform>
+            <numerusform>Der Roboter sendet zu viele Meldungen. %n Meldung wurde nicht angezeigt.</numerusform>
+            <numerusform>Der Roboter sendet zu viele Meldungen. %n Meldungen wurden nicht angezeigt.</numerusform>
         </translation>
     </message>
     <message>
@@ -9437,11 +9441,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Keine Daten vom Roboter: Der Arm bewegt sich möglicherweise. Die Verbindung wird automatisch wiederhergestellt.</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>Ein Programm läuft.</translation>
+        <source>A program is running. Wait until the program ends, or stop the program.</source>
+        <translation>Ein Programm läuft. Warten Sie, bis das Programm endet, oder stoppen Sie es.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
         <translation>Ein Programm eines anderen Clients hat den Roboter übernommen. Übernehmen der Steuerung beendet es.</translation>
     </message>
     <message>
@@ -9449,8 +9453,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das Programm des anderen Clients wird beendet, um die Steuerung zu übernehmen.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Control was lost.</source>
-        <translation>Ein Programm eines anderen Clients hat den Roboter übernommen. Die Steuerung ging verloren.</translation>
+        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>Ein Programm eines anderen Clients hat den Roboter übernommen, die Steuerung ging verloren. Erneutes Übernehmen der Steuerung beendet dieses Programm.</translation>
     </message>
     <message>
         <source>A program of another client is running on the robot.</source>
@@ -9472,28 +9476,28 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Verbinde mit dem Greifer…</translation>
     </message>
     <message>
-        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
+        <source>The gripper does not send any values. Power on the arm. If the problem persists, check the gripper cable at the wrist.</source>
         <translation>Der Greifer sendet keine Werte. Schalten Sie den Arm ein; wenn das Problem bleibt, prüfen Sie das Greiferkabel am Handgelenk.</translation>
     </message>
     <message>
-        <source>The gripper responds again</source>
-        <translation>Der Greifer antwortet wieder</translation>
+        <source>The gripper responds again.</source>
+        <translation>Der Greifer antwortet wieder.</translation>
     </message>
     <message>
-        <source>The gripper is active</source>
-        <translation>Der Greifer ist aktiv</translation>
+        <source>The gripper is active.</source>
+        <translation>Der Greifer ist aktiv.</translation>
     </message>
     <message>
         <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>Der Greifer wurde nicht aktiviert. Prüfen Sie, ob etwas seine Finger blockiert, und drücken Sie dann erneut „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper holds an object (%1 open)</source>
-        <translation>Der Greifer hält ein Objekt (%1 offen)</translation>
+        <source>The gripper holds an object (%1 open).</source>
+        <translation>Der Greifer hält ein Objekt (%1 geöffnet).</translation>
     </message>
     <message>
-        <source>The gripper lost the object it held</source>
-        <translation>Der Greifer hat das Objekt verloren, das er hielt</translation>
+        <source>The gripper lost the object.</source>
+        <translation>Der Greifer hat das Objekt verloren.</translation>
     </message>
     <message>
         <source>Gripper: activate</source>
@@ -9516,7 +9520,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Roboter hat die Verbindung zum Greifer geschlossen und startet eventuell neu. Tiller verbindet sich automatisch neu; der Greifer hält weiter.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
+        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>Der Greifer hat den Befehl nicht angenommen. Aktivieren Sie ihn; wenn er aktiv ist, prüfen Sie seine Seite in der Installation des Roboters.</translation>
     </message>
     <message>
@@ -9548,7 +9552,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Das automatische Lösen des Greifers ist abgeschlossen. Drücken Sie „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”. If the fault returns, contact Robotiq.</source>
         <translation>Der Greifer hat einen internen Fehler. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, wenden Sie sich an Robotiq.</translation>
     </message>
     <message>
@@ -9560,7 +9564,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Der Greifer nimmt zu viel Strom auf. Prüfen Sie, ob etwas die Finger blockiert, und drücken Sie dann „Aktivieren“.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>Der Greifer meldet Fehler %1. Drücken Sie „Aktivieren“; wenn der Fehler erneut auftritt, lesen Sie sein Handbuch.</translation>
     </message>
 </context>
@@ -9969,7 +9973,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Leertaste und Esc stoppen den Arm ebenfalls.</translation>
     </message>
     <message>
-        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <source>Click to stop the arm. Space and Esc stop the arm only while this window is in control.</source>
         <translation>Zum Anhalten klicken. Leertaste und Esc halten nur an, solange dieses Fenster die Steuerung hat.</translation>
     </message>
     <message>
@@ -10321,11 +10325,11 @@ Drücken Sie „Vom Roboter“, um den aktiven TCP zu speichern, oder „Teachen
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the limit of %3</source>
+        <source>%1: %2 left to the %3 limit</source>
         <translation>%1: noch %2 bis zur Grenze von %3</translation>
     </message>
     <message>
-        <source>%1: %2 to the reach limit or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation>%1: noch %2 bis zur Reichweitengrenze oder einer Singularität</translation>
     </message>
     <message>

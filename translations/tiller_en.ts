@@ -577,11 +577,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller has stopped responding. Close other programs, then restart the controller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program uses the port.</source>
+        <source>Check the address. The address may belong to another device, or another program may be using the port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -625,11 +625,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <source>Some values and the control registers are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -669,11 +669,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <source>“%1” is not a valid address, and no host with this name was found</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
+        <source>Enter the IP address shown on the teach pendant under About, or ask your network administrator for the host name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -725,7 +725,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
+        <source>A firewall may be blocking this port. Allow TCP port %1 to the robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -741,11 +741,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
+        <source>Restart the robot&apos;s controller. If the problem persists, see the controller log.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check the address, and check that no other program uses this port.</source>
+        <source>Check the address, and check that no other program is using this port.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
+        <source>The arm would drift: the robot measures %1 with a payload of %2 kg. Do not touch the tool, or correct the payload and the TCP.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1319,7 +1319,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1729,7 +1729,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose two different outputs: one closes, the other opens.</source>
+        <source>Choose different outputs for closing and opening.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3097,11 +3097,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume. Press the button again for each motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
+        <source>The arm is ready. Take control to move the arm, or continue on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3113,7 +3113,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waiting for the connection</source>
+        <source>Waiting for the connection…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3129,7 +3129,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Possible in %1 s</source>
+        <source>Unlocking is available in %1 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3141,7 +3141,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <source>No action is needed in Tiller. This state ends when the cause is removed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3254,7 +3254,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3401,7 +3401,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <source>The robot did not end the pulse on %1 because the program on the robot was stopped or paused. Tiller switches the output off.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3464,11 +3464,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program on the robot was stopped</source>
+        <source>The program on the robot was stopped.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped. Stop the program on the teach pendant. %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3571,6 +3571,10 @@
 </context>
 <context>
     <name>SessionRecording</name>
+    <message>
+        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation type="unfinished"></translation>
@@ -4436,11 +4440,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network. Use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
+        <source>PolyScope X cannot close popups over the network. Use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5914,7 +5918,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <source>Connect to a robot first. The gripper is stored for each robot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5974,7 +5978,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper is not available with this port offset.</source>
+        <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6010,7 +6014,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Speed or force is out of range.</source>
+        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6089,7 +6093,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
+        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6120,7 +6124,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6131,7 +6135,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Hold this button: the arm moves only while it is held.</source>
+        <source>Hold this button. The arm moves only while the button is held.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6278,7 +6282,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Registers of robot programs</source>
+        <source>General purpose registers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6286,7 +6290,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select a row of the I/O tab with the Tab key first.</source>
+        <source>Press the Tab key to select a row on the I/O tab first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6294,11 +6298,11 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another program or the installation may control it.</source>
+        <source>Another program or the installation may control the output.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Replay is active: return to live data first.</source>
+        <source>Replay is active. Press “Back to live” first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6337,7 +6341,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frame of the displayed pose</source>
+        <source>Pose or joints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6486,7 +6490,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
+        <source>No frame taught yet. Teach a frame on the Frames tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6562,7 +6566,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <source>The step continues after the button is released. Space, Esc and STOP end the step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6736,7 +6740,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents only)</source>
+        <source>Open the recording of the selected entry</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8232,11 +8236,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <source>orientation as set in Settings. Δ₀: displacement from the zero position. Click to show the displacement since the start of the last motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to set the displacement to zero.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8513,7 +8517,7 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Conditions</source>
+        <source>Checks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9170,7 +9174,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>At X %1, Y %2, Z %3.</source>
+        <source>Stopped at X %1, Y %2, Z %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9186,7 +9190,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Requested; waiting for the robot…</source>
+        <source>Command sent; waiting for the robot…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9271,7 +9275,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The popup could not be closed from here: close it on the teach pendant.</source>
+        <source>Tiller could not close the popup. Close the popup on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9377,7 +9381,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Taking control was cancelled by a stop</source>
+        <source>Taking control was cancelled by a stop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9405,10 +9409,10 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>The robot sends too many messages: %n were not shown</source>
+        <source>The robot is sending too many messages. %n messages were not shown.</source>
         <translation>
-            <numerusform>The robot sends too many messages: %n was not shown</numerusform>
-            <numerusform>The robot sends too many messages: %n were not shown</numerusform>
+            <numerusform>The robot is sending too many messages. %n message was not shown.</numerusform>
+            <numerusform>The robot is sending too many messages. %n messages were not shown.</numerusform>
         </translation>
     </message>
     <message>
@@ -9424,11 +9428,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program is running.</source>
+        <source>A program is running. Wait until the program ends, or stop the program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9436,7 +9440,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Control was lost.</source>
+        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9459,15 +9463,15 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
+        <source>The gripper does not send any values. Power on the arm. If the problem persists, check the gripper cable at the wrist.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper responds again</source>
+        <source>The gripper responds again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper is active</source>
+        <source>The gripper is active.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9475,11 +9479,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper holds an object (%1 open)</source>
+        <source>The gripper holds an object (%1 open).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper lost the object it held</source>
+        <source>The gripper lost the object.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9503,7 +9507,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
+        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9535,7 +9539,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”. If the fault returns, contact Robotiq.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9547,7 +9551,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9956,7 +9960,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <source>Click to stop the arm. Space and Esc stop the arm only while this window is in control.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10307,11 +10311,11 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the limit of %3</source>
+        <source>%1: %2 left to the %3 limit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 to the reach limit or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

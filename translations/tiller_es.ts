@@ -573,11 +573,11 @@
         <translation>El software del robot es demasiado antiguo. Actualícelo a %1.%2 o posterior.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <source>Some values and the control registers are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>Faltan algunos valores y los registros para el control. Actualice el software del robot a %1.%2 o posterior.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Inspeccione el brazo, elimine la causa y recupérelo: pulse «Recuperar…» en la cabecera o use la consola portátil.</translation>
     </message>
     <message>
@@ -593,11 +593,11 @@
         <translation>el servicio del puerto %1 no usa RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller has stopped responding. Close other programs, then restart the controller.</source>
         <translation>Demasiados clientes RTDE, o el controlador no responde: cierre otros programas y reinicie el controlador.</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program uses the port.</source>
+        <source>Check the address. The address may belong to another device, or another program may be using the port.</source>
         <translation>Compruebe la dirección: es otro dispositivo, u otro programa usa el puerto.</translation>
     </message>
     <message>
@@ -677,12 +677,12 @@
         <translation>Si hay una herramienta montada, ajuste el TCP y la carga útil en la instalación del robot: una carga útil incorrecta causa paradas de protección y hace que el brazo se desplace solo en movimiento libre.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <source>“%1” is not a valid address, and no host with this name was found</source>
         <translation>&quot;%1&quot; no es una dirección válida y no se encontró ningún host con ese nombre</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
-        <translation>Introduzca los cuatro números que muestra la consola portátil en «Acerca de», o pida el nombre al administrador de la red.</translation>
+        <source>Enter the IP address shown on the teach pendant under About, or ask your network administrator for the host name.</source>
+        <translation>Introduzca la dirección IP que muestra la consola portátil en «Acerca de», o pida el nombre de host al administrador de la red.</translation>
     </message>
     <message>
         <source>%1 does not respond</source>
@@ -733,8 +733,8 @@
         <translation>Active esta interfaz en el robot en Ajustes &gt; Seguridad &gt; Servicios.</translation>
     </message>
     <message>
-        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>Un cortafuegos bloquea este puerto: permita el puerto TCP %1 hacia el robot.</translation>
+        <source>A firewall may be blocking this port. Allow TCP port %1 to the robot.</source>
+        <translation>Puede que un cortafuegos bloquee este puerto. Permita el puerto TCP %1 hacia el robot.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
@@ -749,11 +749,11 @@
         <translation>el servicio del puerto %1 no es un servidor Dashboard</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
+        <source>Restart the robot&apos;s controller. If the problem persists, see the controller log.</source>
         <translation>Reinicie el controlador del robot; si el problema continúa, consulte su registro.</translation>
     </message>
     <message>
-        <source>Check the address, and check that no other program uses this port.</source>
+        <source>Check the address, and check that no other program is using this port.</source>
         <translation>Compruebe la dirección y que ningún otro programa usa este puerto.</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation>Espere al reposo antes de iniciar el movimiento libre.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
+        <source>The arm would drift: the robot measures %1 with a payload of %2 kg. Do not touch the tool, or correct the payload and the TCP.</source>
         <translation>El brazo se desplazaría solo: mide %1 con una carga útil de %2 kg. Suelte la herramienta o corrija la carga útil y el TCP.</translation>
     </message>
 </context>
@@ -1351,7 +1351,7 @@
         <translation>Seleccione el simulador o introduzca la dirección de un robot</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Enciende el brazo. Los frenos siguen puestos.</translation>
     </message>
     <message>
@@ -1729,7 +1729,7 @@
         <translation>ambas salidas activadas</translation>
     </message>
     <message>
-        <source>Choose two different outputs: one closes, the other opens.</source>
+        <source>Choose different outputs for closing and opening.</source>
         <translation>Elija dos salidas distintas: una cierra, la otra abre.</translation>
     </message>
 </context>
@@ -3097,11 +3097,11 @@
         <translation>El modo de seguridad vuelve a ser «Normal»</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume. Press the button again for each motion.</source>
         <translation>El brazo se puede mover. Los movimientos interrumpidos por la parada no se reanudan: cada movimiento necesita una nueva pulsación.</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
+        <source>The arm is ready. Take control to move the arm, or continue on the teach pendant.</source>
         <translation>El brazo está listo. Tome el control para moverlo, o siga en la consola portátil.</translation>
     </message>
     <message>
@@ -3113,8 +3113,8 @@
         <translation>Sin datos del robot</translation>
     </message>
     <message>
-        <source>Waiting for the connection</source>
-        <translation>Esperando la conexión</translation>
+        <source>Waiting for the connection…</source>
+        <translation>Esperando la conexión…</translation>
     </message>
     <message>
         <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
@@ -3129,8 +3129,8 @@
         <translation>La carga útil y el TCP corresponden a la herramienta montada.</translation>
     </message>
     <message>
-        <source>Possible in %1 s</source>
-        <translation>Posible en %1 s</translation>
+        <source>Unlocking is available in %1 s</source>
+        <translation>Desbloqueo posible en %1 s</translation>
     </message>
     <message>
         <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
@@ -3141,7 +3141,7 @@
         <translation>La causa se ha eliminado y no hay nadie al alcance del brazo.</translation>
     </message>
     <message>
-        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <source>No action is needed in Tiller. This state ends when the cause is removed.</source>
         <translation>No hay que hacer nada en Tiller. El estado termina cuando se elimina la causa.</translation>
     </message>
     <message>
@@ -3254,7 +3254,7 @@
         <translation>Ningún robot está conectado.</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Enciende el brazo. Los frenos siguen puestos.</translation>
     </message>
     <message>
@@ -3401,7 +3401,7 @@
         <translation>El robot temporiza los impulsos solo mientras Tiller tiene el control. Tome primero el control, o active y desactive la salida manualmente.</translation>
     </message>
     <message>
-        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <source>The robot did not end the pulse on %1 because the program on the robot was stopped or paused. Tiller switches the output off.</source>
         <translation>El robot no terminó el impulso de %1 porque su programa se detuvo o quedó en pausa. Tiller desactiva la salida.</translation>
     </message>
     <message>
@@ -3464,11 +3464,11 @@
         <translation>Cargar programa %1</translation>
     </message>
     <message>
-        <source>The program on the robot was stopped</source>
-        <translation>Se detuvo el programa del robot</translation>
+        <source>The program on the robot was stopped.</source>
+        <translation>Se detuvo el programa del robot.</translation>
     </message>
     <message>
-        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped. Stop the program on the teach pendant. %1</source>
         <translation>No se pudo detener el programa del robot: deténgalo en la consola portátil. %1</translation>
     </message>
     <message>
@@ -3571,6 +3571,10 @@
 </context>
 <context>
     <name>SessionRecording</name>
+    <message>
+        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <translation>El robot no puede enviar tantas señales a la vez. Señales que no se graban: %1</translation>
+    </message>
     <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>No se puede grabar: conéctese primero a un robot.</translation>
@@ -4436,11 +4440,11 @@
         <translation>tiempo máximo de pulsación alcanzado; pulse de nuevo</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network. Use the teach pendant.</source>
         <translation>PolyScope X anterior a 10.11 no acepta estas órdenes por la red: use la consola portátil.</translation>
     </message>
     <message>
-        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
+        <source>PolyScope X cannot close popups over the network. Use the teach pendant.</source>
         <translation>PolyScope X no puede cerrar ventanas emergentes por la red: use la consola portátil.</translation>
     </message>
     <message>
@@ -5918,7 +5922,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>%1 (velocidad %2, fuerza %3)</translation>
     </message>
     <message>
-        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <source>Connect to a robot first. The gripper is stored for each robot.</source>
         <translation>Conéctese primero a un robot: la pinza se guarda para cada robot.</translation>
     </message>
     <message>
@@ -5978,8 +5982,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>nada</translation>
     </message>
     <message>
-        <source>The gripper is not available with this port offset.</source>
-        <translation>La pinza no está disponible con este desplazamiento de puerto.</translation>
+        <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
+        <translation>La pinza no está disponible con este desplazamiento de puerto. Use un desplazamiento menor.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -6014,8 +6018,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Mueve los dedos a esta apertura.</translation>
     </message>
     <message>
-        <source>Speed or force is out of range.</source>
-        <translation>La velocidad o la fuerza está fuera del intervalo.</translation>
+        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
+        <translation>La velocidad o la fuerza está fuera del intervalo. Introduzca de 0 a 100 %.</translation>
     </message>
     <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
@@ -6077,7 +6081,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>no medida</translation>
     </message>
     <message>
-        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
+        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
         <translation>Los datos se interrumpieron mientras el brazo se movía: no se pudo medir la parada.</translation>
     </message>
     <message>
@@ -6124,7 +6128,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Ya se mantiene otro botón o tecla.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
         <translation>El servidor gráfico no responde: no se puede detectar cuándo se suelta un botón o una tecla. Suéltelo e inténtelo de nuevo.</translation>
     </message>
 </context>
@@ -6135,7 +6139,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>mantener</translation>
     </message>
     <message>
-        <source>Hold this button: the arm moves only while it is held.</source>
+        <source>Hold this button. The arm moves only while the button is held.</source>
         <translation>Mantenga este botón: el brazo solo se mueve mientras se mantiene.</translation>
     </message>
 </context>
@@ -6281,7 +6285,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Entradas de herramienta</translation>
     </message>
     <message>
-        <source>Select a row of the I/O tab with the Tab key first.</source>
+        <source>Press the Tab key to select a row on the I/O tab first.</source>
         <translation>Seleccione primero una fila de la pestaña E/S con la tecla Tab.</translation>
     </message>
     <message>
@@ -6289,7 +6293,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>El robot no confirmó %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may control it.</source>
+        <source>Another program or the installation may control the output.</source>
         <translation>Puede que la controle otro programa o la instalación.</translation>
     </message>
     <message>
@@ -6297,16 +6301,16 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Analógicas</translation>
     </message>
     <message>
-        <source>Registers of robot programs</source>
-        <translation>Registros de los programas del robot</translation>
+        <source>General purpose registers</source>
+        <translation>Registros de uso general</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
         <translation>Sin datos del robot.</translation>
     </message>
     <message>
-        <source>Replay is active: return to live data first.</source>
-        <translation>La reproducción está activa: vuelva primero a los datos en vivo.</translation>
+        <source>Replay is active. Press “Back to live” first.</source>
+        <translation>La reproducción está activa. Pulse primero «Volver a lo actual».</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -6348,8 +6352,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Articulaciones</translation>
     </message>
     <message>
-        <source>Frame of the displayed pose</source>
-        <translation>Sistema de la pose mostrada</translation>
+        <source>Pose or joints</source>
+        <translation>Pose o articulaciones</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -6501,7 +6505,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Necesita la vista 3D</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
+        <source>No frame taught yet. Teach a frame on the Frames tab.</source>
         <translation>Aún no hay ningún sistema enseñado. Enseñe uno en la pestaña Sistemas de coordenadas.</translation>
     </message>
     <message>
@@ -6569,7 +6573,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Fuerza de contacto en N que termina el movimiento</translation>
     </message>
     <message>
-        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <source>The step continues after the button is released. Space, Esc and STOP end the step.</source>
         <translation>El paso continúa al soltar. Espacio, Esc y STOP lo terminan.</translation>
     </message>
     <message>
@@ -6743,8 +6747,8 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Abrir grabación</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents only)</source>
-        <translation>Abrir la grabación de la entrada seleccionada (solo incidentes)</translation>
+        <source>Open the recording of the selected entry</source>
+        <translation>Abrir la grabación de la entrada seleccionada</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -8240,11 +8244,11 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Pose del TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <source>orientation as set in Settings. Δ₀: displacement from the zero position. Click to show the displacement since the start of the last motion.</source>
         <translation>orientación como en Ajustes. Δ₀: desplazamiento desde cero. Clic para mostrar el desplazamiento desde el inicio del último movimiento.</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to set the displacement to zero.</source>
         <translation>orientación como en Ajustes. Δ: desplazamiento desde el inicio del último movimiento. Clic para poner aquí el cero.</translation>
     </message>
     <message>
@@ -8522,8 +8526,8 @@ Mueva el brazo a una posición y pulse «Fijar inicio aquí» o «Añadir posici
         <translation>Antes de conectarse a %1</translation>
     </message>
     <message>
-        <source>Conditions</source>
-        <translation>Condiciones</translation>
+        <source>Checks</source>
+        <translation>Comprobaciones</translation>
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
@@ -9187,8 +9191,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Esperando datos del robot…</translation>
     </message>
     <message>
-        <source>At X %1, Y %2, Z %3.</source>
-        <translation>En X %1, Y %2, Z %3.</translation>
+        <source>Stopped at X %1, Y %2, Z %3.</source>
+        <translation>Detenido en X %1, Y %2, Z %3.</translation>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
@@ -9203,8 +9207,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Marque los puntos que ha comprobado.</translation>
     </message>
     <message>
-        <source>Requested; waiting for the robot…</source>
-        <translation>Solicitado; esperando al robot…</translation>
+        <source>Command sent; waiting for the robot…</source>
+        <translation>Orden enviada; esperando al robot…</translation>
     </message>
 </context>
 <context>
@@ -9284,8 +9288,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Aviso en el robot</translation>
     </message>
     <message>
-        <source>The popup could not be closed from here: close it on the teach pendant.</source>
-        <translation>La ventana emergente no se pudo cerrar desde aquí: ciérrela en la consola portátil.</translation>
+        <source>Tiller could not close the popup. Close the popup on the teach pendant.</source>
+        <translation>Tiller no pudo cerrar la ventana emergente. Ciérrela en la consola portátil.</translation>
     </message>
     <message>
         <source>No data from the robot. Close the popup on the teach pendant.</source>
@@ -9346,8 +9350,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Con control</translation>
     </message>
     <message>
-        <source>Taking control was cancelled by a stop</source>
-        <translation>Una parada canceló la toma de control</translation>
+        <source>Taking control was cancelled by a stop.</source>
+        <translation>Una parada canceló la toma de control.</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -9418,10 +9422,10 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Se ha perdido el control: la conexión de control no respondió durante 0,5 s o se cerró. STOP, Espacio y Esc siguen deteniendo el robot. Tome el control de nuevo.</translation>
     </message>
     <message numerus="yes">
-        <source>The robot sends too many messages: %n were not shown</source>
+        <source>The robot is sending too many messages. %n messages were not shown.</source>
         <translation>
-            <numerusform>El robot envía demasiados mensajes: %n no se mostró</numerusform>
-            <numerusform>El robot envía demasiados mensajes: %n no se mostraron</numerusform>
+            <numerusform>El robot envía demasiados mensajes. %n mensaje no se mostró.</numerusform>
+            <numerusform>El robot envía demasiados mensajes. %n mensajes no se mostraron.</numerusform>
         </translation>
     </message>
     <message>
@@ -9437,11 +9441,11 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Sin datos del robot: el brazo puede estar en movimiento. Se reconecta automáticamente.</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>Se está ejecutando un programa.</translation>
+        <source>A program is running. Wait until the program ends, or stop the program.</source>
+        <translation>Se está ejecutando un programa. Espere a que termine o deténgalo.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
         <translation>Un programa de otro cliente se ha hecho con el robot. Tomar el control lo termina.</translation>
     </message>
     <message>
@@ -9449,8 +9453,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Se detiene el programa del otro cliente para tomar el control.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Control was lost.</source>
-        <translation>Un programa de otro cliente se ha hecho con el robot. Se perdió el control.</translation>
+        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>Un programa de otro cliente se ha hecho con el robot y se perdió el control. Volver a tomar el control termina ese programa.</translation>
     </message>
     <message>
         <source>A program of another client is running on the robot.</source>
@@ -9472,28 +9476,28 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Conectando con la pinza…</translation>
     </message>
     <message>
-        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
+        <source>The gripper does not send any values. Power on the arm. If the problem persists, check the gripper cable at the wrist.</source>
         <translation>La pinza no envía valores. Encienda el brazo; si el problema continúa, compruebe el cable de la pinza en la muñeca.</translation>
     </message>
     <message>
-        <source>The gripper responds again</source>
-        <translation>La pinza responde de nuevo</translation>
+        <source>The gripper responds again.</source>
+        <translation>La pinza responde de nuevo.</translation>
     </message>
     <message>
-        <source>The gripper is active</source>
-        <translation>La pinza está activa</translation>
+        <source>The gripper is active.</source>
+        <translation>La pinza está activa.</translation>
     </message>
     <message>
         <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>La pinza no se activó. Compruebe que nada bloquea sus dedos y pulse Activar de nuevo.</translation>
     </message>
     <message>
-        <source>The gripper holds an object (%1 open)</source>
-        <translation>La pinza sujeta un objeto (abierta %1)</translation>
+        <source>The gripper holds an object (%1 open).</source>
+        <translation>La pinza sujeta un objeto (%1 abierta).</translation>
     </message>
     <message>
-        <source>The gripper lost the object it held</source>
-        <translation>La pinza perdió el objeto que sujetaba</translation>
+        <source>The gripper lost the object.</source>
+        <translation>La pinza perdió el objeto.</translation>
     </message>
     <message>
         <source>Gripper: activate</source>
@@ -9516,7 +9520,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>El robot cerró la conexión con la pinza y puede estar reiniciándose. Tiller se reconecta automáticamente; la pinza mantiene el agarre.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
+        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>La pinza no aceptó la orden. Actívela; si está activa, compruebe su página en la Instalación del robot.</translation>
     </message>
     <message>
@@ -9548,7 +9552,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La liberación automática de la pinza ha terminado. Pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”. If the fault returns, contact Robotiq.</source>
         <translation>La pinza tiene un fallo interno. Pulse Activar; si el fallo vuelve, contacte con Robotiq.</translation>
     </message>
     <message>
@@ -9560,7 +9564,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La pinza consume demasiada corriente. Compruebe que nada bloquea los dedos y pulse Activar.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>La pinza comunica el fallo %1. Pulse Activar; si el fallo vuelve, consulte su manual.</translation>
     </message>
 </context>
@@ -9969,7 +9973,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Espacio y Esc también detienen el brazo.</translation>
     </message>
     <message>
-        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <source>Click to stop the arm. Space and Esc stop the arm only while this window is in control.</source>
         <translation>Haga clic para detener. Espacio y Esc solo detienen mientras esta ventana tiene el control.</translation>
     </message>
     <message>
@@ -10321,11 +10325,11 @@ Pulse «Del robot» para guardar el TCP activo, o «Enseñar…» para enseñar 
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the limit of %3</source>
+        <source>%1: %2 left to the %3 limit</source>
         <translation>%1: quedan %2 hasta el límite de %3</translation>
     </message>
     <message>
-        <source>%1: %2 to the reach limit or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation>%1: quedan %2 hasta el límite de alcance o una singularidad</translation>
     </message>
     <message>

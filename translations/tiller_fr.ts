@@ -573,11 +573,11 @@
         <translation>Le logiciel du robot est trop ancien. Mettez-le à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <source>Some values and the control registers are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>Des valeurs et les registres de commande manquent. Mettez le logiciel du robot à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
         <translation>Inspectez le bras, éliminez la cause, puis rétablissez : appuyez sur « Rétablir… » dans l’en-tête ou utilisez le pupitre.</translation>
     </message>
     <message>
@@ -593,11 +593,11 @@
         <translation>le service du port %1 n’utilise pas RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller has stopped responding. Close other programs, then restart the controller.</source>
         <translation>Trop de clients RTDE, ou le contrôleur ne répond plus : fermez d’autres programmes, puis redémarrez le contrôleur.</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program uses the port.</source>
+        <source>Check the address. The address may belong to another device, or another program may be using the port.</source>
         <translation>Vérifiez l’adresse : il s’agit d’un autre appareil, ou un autre programme utilise le port.</translation>
     </message>
     <message>
@@ -677,12 +677,12 @@
         <translation>Si un outil est monté, réglez le TCP et la charge utile dans l’installation du robot : une charge utile fausse cause des arrêts de protection et fait dériver le bras en Freedrive.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <source>“%1” is not a valid address, and no host with this name was found</source>
         <translation>&quot;%1&quot; n’est pas une adresse valide, et aucun hôte de ce nom n’a été trouvé</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
-        <translation>Saisissez les quatre nombres affichés par le pupitre sous « À propos », ou demandez le nom à votre administrateur réseau.</translation>
+        <source>Enter the IP address shown on the teach pendant under About, or ask your network administrator for the host name.</source>
+        <translation>Saisissez l’adresse IP affichée par le pupitre sous « À propos », ou demandez le nom d’hôte à votre administrateur réseau.</translation>
     </message>
     <message>
         <source>%1 does not respond</source>
@@ -733,8 +733,8 @@
         <translation>Activez cette interface sur le robot sous Réglages &gt; Sécurité &gt; Services.</translation>
     </message>
     <message>
-        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>Un pare-feu bloque ce port : autorisez le port TCP %1 vers le robot.</translation>
+        <source>A firewall may be blocking this port. Allow TCP port %1 to the robot.</source>
+        <translation>Un pare-feu bloque peut-être ce port. Autorisez le port TCP %1 vers le robot.</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
@@ -749,11 +749,11 @@
         <translation>le service du port %1 n’est pas un serveur Dashboard</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
+        <source>Restart the robot&apos;s controller. If the problem persists, see the controller log.</source>
         <translation>Redémarrez le contrôleur du robot ; si le problème persiste, consultez son journal.</translation>
     </message>
     <message>
-        <source>Check the address, and check that no other program uses this port.</source>
+        <source>Check the address, and check that no other program is using this port.</source>
         <translation>Vérifiez l’adresse et qu’aucun autre programme n’utilise ce port.</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation>Attendez l’arrêt du bras avant de démarrer Freedrive.</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
+        <source>The arm would drift: the robot measures %1 with a payload of %2 kg. Do not touch the tool, or correct the payload and the TCP.</source>
         <translation>Le bras dériverait : il mesure %1 avec une charge utile de %2 kg. Lâchez l’outil, ou corrigez la charge utile et le TCP.</translation>
     </message>
 </context>
@@ -1351,7 +1351,7 @@
         <translation>Sélectionnez le simulateur ou saisissez l’adresse d’un robot</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Met le bras sous tension. Les freins restent serrés.</translation>
     </message>
     <message>
@@ -1729,7 +1729,7 @@
         <translation>les deux sorties activées</translation>
     </message>
     <message>
-        <source>Choose two different outputs: one closes, the other opens.</source>
+        <source>Choose different outputs for closing and opening.</source>
         <translation>Choisissez deux sorties différentes : l’une ferme, l’autre ouvre.</translation>
     </message>
 </context>
@@ -3097,11 +3097,11 @@
         <translation>Le mode de sécurité est de nouveau « Normal »</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume. Press the button again for each motion.</source>
         <translation>Le bras peut être déplacé. Les mouvements interrompus par l’arrêt ne reprennent pas : chaque mouvement exige un nouvel appui.</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
+        <source>The arm is ready. Take control to move the arm, or continue on the teach pendant.</source>
         <translation>Le bras est prêt. Prenez le contrôle pour le bouger, ou continuez sur le pupitre.</translation>
     </message>
     <message>
@@ -3113,8 +3113,8 @@
         <translation>Pas de données du robot</translation>
     </message>
     <message>
-        <source>Waiting for the connection</source>
-        <translation>En attente de la connexion</translation>
+        <source>Waiting for the connection…</source>
+        <translation>En attente de la connexion…</translation>
     </message>
     <message>
         <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
@@ -3129,8 +3129,8 @@
         <translation>La charge utile et le TCP correspondent à l’outil monté.</translation>
     </message>
     <message>
-        <source>Possible in %1 s</source>
-        <translation>Possible dans %1 s</translation>
+        <source>Unlocking is available in %1 s</source>
+        <translation>Déverrouillage possible dans %1 s</translation>
     </message>
     <message>
         <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
@@ -3141,7 +3141,7 @@
         <translation>La cause a été éliminée et personne n’est à portée du bras.</translation>
     </message>
     <message>
-        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <source>No action is needed in Tiller. This state ends when the cause is removed.</source>
         <translation>Aucune action n’est nécessaire dans Tiller. L’état prend fin quand la cause est éliminée.</translation>
     </message>
     <message>
@@ -3254,7 +3254,7 @@
         <translation>Aucun robot n’est connecté.</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>Met le bras sous tension. Les freins restent serrés.</translation>
     </message>
     <message>
@@ -3401,7 +3401,7 @@
         <translation>Le robot chronomètre les impulsions seulement lorsque Tiller a le contrôle. Prenez d’abord le contrôle, ou activez puis désactivez la sortie manuellement.</translation>
     </message>
     <message>
-        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <source>The robot did not end the pulse on %1 because the program on the robot was stopped or paused. Tiller switches the output off.</source>
         <translation>Le robot n’a pas terminé l’impulsion de %1 parce que son programme a été arrêté ou mis en pause. Tiller désactive la sortie.</translation>
     </message>
     <message>
@@ -3464,11 +3464,11 @@
         <translation>Charger le programme %1</translation>
     </message>
     <message>
-        <source>The program on the robot was stopped</source>
-        <translation>Le programme du robot a été arrêté</translation>
+        <source>The program on the robot was stopped.</source>
+        <translation>Le programme sur le robot a été arrêté.</translation>
     </message>
     <message>
-        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped. Stop the program on the teach pendant. %1</source>
         <translation>Le programme du robot n’a pas pu être arrêté : arrêtez-le sur le pupitre. %1</translation>
     </message>
     <message>
@@ -3571,6 +3571,10 @@
 </context>
 <context>
     <name>SessionRecording</name>
+    <message>
+        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <translation>Le robot ne peut pas envoyer autant de signaux à la fois. Signaux non enregistrés : %1</translation>
+    </message>
     <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>Enregistrement impossible : connectez-vous d’abord à un robot.</translation>
@@ -4436,11 +4440,11 @@
         <translation>durée maximale de maintien atteinte ; appuyez de nouveau</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network. Use the teach pendant.</source>
         <translation>PolyScope X avant 10.11 n’accepte pas ces commandes par le réseau : utilisez le pupitre.</translation>
     </message>
     <message>
-        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
+        <source>PolyScope X cannot close popups over the network. Use the teach pendant.</source>
         <translation>PolyScope X ne peut pas fermer les messages par le réseau : utilisez le pupitre.</translation>
     </message>
     <message>
@@ -5918,7 +5922,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>%1 (vitesse %2, force %3)</translation>
     </message>
     <message>
-        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <source>Connect to a robot first. The gripper is stored for each robot.</source>
         <translation>Connectez-vous d’abord à un robot : la pince est enregistrée pour chaque robot.</translation>
     </message>
     <message>
@@ -5978,8 +5982,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>rien</translation>
     </message>
     <message>
-        <source>The gripper is not available with this port offset.</source>
-        <translation>La pince n’est pas disponible avec ce décalage de port.</translation>
+        <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
+        <translation>La pince n’est pas disponible avec ce décalage de port. Utilisez un décalage plus petit.</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -6014,8 +6018,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Déplace les doigts à cette ouverture.</translation>
     </message>
     <message>
-        <source>Speed or force is out of range.</source>
-        <translation>La vitesse ou la force est hors plage.</translation>
+        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
+        <translation>La vitesse ou la force est hors plage. Saisissez 0 à 100 %.</translation>
     </message>
     <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
@@ -6077,7 +6081,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>non mesuré</translation>
     </message>
     <message>
-        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
+        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
         <translation>Les données ont cessé pendant le mouvement du bras : l’arrêt n’a pas pu être mesuré.</translation>
     </message>
     <message>
@@ -6124,7 +6128,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Un autre bouton ou une autre touche est déjà maintenu.</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
         <translation>Le serveur d’affichage ne répond pas : le relâchement d’un bouton ou d’une touche ne peut pas être détecté. Relâchez-le et réessayez.</translation>
     </message>
 </context>
@@ -6135,7 +6139,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>tenir</translation>
     </message>
     <message>
-        <source>Hold this button: the arm moves only while it is held.</source>
+        <source>Hold this button. The arm moves only while the button is held.</source>
         <translation>Maintenez ce bouton : le bras ne bouge que tant qu’il est maintenu.</translation>
     </message>
 </context>
@@ -6281,7 +6285,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Entrées de l’outil</translation>
     </message>
     <message>
-        <source>Select a row of the I/O tab with the Tab key first.</source>
+        <source>Press the Tab key to select a row on the I/O tab first.</source>
         <translation>Sélectionnez d’abord une ligne de l’onglet E/S avec la touche Tab.</translation>
     </message>
     <message>
@@ -6289,7 +6293,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Le robot n’a pas confirmé %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may control it.</source>
+        <source>Another program or the installation may control the output.</source>
         <translation>Un autre programme ou l’installation la commande peut-être.</translation>
     </message>
     <message>
@@ -6297,16 +6301,16 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Analogiques</translation>
     </message>
     <message>
-        <source>Registers of robot programs</source>
-        <translation>Registres des programmes du robot</translation>
+        <source>General purpose registers</source>
+        <translation>Registres généraux</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
         <translation>Pas de données du robot.</translation>
     </message>
     <message>
-        <source>Replay is active: return to live data first.</source>
-        <translation>La relecture est active : revenez d’abord aux données en direct.</translation>
+        <source>Replay is active. Press “Back to live” first.</source>
+        <translation>La relecture est active. Appuyez d’abord sur « Revenir au direct ».</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -6348,8 +6352,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Articulations</translation>
     </message>
     <message>
-        <source>Frame of the displayed pose</source>
-        <translation>Repère de la pose affichée</translation>
+        <source>Pose or joints</source>
+        <translation>Pose ou articulations</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -6501,7 +6505,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Demande la vue 3D</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
+        <source>No frame taught yet. Teach a frame on the Frames tab.</source>
         <translation>Aucun repère appris. Apprenez-en un dans l’onglet Repères.</translation>
     </message>
     <message>
@@ -6569,7 +6573,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Force de contact en N qui termine le mouvement</translation>
     </message>
     <message>
-        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <source>The step continues after the button is released. Space, Esc and STOP end the step.</source>
         <translation>Le pas continue après le relâchement. Espace, Échap et STOP l&apos;arrêtent.</translation>
     </message>
     <message>
@@ -6743,8 +6747,8 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Ouvrir l’enregistrement</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents only)</source>
-        <translation>Ouvrir l’enregistrement de l’entrée sélectionnée (incidents uniquement)</translation>
+        <source>Open the recording of the selected entry</source>
+        <translation>Ouvrir l’enregistrement de l’entrée sélectionnée</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -8240,11 +8244,11 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Pose du TCP en %1</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <source>orientation as set in Settings. Δ₀: displacement from the zero position. Click to show the displacement since the start of the last motion.</source>
         <translation>orientation selon les réglages. Δ₀ : déplacement depuis zéro. Cliquez pour afficher le déplacement depuis le début du dernier mouvement.</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to set the displacement to zero.</source>
         <translation>orientation selon les réglages. Δ : déplacement depuis le début du dernier mouvement. Cliquez pour mettre à zéro ici.</translation>
     </message>
     <message>
@@ -8522,8 +8526,8 @@ Amenez le bras à une position et appuyez sur « Origine ici » ou « Ajouter po
         <translation>Avant de vous connecter à %1</translation>
     </message>
     <message>
-        <source>Conditions</source>
-        <translation>Conditions</translation>
+        <source>Checks</source>
+        <translation>Contrôles</translation>
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
@@ -9187,8 +9191,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>En attente de données du robot…</translation>
     </message>
     <message>
-        <source>At X %1, Y %2, Z %3.</source>
-        <translation>À X %1, Y %2, Z %3.</translation>
+        <source>Stopped at X %1, Y %2, Z %3.</source>
+        <translation>Arrêt à X %1, Y %2, Z %3.</translation>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
@@ -9203,8 +9207,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Cochez les points que vous avez vérifiés.</translation>
     </message>
     <message>
-        <source>Requested; waiting for the robot…</source>
-        <translation>Demandé ; en attente du robot…</translation>
+        <source>Command sent; waiting for the robot…</source>
+        <translation>Commande envoyée ; en attente du robot…</translation>
     </message>
 </context>
 <context>
@@ -9284,8 +9288,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Message sur le robot</translation>
     </message>
     <message>
-        <source>The popup could not be closed from here: close it on the teach pendant.</source>
-        <translation>Le message n’a pas pu être fermé d’ici : fermez-le sur le pupitre.</translation>
+        <source>Tiller could not close the popup. Close the popup on the teach pendant.</source>
+        <translation>Tiller n’a pas pu fermer le message. Fermez-le sur le pupitre.</translation>
     </message>
     <message>
         <source>No data from the robot. Close the popup on the teach pendant.</source>
@@ -9346,8 +9350,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Contrôlé</translation>
     </message>
     <message>
-        <source>Taking control was cancelled by a stop</source>
-        <translation>La prise de contrôle a été annulée par un arrêt</translation>
+        <source>Taking control was cancelled by a stop.</source>
+        <translation>La prise de contrôle a été annulée par un arrêt.</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -9418,10 +9422,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le contrôle a été perdu : la connexion de commande n’a pas répondu pendant 0,5 s ou a été fermée. STOP, Espace et Échap arrêtent toujours le robot. Reprenez le contrôle.</translation>
     </message>
     <message numerus="yes">
-        <source>The robot sends too many messages: %n were not shown</source>
+        <source>The robot is sending too many messages. %n messages were not shown.</source>
         <translation>
-            <numerusform>Le robot envoie trop de messages : %n n’a pas été affiché</numerusform>
-            <numerusform>Le robot envoie trop de messages : %n n’ont pas été affichés</numerusform>
+            <numerusform>Le robot envoie trop de messages. %n message n’a pas été affiché.</numerusform>
+            <numerusform>Le robot envoie trop de messages. %n messages n’ont pas été affichés.</numerusform>
         </translation>
     </message>
     <message>
@@ -9437,11 +9441,11 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Aucune donnée du robot : le bras peut être en mouvement. Reconnexion automatique.</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>Un programme est en cours d&apos;exécution.</translation>
+        <source>A program is running. Wait until the program ends, or stop the program.</source>
+        <translation>Un programme est en cours d&apos;exécution. Attendez qu&apos;il se termine, ou arrêtez-le.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
         <translation>Un programme d&apos;un autre client a pris le robot. Prendre le contrôle y met fin.</translation>
     </message>
     <message>
@@ -9449,8 +9453,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le programme de l&apos;autre client est arrêté pour prendre le contrôle.</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Control was lost.</source>
-        <translation>Un programme d&apos;un autre client a pris le robot. Le contrôle a été perdu.</translation>
+        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>Un programme d&apos;un autre client a pris le robot, et le contrôle a été perdu. Reprendre le contrôle met fin à ce programme.</translation>
     </message>
     <message>
         <source>A program of another client is running on the robot.</source>
@@ -9472,28 +9476,28 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Connexion à la pince…</translation>
     </message>
     <message>
-        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
+        <source>The gripper does not send any values. Power on the arm. If the problem persists, check the gripper cable at the wrist.</source>
         <translation>La pince n’envoie aucune valeur. Mettez le bras sous tension ; si le problème persiste, vérifiez le câble de la pince au poignet.</translation>
     </message>
     <message>
-        <source>The gripper responds again</source>
-        <translation>La pince répond de nouveau</translation>
+        <source>The gripper responds again.</source>
+        <translation>La pince répond de nouveau.</translation>
     </message>
     <message>
-        <source>The gripper is active</source>
-        <translation>La pince est active</translation>
+        <source>The gripper is active.</source>
+        <translation>La pince est active.</translation>
     </message>
     <message>
         <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>La pince n’a pas été activée. Vérifiez que rien ne bloque ses doigts, puis appuyez de nouveau sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper holds an object (%1 open)</source>
-        <translation>La pince tient un objet (ouverte de %1)</translation>
+        <source>The gripper holds an object (%1 open).</source>
+        <translation>La pince tient un objet (ouverte de %1).</translation>
     </message>
     <message>
-        <source>The gripper lost the object it held</source>
-        <translation>La pince a perdu l’objet qu’elle tenait</translation>
+        <source>The gripper lost the object.</source>
+        <translation>La pince a perdu l’objet.</translation>
     </message>
     <message>
         <source>Gripper: activate</source>
@@ -9516,7 +9520,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Le robot a fermé la connexion à la pince et redémarre peut-être. Tiller se reconnecte automatiquement ; la pince maintient sa prise.</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
+        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>La pince n’a pas accepté la commande. Activez-la ; si elle est active, vérifiez sa page dans l’installation du robot.</translation>
     </message>
     <message>
@@ -9548,7 +9552,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>L’ouverture automatique de la pince est terminée. Appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”. If the fault returns, contact Robotiq.</source>
         <translation>La pince a un défaut interne. Appuyez sur Activer ; si le défaut revient, contactez Robotiq.</translation>
     </message>
     <message>
@@ -9560,7 +9564,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>La pince consomme trop de courant. Vérifiez que rien ne bloque les doigts, puis appuyez sur Activer.</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>La pince signale le défaut %1. Appuyez sur Activer ; si le défaut revient, consultez son manuel.</translation>
     </message>
 </context>
@@ -9969,7 +9973,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Espace et Échap arrêtent aussi le bras.</translation>
     </message>
     <message>
-        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <source>Click to stop the arm. Space and Esc stop the arm only while this window is in control.</source>
         <translation>Cliquez pour arrêter. Espace et Échap n’arrêtent que si cette fenêtre a le contrôle.</translation>
     </message>
     <message>
@@ -10321,11 +10325,11 @@ Appuyez sur « Du robot » pour enregistrer le TCP actif, ou sur « Apprendre…
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the limit of %3</source>
+        <source>%1: %2 left to the %3 limit</source>
         <translation>%1 : reste %2 jusqu’à la limite de %3</translation>
     </message>
     <message>
-        <source>%1: %2 to the reach limit or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation>%1 : reste %2 jusqu’à la limite de portée ou une singularité</translation>
     </message>
     <message>

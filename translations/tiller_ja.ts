@@ -573,11 +573,11 @@
         <translation>ロボットのソフトウェアが古すぎます。%1.%2 以降に更新してください。</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <source>Some values and the control registers are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>いくつかの値と制御用レジスターがありません。ロボットを %1.%2 以降に更新してください。</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
         <translation>アームを点検して原因を取り除き、復旧してください：ヘッダーの「復旧…」を押すか、ティーチペンダントを使います。</translation>
     </message>
     <message>
@@ -593,11 +593,11 @@
         <translation>ポート %1 のサービスは RTDE ではありません</translation>
     </message>
     <message>
-        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller has stopped responding. Close other programs, then restart the controller.</source>
         <translation>RTDE クライアントが多すぎるか、コントローラーが応答していません。他のプログラムを閉じ、コントローラーを再起動してください。</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program uses the port.</source>
+        <source>Check the address. The address may belong to another device, or another program may be using the port.</source>
         <translation>アドレスを確認してください：別の機器か、別のプログラムがポートを使っています。</translation>
     </message>
     <message>
@@ -677,12 +677,12 @@
         <translation>ツールを付けている場合は、ロボットのインストールで TCP とペイロードを設定してください。誤ったペイロードは保護停止の原因になり、フリードライブでアームが勝手に動きます。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <source>“%1” is not a valid address, and no host with this name was found</source>
         <translation>&quot;%1&quot; は有効なアドレスではなく、その名前のホストもありません</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
-        <translation>ティーチペンダントの「情報」に表示される四つの数を入力するか、ネットワーク管理者に名前を確認してください。</translation>
+        <source>Enter the IP address shown on the teach pendant under About, or ask your network administrator for the host name.</source>
+        <translation>ティーチペンダントの「情報」に表示される IP アドレスを入力するか、ネットワーク管理者にホスト名を確認してください。</translation>
     </message>
     <message>
         <source>%1 does not respond</source>
@@ -733,8 +733,8 @@
         <translation>ロボットの「設定 &gt; セキュリティ &gt; サービス」でこのインターフェースを有効にしてください。</translation>
     </message>
     <message>
-        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>ファイアウォールがこのポートを遮っています：ロボットへの TCP ポート %1 を許可してください。</translation>
+        <source>A firewall may be blocking this port. Allow TCP port %1 to the robot.</source>
+        <translation>ファイアウォールがこのポートを遮っている可能性があります。ロボットへの TCP ポート %1 を許可してください。</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
@@ -749,11 +749,11 @@
         <translation>ポート %1 の相手はダッシュボードではありません</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
+        <source>Restart the robot&apos;s controller. If the problem persists, see the controller log.</source>
         <translation>ロボットのコントローラーを再起動してください。直らなければログを見てください。</translation>
     </message>
     <message>
-        <source>Check the address, and check that no other program uses this port.</source>
+        <source>Check the address, and check that no other program is using this port.</source>
         <translation>アドレスと、他のプログラムがこのポートを使っていないことを確認してください。</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation>静止を待ってからフリードライブを開始してください。</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
+        <source>The arm would drift: the robot measures %1 with a payload of %2 kg. Do not touch the tool, or correct the payload and the TCP.</source>
         <translation>ペイロード %2 kg でアームは %1 を検出しており、勝手に動くおそれがあります。ツールから手を離すか、ペイロードと TCP を修正してください。</translation>
     </message>
 </context>
@@ -1351,7 +1351,7 @@
         <translation>シミュレーターかロボットのアドレスを選んでください</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
     </message>
     <message>
@@ -1729,7 +1729,7 @@
         <translation>両出力オン</translation>
     </message>
     <message>
-        <source>Choose two different outputs: one closes, the other opens.</source>
+        <source>Choose different outputs for closing and opening.</source>
         <translation>異なる二つの出力を選んでください：一方が閉じ、他方が開きます。</translation>
     </message>
 </context>
@@ -3097,11 +3097,11 @@
         <translation>安全モードが「通常」に戻りました</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume. Press the button again for each motion.</source>
         <translation>アームを動かせます。停止前の動作は再開しません：動作ごとに新しく押す必要があります。</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
+        <source>The arm is ready. Take control to move the arm, or continue on the teach pendant.</source>
         <translation>アームは準備完了です。動かすには制御を取得するか、ティーチペンダントで続けてください。</translation>
     </message>
     <message>
@@ -3113,8 +3113,8 @@
         <translation>ロボットからのデータなし</translation>
     </message>
     <message>
-        <source>Waiting for the connection</source>
-        <translation>接続を待っています</translation>
+        <source>Waiting for the connection…</source>
+        <translation>接続を待っています…</translation>
     </message>
     <message>
         <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
@@ -3129,8 +3129,8 @@
         <translation>ペイロードと TCP は取り付けたツールと一致している。</translation>
     </message>
     <message>
-        <source>Possible in %1 s</source>
-        <translation>あと %1 s で可能</translation>
+        <source>Unlocking is available in %1 s</source>
+        <translation>あと %1 s で解除可能</translation>
     </message>
     <message>
         <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
@@ -3141,7 +3141,7 @@
         <translation>原因を取り除き、アームの届く範囲に誰もいない。</translation>
     </message>
     <message>
-        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <source>No action is needed in Tiller. This state ends when the cause is removed.</source>
         <translation>Tiller での操作は不要です。原因が取り除かれると、この状態は終わります。</translation>
     </message>
     <message>
@@ -3254,7 +3254,7 @@
         <translation>ロボットは接続されていません。</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>アームの電源を入れます。ブレーキはかかったままです。</translation>
     </message>
     <message>
@@ -3401,7 +3401,7 @@
         <translation>ロボットがパルスの時間を計測するのは、Tiller が制御しているときだけです。先に制御を取得するか、出力を手動でオン・オフしてください。</translation>
     </message>
     <message>
-        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <source>The robot did not end the pulse on %1 because the program on the robot was stopped or paused. Tiller switches the output off.</source>
         <translation>プログラムが停止または一時停止されたため、ロボットは%1のパルスを終了しませんでした。Tillerが出力をオフにします。</translation>
     </message>
     <message>
@@ -3464,11 +3464,11 @@
         <translation>プログラム %1 の読み込み</translation>
     </message>
     <message>
-        <source>The program on the robot was stopped</source>
-        <translation>ロボットのプログラムを停止しました</translation>
+        <source>The program on the robot was stopped.</source>
+        <translation>ロボットのプログラムを停止しました。</translation>
     </message>
     <message>
-        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped. Stop the program on the teach pendant. %1</source>
         <translation>ロボットのプログラムを停止できませんでした：ティーチペンダントで停止してください。%1</translation>
     </message>
     <message>
@@ -3571,6 +3571,10 @@
 </context>
 <context>
     <name>SessionRecording</name>
+    <message>
+        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <translation>ロボットはこれほど多くの信号を同時に送信できません。記録されない信号：%1</translation>
+    </message>
     <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>記録できません：先にロボットに接続してください。</translation>
@@ -4435,11 +4439,11 @@
         <translation>最大保持時間に達しました。もう一度押してください</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network. Use the teach pendant.</source>
         <translation>10.11 より前の PolyScope X は、これらの指令をネットワーク経由では受け付けません：ティーチペンダントを使ってください。</translation>
     </message>
     <message>
-        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
+        <source>PolyScope X cannot close popups over the network. Use the teach pendant.</source>
         <translation>PolyScope X ではポップアップをネットワーク経由で閉じられません：ティーチペンダントを使ってください。</translation>
     </message>
     <message>
@@ -5910,7 +5914,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>%1（速度 %2、力 %3）</translation>
     </message>
     <message>
-        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <source>Connect to a robot first. The gripper is stored for each robot.</source>
         <translation>先にロボットに接続してください：グリッパーはロボットごとに保存されます。</translation>
     </message>
     <message>
@@ -5970,8 +5974,8 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>なし</translation>
     </message>
     <message>
-        <source>The gripper is not available with this port offset.</source>
-        <translation>このポートオフセットではグリッパーを使えません。</translation>
+        <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
+        <translation>このポートオフセットではグリッパーを使えません。より小さいポートオフセットを使ってください。</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -6006,8 +6010,8 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>指をこの開度へ動かします。</translation>
     </message>
     <message>
-        <source>Speed or force is out of range.</source>
-        <translation>速度または力が範囲外です。</translation>
+        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
+        <translation>速度または力が範囲外です。0～100 % を入力してください。</translation>
     </message>
     <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
@@ -6069,7 +6073,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>未測定</translation>
     </message>
     <message>
-        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
+        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
         <translation>アームの動作中にデータが途切れました：停止を測定できませんでした。</translation>
     </message>
     <message>
@@ -6116,7 +6120,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>別のボタンまたはキーが押されています。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
         <translation>ディスプレイサーバーが応答しません：ボタンやキーを離したことを検出できません。離してから、もう一度試してください。</translation>
     </message>
 </context>
@@ -6127,7 +6131,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>押す</translation>
     </message>
     <message>
-        <source>Hold this button: the arm moves only while it is held.</source>
+        <source>Hold this button. The arm moves only while the button is held.</source>
         <translation>このボタンを押し続けてください：押している間だけアームが動きます。</translation>
     </message>
 </context>
@@ -6273,7 +6277,7 @@ Right-click or press F2 to rename it.</source>
         <translation>ツール入力</translation>
     </message>
     <message>
-        <source>Select a row of the I/O tab with the Tab key first.</source>
+        <source>Press the Tab key to select a row on the I/O tab first.</source>
         <translation>先に Tab キーで I/O タブの行を選択してください。</translation>
     </message>
     <message>
@@ -6281,7 +6285,7 @@ Right-click or press F2 to rename it.</source>
         <translation>ロボットが %1 を確認しませんでした</translation>
     </message>
     <message>
-        <source>Another program or the installation may control it.</source>
+        <source>Another program or the installation may control the output.</source>
         <translation>別のプログラムかインストールが使っている可能性があります。</translation>
     </message>
     <message>
@@ -6289,16 +6293,16 @@ Right-click or press F2 to rename it.</source>
         <translation>アナログ</translation>
     </message>
     <message>
-        <source>Registers of robot programs</source>
-        <translation>ロボットプログラムのレジスター</translation>
+        <source>General purpose registers</source>
+        <translation>汎用レジスター</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
         <translation>ロボットからのデータなし。</translation>
     </message>
     <message>
-        <source>Replay is active: return to live data first.</source>
-        <translation>再生中です：先にライブデータに戻ってください。</translation>
+        <source>Replay is active. Press “Back to live” first.</source>
+        <translation>再生中です。先に「ライブに戻る」を押してください。</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -6340,8 +6344,8 @@ Right-click or press F2 to rename it.</source>
         <translation>関節</translation>
     </message>
     <message>
-        <source>Frame of the displayed pose</source>
-        <translation>表示中の姿勢の座標系</translation>
+        <source>Pose or joints</source>
+        <translation>姿勢または関節</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -6493,7 +6497,7 @@ Right-click or press F2 to rename it.</source>
         <translation>3D ビューが必要です</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
+        <source>No frame taught yet. Teach a frame on the Frames tab.</source>
         <translation>座標系がまだありません。座標系タブで教示してください。</translation>
     </message>
     <message>
@@ -6561,7 +6565,7 @@ Right-click or press F2 to rename it.</source>
         <translation>動作を終える接触力（N）</translation>
     </message>
     <message>
-        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <source>The step continues after the button is released. Space, Esc and STOP end the step.</source>
         <translation>離してもステップは続きます。スペース、Esc、STOP で終了します。</translation>
     </message>
     <message>
@@ -6735,8 +6739,8 @@ Right-click or press F2 to rename it.</source>
         <translation>記録を開く</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents only)</source>
-        <translation>選択した項目の記録を開く（インシデントのみ）</translation>
+        <source>Open the recording of the selected entry</source>
+        <translation>選択した項目の記録を開く</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -8222,11 +8226,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1 での TCP 姿勢</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <source>orientation as set in Settings. Δ₀: displacement from the zero position. Click to show the displacement since the start of the last motion.</source>
         <translation>姿勢の表記は設定どおり。Δ₀：ゼロからの移動。クリックすると最後の動作の開始からの移動を表示します。</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to set the displacement to zero.</source>
         <translation>姿勢の表記は設定どおり。Δ：最後の動作の開始からの移動。クリックでここをゼロにします。</translation>
     </message>
     <message>
@@ -8504,8 +8508,8 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>%1 に接続する前に</translation>
     </message>
     <message>
-        <source>Conditions</source>
-        <translation>条件</translation>
+        <source>Checks</source>
+        <translation>チェック項目</translation>
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
@@ -9165,8 +9169,8 @@ Release the button to stop the arm.</source>
         <translation>ロボットのデータを待っています…</translation>
     </message>
     <message>
-        <source>At X %1, Y %2, Z %3.</source>
-        <translation>位置 X %1、Y %2、Z %3。</translation>
+        <source>Stopped at X %1, Y %2, Z %3.</source>
+        <translation>停止位置 X %1、Y %2、Z %3。</translation>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
@@ -9181,8 +9185,8 @@ Release the button to stop the arm.</source>
         <translation>確認した項目に印を付けてください。</translation>
     </message>
     <message>
-        <source>Requested; waiting for the robot…</source>
-        <translation>要求済み。ロボットを待っています…</translation>
+        <source>Command sent; waiting for the robot…</source>
+        <translation>コマンドを送信しました。ロボットを待っています…</translation>
     </message>
 </context>
 <context>
@@ -9262,8 +9266,8 @@ Release the button to stop the arm.</source>
         <translation>ロボットのポップアップ</translation>
     </message>
     <message>
-        <source>The popup could not be closed from here: close it on the teach pendant.</source>
-        <translation>ここからは閉じられませんでした：ティーチペンダントで閉じてください。</translation>
+        <source>Tiller could not close the popup. Close the popup on the teach pendant.</source>
+        <translation>Tiller はポップアップを閉じられませんでした。ティーチペンダントで閉じてください。</translation>
     </message>
     <message>
         <source>No data from the robot. Close the popup on the teach pendant.</source>
@@ -9323,8 +9327,8 @@ Release the button to stop the arm.</source>
         <translation>制御中</translation>
     </message>
     <message>
-        <source>Taking control was cancelled by a stop</source>
-        <translation>停止により制御の取得が取り消されました</translation>
+        <source>Taking control was cancelled by a stop.</source>
+        <translation>停止により制御の取得が中止されました。</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -9395,9 +9399,9 @@ Release the button to stop the arm.</source>
         <translation>制御が失われました：制御用の接続が0.5秒間応答しなかったか、閉じられました。STOP、Space、Escでロボットを停止できます。もう一度制御を取得してください。</translation>
     </message>
     <message numerus="yes">
-        <source>The robot sends too many messages: %n were not shown</source>
+        <source>The robot is sending too many messages. %n messages were not shown.</source>
         <translation>
-            <numerusform>ロボットからのメッセージが多すぎます：%n件は表示されませんでした</numerusform>
+            <numerusform>ロボットからのメッセージが多すぎます。%n 件は表示されませんでした。</numerusform>
         </translation>
     </message>
     <message>
@@ -9413,11 +9417,11 @@ Release the button to stop the arm.</source>
         <translation>ロボットからのデータがありません。アームが動いている可能性があります。自動的に再接続します。</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>プログラムを実行中です。</translation>
+        <source>A program is running. Wait until the program ends, or stop the program.</source>
+        <translation>プログラムを実行中です。終了するまで待つか、停止してください。</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
         <translation>別のクライアントのプログラムがロボットを制御しています。制御を取得すると、そのプログラムは終了します。</translation>
     </message>
     <message>
@@ -9425,8 +9429,8 @@ Release the button to stop the arm.</source>
         <translation>制御を取得するため、別のクライアントのプログラムを停止します。</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Control was lost.</source>
-        <translation>別のクライアントのプログラムがロボットの制御を引き継ぎました。制御は失われました。</translation>
+        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>別のクライアントのプログラムがロボットを制御したため、制御を失いました。もう一度制御を取得すると、そのプログラムは終了します。</translation>
     </message>
     <message>
         <source>A program of another client is running on the robot.</source>
@@ -9448,28 +9452,28 @@ Release the button to stop the arm.</source>
         <translation>グリッパーに接続中…</translation>
     </message>
     <message>
-        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
+        <source>The gripper does not send any values. Power on the arm. If the problem persists, check the gripper cable at the wrist.</source>
         <translation>グリッパーの値がありません。アームの電源を入れてください。直らなければ手首のグリッパーのケーブルを確認してください。</translation>
     </message>
     <message>
-        <source>The gripper responds again</source>
-        <translation>グリッパーが再び応答しています</translation>
+        <source>The gripper responds again.</source>
+        <translation>グリッパーが再び応答しました。</translation>
     </message>
     <message>
-        <source>The gripper is active</source>
-        <translation>グリッパーは有効です</translation>
+        <source>The gripper is active.</source>
+        <translation>グリッパーは有効です。</translation>
     </message>
     <message>
         <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>グリッパーが有効になりませんでした。指を妨げるものがないか見て、もう一度「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper holds an object (%1 open)</source>
-        <translation>グリッパーが物体をつかんでいます（開き %1）</translation>
+        <source>The gripper holds an object (%1 open).</source>
+        <translation>グリッパーが物体をつかんでいます（開き %1）。</translation>
     </message>
     <message>
-        <source>The gripper lost the object it held</source>
-        <translation>グリッパーがつかんだ物体を失いました</translation>
+        <source>The gripper lost the object.</source>
+        <translation>グリッパーがつかんだ物体を失いました。</translation>
     </message>
     <message>
         <source>Gripper: activate</source>
@@ -9492,7 +9496,7 @@ Release the button to stop the arm.</source>
         <translation>ロボットがグリッパーとの接続を終えました。再起動中かもしれません。自動で戻ります。グリッパーはつかみ続けます。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
+        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>グリッパーが受け付けませんでした。有効化してください。有効なら、ロボットのインストールのページを見てください。</translation>
     </message>
     <message>
@@ -9524,7 +9528,7 @@ Release the button to stop the arm.</source>
         <translation>グリッパーの自動解放が終わりました。「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”. If the fault returns, contact Robotiq.</source>
         <translation>グリッパーの内部故障です。「有効化」を押してください。再発したら Robotiq に問い合わせてください。</translation>
     </message>
     <message>
@@ -9536,7 +9540,7 @@ Release the button to stop the arm.</source>
         <translation>グリッパーの電流が大きすぎます。指を妨げるものがないか見て「有効化」を押してください。</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>グリッパーが故障 %1 を報告しています。「有効化」を押してください。再発したら説明書を見てください。</translation>
     </message>
 </context>
@@ -9944,7 +9948,7 @@ Release the button to stop the arm.</source>
         <translation>SpaceとEscでもアームが停止します。</translation>
     </message>
     <message>
-        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <source>Click to stop the arm. Space and Esc stop the arm only while this window is in control.</source>
         <translation>クリックで停止します。SpaceとEscは、このウィンドウが制御中のときだけ停止します。</translation>
     </message>
     <message>
@@ -10295,11 +10299,11 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the limit of %3</source>
+        <source>%1: %2 left to the %3 limit</source>
         <translation>%1：%3 の限界まで残り %2</translation>
     </message>
     <message>
-        <source>%1: %2 to the reach limit or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation>%1：残り %2、その先は到達限界か特異点</translation>
     </message>
     <message>

@@ -573,11 +573,11 @@
         <translation>机器人的软件版本过旧。请更新到 %1.%2 或更高版本。</translation>
     </message>
     <message>
-        <source>Some values and the registers for control are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
+        <source>Some values and the control registers are missing. Update the robot&apos;s software to %1.%2 or newer.</source>
         <translation>缺少一些数值和用于控制的寄存器。请将机器人更新到 %1.%2 或更新版本。</translation>
     </message>
     <message>
-        <source>Inspect the arm, remove the cause, then recover: press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
         <translation>检查机械臂，消除原因，然后恢复：按页眉中的“恢复…”，或使用示教器。</translation>
     </message>
     <message>
@@ -593,11 +593,11 @@
         <translation>端口 %1 上的服务不使用 RTDE</translation>
     </message>
     <message>
-        <source>Too many RTDE clients are connected, or the controller hangs: close other programs, then restart the controller.</source>
+        <source>Too many RTDE clients are connected, or the controller has stopped responding. Close other programs, then restart the controller.</source>
         <translation>RTDE 客户端过多，或控制器没有响应：请关闭其他程序，然后重启控制器。</translation>
     </message>
     <message>
-        <source>Check the address: this is another device, or another program uses the port.</source>
+        <source>Check the address. The address may belong to another device, or another program may be using the port.</source>
         <translation>检查地址：这是另一台设备，或端口被其他程序占用。</translation>
     </message>
     <message>
@@ -677,12 +677,12 @@
         <translation>如果装有工具，请在机器人的安装设置中设定 TCP 和有效负载：错误的有效负载会引起保护性停止，并使机械臂在自由驱动时漂移。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid address, and no host with this name was found</source>
+        <source>“%1” is not a valid address, and no host with this name was found</source>
         <translation>&quot;%1&quot; 不是有效地址，也未找到同名主机</translation>
     </message>
     <message>
-        <source>Enter the four numbers shown on the teach pendant under About, or ask your network administrator for the name.</source>
-        <translation>输入示教器“关于”中显示的四个数字，或向网络管理员询问名称。</translation>
+        <source>Enter the IP address shown on the teach pendant under About, or ask your network administrator for the host name.</source>
+        <translation>输入示教器“关于”中显示的 IP 地址，或向网络管理员询问主机名。</translation>
     </message>
     <message>
         <source>%1 does not respond</source>
@@ -733,8 +733,8 @@
         <translation>在机器人的“设置 &gt; 安全 &gt; 服务”中打开此接口。</translation>
     </message>
     <message>
-        <source>A firewall blocks this port: allow TCP port %1 to the robot.</source>
-        <translation>防火墙阻止了此端口：请允许到机器人的 TCP 端口 %1。</translation>
+        <source>A firewall may be blocking this port. Allow TCP port %1 to the robot.</source>
+        <translation>防火墙可能阻止了此端口。请允许到机器人的 TCP 端口 %1。</translation>
     </message>
     <message>
         <source>Switch the robot to Remote control at the top right of the teach pendant. Until then, Tiller can only monitor.</source>
@@ -749,11 +749,11 @@
         <translation>端口 %1 上的服务不是仪表板服务器</translation>
     </message>
     <message>
-        <source>Restart the robot&apos;s controller; if the problem persists, see its log.</source>
+        <source>Restart the robot&apos;s controller. If the problem persists, see the controller log.</source>
         <translation>重启机器人的控制器；若问题仍存在，请查看其日志。</translation>
     </message>
     <message>
-        <source>Check the address, and check that no other program uses this port.</source>
+        <source>Check the address, and check that no other program is using this port.</source>
         <translation>检查地址，并确认没有其他程序使用此端口。</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@
         <translation>请等待静止后再启动自由驱动。</translation>
     </message>
     <message>
-        <source>The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct the payload and the TCP.</source>
+        <source>The arm would drift: the robot measures %1 with a payload of %2 kg. Do not touch the tool, or correct the payload and the TCP.</source>
         <translation>机械臂会漂移：有效负载为 %2 kg 时测得 %1。请松开工具，或更正有效负载和 TCP。</translation>
     </message>
 </context>
@@ -1351,7 +1351,7 @@
         <translation>选择模拟器或输入机器人的地址</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>给机械臂上电。制动器保持抱紧。</translation>
     </message>
     <message>
@@ -1729,7 +1729,7 @@
         <translation>两个输出都开</translation>
     </message>
     <message>
-        <source>Choose two different outputs: one closes, the other opens.</source>
+        <source>Choose different outputs for closing and opening.</source>
         <translation>选择两个不同的输出：一个关闭，另一个打开。</translation>
     </message>
 </context>
@@ -3097,11 +3097,11 @@
         <translation>安全模式已恢复“正常”</translation>
     </message>
     <message>
-        <source>The arm can be moved. Motions interrupted by the stop do not resume: each motion requires a new press.</source>
+        <source>The arm can be moved. Motions interrupted by the stop do not resume. Press the button again for each motion.</source>
         <translation>机械臂可以移动。停止前的运动不会恢复：每次运动都需要重新按下。</translation>
     </message>
     <message>
-        <source>The arm is ready. Take control to move it, or continue on the teach pendant.</source>
+        <source>The arm is ready. Take control to move the arm, or continue on the teach pendant.</source>
         <translation>机械臂已就绪。获取控制以移动它，或在示教器上继续。</translation>
     </message>
     <message>
@@ -3113,8 +3113,8 @@
         <translation>没有来自机器人的数据</translation>
     </message>
     <message>
-        <source>Waiting for the connection</source>
-        <translation>等待连接</translation>
+        <source>Waiting for the connection…</source>
+        <translation>等待连接…</translation>
     </message>
     <message>
         <source>I have inspected the arm. No one is touching it, and nothing is trapped.</source>
@@ -3129,8 +3129,8 @@
         <translation>有效负载和 TCP 与所装工具一致。</translation>
     </message>
     <message>
-        <source>Possible in %1 s</source>
-        <translation>%1 s 后可用</translation>
+        <source>Unlocking is available in %1 s</source>
+        <translation>%1 s 后可解锁</translation>
     </message>
     <message>
         <source>I have inspected the arm and the robot&apos;s log, and I know the cause.</source>
@@ -3141,7 +3141,7 @@
         <translation>原因已消除，机械臂可达范围内没有人。</translation>
     </message>
     <message>
-        <source>No action is needed in Tiller. The state ends when the cause is removed.</source>
+        <source>No action is needed in Tiller. This state ends when the cause is removed.</source>
         <translation>无需在 Tiller 中操作。原因消除后此状态即结束。</translation>
     </message>
     <message>
@@ -3254,7 +3254,7 @@
         <translation>没有连接机器人。</translation>
     </message>
     <message>
-        <source>Powers the arm on. Brakes stay engaged.</source>
+        <source>Powers on the arm. The brakes stay engaged.</source>
         <translation>给机械臂上电。制动器保持抱紧。</translation>
     </message>
     <message>
@@ -3401,7 +3401,7 @@
         <translation>仅当 Tiller 取得控制时，机器人才为脉冲计时。请先获取控制，或手动打开和关闭输出。</translation>
     </message>
     <message>
-        <source>The robot did not end the pulse of %1 because its program was stopped or paused. Tiller switches the output off.</source>
+        <source>The robot did not end the pulse on %1 because the program on the robot was stopped or paused. Tiller switches the output off.</source>
         <translation>由于程序被停止或暂停，机器人未结束 %1 的脉冲。Tiller 将关闭该输出。</translation>
     </message>
     <message>
@@ -3464,11 +3464,11 @@
         <translation>加载程序 %1</translation>
     </message>
     <message>
-        <source>The program on the robot was stopped</source>
-        <translation>机器人上的程序已停止</translation>
+        <source>The program on the robot was stopped.</source>
+        <translation>机器人上的程序已停止。</translation>
     </message>
     <message>
-        <source>The program on the robot could not be stopped: stop it on the teach pendant. %1</source>
+        <source>The program on the robot could not be stopped. Stop the program on the teach pendant. %1</source>
         <translation>无法停止机器人上的程序：请在示教器上停止。%1</translation>
     </message>
     <message>
@@ -3571,6 +3571,10 @@
 </context>
 <context>
     <name>SessionRecording</name>
+    <message>
+        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <translation>机器人无法同时发送这么多信号。未录制的信号：%1</translation>
+    </message>
     <message>
         <source>Cannot record: connect to a robot first.</source>
         <translation>无法录制：请先连接机器人。</translation>
@@ -4435,11 +4439,11 @@
         <translation>已达到最长按住时间；请重新按下</translation>
     </message>
     <message>
-        <source>PolyScope X before 10.11 does not accept these commands over the network: use the teach pendant.</source>
+        <source>PolyScope X before 10.11 does not accept these commands over the network. Use the teach pendant.</source>
         <translation>10.11 之前的 PolyScope X 不接受通过网络发送的这些命令：请使用示教器。</translation>
     </message>
     <message>
-        <source>PolyScope X cannot close popups over the network: use the teach pendant.</source>
+        <source>PolyScope X cannot close popups over the network. Use the teach pendant.</source>
         <translation>PolyScope X 无法通过网络关闭弹窗：请使用示教器。</translation>
     </message>
     <message>
@@ -5910,7 +5914,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>%1（速度 %2，力 %3）</translation>
     </message>
     <message>
-        <source>Connect to a robot first: the gripper is stored for each robot.</source>
+        <source>Connect to a robot first. The gripper is stored for each robot.</source>
         <translation>请先连接机器人：夹爪按机器人分别保存。</translation>
     </message>
     <message>
@@ -5970,8 +5974,8 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>无</translation>
     </message>
     <message>
-        <source>The gripper is not available with this port offset.</source>
-        <translation>使用此端口偏移时夹爪不可用。</translation>
+        <source>The gripper is not available with this port offset. Use a smaller port offset.</source>
+        <translation>使用此端口偏移时夹爪不可用。请使用较小的端口偏移。</translation>
     </message>
     <message>
         <source>Activating: the fingers open and close once.</source>
@@ -6006,8 +6010,8 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>将手指移到此开度。</translation>
     </message>
     <message>
-        <source>Speed or force is out of range.</source>
-        <translation>速度或力超出范围。</translation>
+        <source>Speed or force is out of range. Enter 0 to 100 %.</source>
+        <translation>速度或力超出范围。请输入 0 到 100 %。</translation>
     </message>
     <message>
         <source>The gripper did not execute the command. Check that no other program controls the gripper, then try again.</source>
@@ -6069,7 +6073,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>未测量</translation>
     </message>
     <message>
-        <source>Data stopped while the arm was moving: the stop could not be measured.</source>
+        <source>The robot data ended while the arm was moving, so the stop could not be measured.</source>
         <translation>机械臂移动时数据中断：无法测量停止过程。</translation>
     </message>
     <message>
@@ -6116,7 +6120,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>已按住另一个按钮或按键。</translation>
     </message>
     <message>
-        <source>The display server does not respond: the release of a button or key cannot be detected. Release it and try again.</source>
+        <source>The display server does not respond, so Tiller cannot detect the release of a button or key. Release the button or key, then try again.</source>
         <translation>显示服务器不响应：无法检测按钮或按键是否松开。请松开后重试。</translation>
     </message>
 </context>
@@ -6127,7 +6131,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>按住</translation>
     </message>
     <message>
-        <source>Hold this button: the arm moves only while it is held.</source>
+        <source>Hold this button. The arm moves only while the button is held.</source>
         <translation>请按住此按钮：仅在按住时移动机械臂。</translation>
     </message>
 </context>
@@ -6273,7 +6277,7 @@ Right-click or press F2 to rename it.</source>
         <translation>工具输入</translation>
     </message>
     <message>
-        <source>Select a row of the I/O tab with the Tab key first.</source>
+        <source>Press the Tab key to select a row on the I/O tab first.</source>
         <translation>请先用 Tab 键选择 I/O 选项卡的一行。</translation>
     </message>
     <message>
@@ -6281,7 +6285,7 @@ Right-click or press F2 to rename it.</source>
         <translation>机器人没有确认 %1</translation>
     </message>
     <message>
-        <source>Another program or the installation may control it.</source>
+        <source>Another program or the installation may control the output.</source>
         <translation>可能由其他程序或安装设置控制。</translation>
     </message>
     <message>
@@ -6289,16 +6293,16 @@ Right-click or press F2 to rename it.</source>
         <translation>模拟量</translation>
     </message>
     <message>
-        <source>Registers of robot programs</source>
-        <translation>机器人程序的寄存器</translation>
+        <source>General purpose registers</source>
+        <translation>通用寄存器</translation>
     </message>
     <message>
         <source>No data from the robot.</source>
         <translation>没有来自机器人的数据。</translation>
     </message>
     <message>
-        <source>Replay is active: return to live data first.</source>
-        <translation>正在回放：请先返回实时数据。</translation>
+        <source>Replay is active. Press “Back to live” first.</source>
+        <translation>正在回放。请先按“返回实时”。</translation>
     </message>
     <message>
         <source>%1 cannot be pulsed now</source>
@@ -6340,8 +6344,8 @@ Right-click or press F2 to rename it.</source>
         <translation>关节</translation>
     </message>
     <message>
-        <source>Frame of the displayed pose</source>
-        <translation>所显示位姿的坐标系</translation>
+        <source>Pose or joints</source>
+        <translation>位姿或关节</translation>
     </message>
     <message>
         <source>The arm has not moved yet.</source>
@@ -6493,7 +6497,7 @@ Right-click or press F2 to rename it.</source>
         <translation>需要 3D 视图</translation>
     </message>
     <message>
-        <source>No frame taught yet. Teach a frame in the Frames tab.</source>
+        <source>No frame taught yet. Teach a frame on the Frames tab.</source>
         <translation>还没有示教坐标系。请在坐标系选项卡中示教。</translation>
     </message>
     <message>
@@ -6561,7 +6565,7 @@ Right-click or press F2 to rename it.</source>
         <translation>结束运动的接触力（N）</translation>
     </message>
     <message>
-        <source>The step continues after the release. Space, Esc and STOP end it.</source>
+        <source>The step continues after the button is released. Space, Esc and STOP end the step.</source>
         <translation>松开后步进继续。空格、Esc 和 STOP 可结束步进。</translation>
     </message>
     <message>
@@ -6735,8 +6739,8 @@ Right-click or press F2 to rename it.</source>
         <translation>打开录制</translation>
     </message>
     <message>
-        <source>Open the recording of the selected entry (incidents only)</source>
-        <translation>打开所选条目的录制（仅限事件）</translation>
+        <source>Open the recording of the selected entry</source>
+        <translation>打开所选条目的录制</translation>
     </message>
     <message>
         <source>Note: %1</source>
@@ -8222,11 +8226,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1中的 TCP 位姿</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ₀: displacement since zero. Click to show the displacement since the start of the last motion.</source>
+        <source>orientation as set in Settings. Δ₀: displacement from the zero position. Click to show the displacement since the start of the last motion.</source>
         <translation>方向按设置显示。Δ₀：自归零起的位移。点击显示自上次运动开始起的位移。</translation>
     </message>
     <message>
-        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to zero here.</source>
+        <source>orientation as set in Settings. Δ: displacement since the start of the last motion. Click to set the displacement to zero.</source>
         <translation>方向按设置显示。Δ：自上次运动开始起的位移。点击在此处归零。</translation>
     </message>
     <message>
@@ -8504,8 +8508,8 @@ Jog the arm to a position and press “Set home here” or “Add position”.</
         <translation>连接 %1 之前</translation>
     </message>
     <message>
-        <source>Conditions</source>
-        <translation>条件</translation>
+        <source>Checks</source>
+        <translation>检查项</translation>
     </message>
     <message>
         <source>If you connect anyway, the window shows the available data. The red items above may prevent taking control or stop a running motion.</source>
@@ -9165,8 +9169,8 @@ Release the button to stop the arm.</source>
         <translation>等待机器人的数据…</translation>
     </message>
     <message>
-        <source>At X %1, Y %2, Z %3.</source>
-        <translation>位于 X %1，Y %2，Z %3。</translation>
+        <source>Stopped at X %1, Y %2, Z %3.</source>
+        <translation>停止位置：X %1，Y %2，Z %3。</translation>
     </message>
     <message>
         <source>Suspected joint: %1 (largest deviation from its target current).</source>
@@ -9181,8 +9185,8 @@ Release the button to stop the arm.</source>
         <translation>请勾选您已检查的项目。</translation>
     </message>
     <message>
-        <source>Requested; waiting for the robot…</source>
-        <translation>已请求；等待机器人…</translation>
+        <source>Command sent; waiting for the robot…</source>
+        <translation>命令已发送；等待机器人…</translation>
     </message>
 </context>
 <context>
@@ -9262,8 +9266,8 @@ Release the button to stop the arm.</source>
         <translation>机器人上的弹窗</translation>
     </message>
     <message>
-        <source>The popup could not be closed from here: close it on the teach pendant.</source>
-        <translation>无法从此处关闭：请在示教器上关闭。</translation>
+        <source>Tiller could not close the popup. Close the popup on the teach pendant.</source>
+        <translation>Tiller 无法关闭弹出窗口。请在示教器上关闭。</translation>
     </message>
     <message>
         <source>No data from the robot. Close the popup on the teach pendant.</source>
@@ -9323,8 +9327,8 @@ Release the button to stop the arm.</source>
         <translation>已控制</translation>
     </message>
     <message>
-        <source>Taking control was cancelled by a stop</source>
-        <translation>获取控制因停止而取消</translation>
+        <source>Taking control was cancelled by a stop.</source>
+        <translation>获取控制权因停止而取消。</translation>
     </message>
     <message>
         <source>Connected to %1</source>
@@ -9395,9 +9399,9 @@ Release the button to stop the arm.</source>
         <translation>已失去控制：控制连接在 0.5 秒内无响应或已关闭。STOP、空格键和 Esc 仍可停止机器人。请重新获取控制。</translation>
     </message>
     <message numerus="yes">
-        <source>The robot sends too many messages: %n were not shown</source>
+        <source>The robot is sending too many messages. %n messages were not shown.</source>
         <translation>
-            <numerusform>机器人发送的消息过多：%n 条未显示</numerusform>
+            <numerusform>机器人发送的消息过多。%n 条消息未显示。</numerusform>
         </translation>
     </message>
     <message>
@@ -9413,11 +9417,11 @@ Release the button to stop the arm.</source>
         <translation>没有来自机器人的数据：机械臂可能在运动。正在自动重新连接。</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>程序正在运行。</translation>
+        <source>A program is running. Wait until the program ends, or stop the program.</source>
+        <translation>程序正在运行。请等待程序结束，或停止程序。</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Taking control ends it.</source>
+        <source>A program of another client has taken over the robot. Taking control ends that program.</source>
         <translation>其他客户端的程序已接管机器人。获取控制权会结束该程序。</translation>
     </message>
     <message>
@@ -9425,8 +9429,8 @@ Release the button to stop the arm.</source>
         <translation>为获取控制权，正在停止其他客户端的程序。</translation>
     </message>
     <message>
-        <source>A program of another client has taken over the robot. Control was lost.</source>
-        <translation>其他客户端的程序已接管机器人。控制权已丢失。</translation>
+        <source>A program of another client has taken over the robot, and control was lost. Taking control again ends that program.</source>
+        <translation>其他客户端的程序已接管机器人，控制权已丢失。重新获取控制权会结束该程序。</translation>
     </message>
     <message>
         <source>A program of another client is running on the robot.</source>
@@ -9448,28 +9452,28 @@ Release the button to stop the arm.</source>
         <translation>正在连接夹爪…</translation>
     </message>
     <message>
-        <source>The gripper sends no values. Power the arm on; if the problem persists, check the gripper cable at the wrist.</source>
+        <source>The gripper does not send any values. Power on the arm. If the problem persists, check the gripper cable at the wrist.</source>
         <translation>夹爪没有发送数值。请给机械臂上电；若问题仍存在，检查手腕处的夹爪电缆。</translation>
     </message>
     <message>
-        <source>The gripper responds again</source>
-        <translation>夹爪再次应答</translation>
+        <source>The gripper responds again.</source>
+        <translation>夹爪恢复响应。</translation>
     </message>
     <message>
-        <source>The gripper is active</source>
-        <translation>夹爪已激活</translation>
+        <source>The gripper is active.</source>
+        <translation>夹爪已激活。</translation>
     </message>
     <message>
         <source>The gripper was not activated. Check that nothing blocks its fingers, then press “Activate” again.</source>
         <translation>夹爪没有激活。确认手指没有受阻，然后再按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper holds an object (%1 open)</source>
-        <translation>夹爪夹持物体（开度 %1）</translation>
+        <source>The gripper holds an object (%1 open).</source>
+        <translation>夹爪夹住了物体（张开 %1）。</translation>
     </message>
     <message>
-        <source>The gripper lost the object it held</source>
-        <translation>夹爪丢失了所夹物体</translation>
+        <source>The gripper lost the object.</source>
+        <translation>夹爪丢失了物体。</translation>
     </message>
     <message>
         <source>Gripper: activate</source>
@@ -9492,7 +9496,7 @@ Release the button to stop the arm.</source>
         <translation>机器人结束了与夹爪的连接，可能正在重启。会自行恢复；夹爪继续夹持。</translation>
     </message>
     <message>
-        <source>The gripper did not accept the command. Activate it. If it is active, check the gripper&apos;s page in the robot&apos;s installation.</source>
+        <source>The gripper did not accept the command. Activate the gripper. If the gripper is already active, check the gripper&apos;s page in the robot&apos;s installation.</source>
         <translation>夹爪没有接受命令。请激活它；若已激活，请检查机器人安装设置中的页面。</translation>
     </message>
     <message>
@@ -9524,7 +9528,7 @@ Release the button to stop the arm.</source>
         <translation>夹爪的自动释放已结束。请按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper has an internal fault. Press “Activate”; if the fault returns, contact Robotiq.</source>
+        <source>The gripper has an internal fault. Press “Activate”. If the fault returns, contact Robotiq.</source>
         <translation>夹爪有内部故障。请按“激活”；若再次出现，请咨询 Robotiq。</translation>
     </message>
     <message>
@@ -9536,7 +9540,7 @@ Release the button to stop the arm.</source>
         <translation>夹爪电流过大。确认手指没有受阻，然后按“激活”。</translation>
     </message>
     <message>
-        <source>The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.</source>
+        <source>The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.</source>
         <translation>夹爪报告故障 %1。请按“激活”；若再次出现，查看其手册。</translation>
     </message>
 </context>
@@ -9944,7 +9948,7 @@ Release the button to stop the arm.</source>
         <translation>空格键和 Esc 也可停止机械臂。</translation>
     </message>
     <message>
-        <source>Click to stop. Space and Esc stop only while this window is in control.</source>
+        <source>Click to stop the arm. Space and Esc stop the arm only while this window is in control.</source>
         <translation>单击以停止。仅当此窗口拥有控制时，空格键和 Esc 才会停止。</translation>
     </message>
     <message>
@@ -10295,11 +10299,11 @@ Press “From robot” to store the active TCP, or “Teach…” to teach a TCP
 <context>
     <name>tiller::TravelWatch</name>
     <message>
-        <source>%1: %2 left to the limit of %3</source>
+        <source>%1: %2 left to the %3 limit</source>
         <translation>%1：距 %3 的极限剩余 %2</translation>
     </message>
     <message>
-        <source>%1: %2 to the reach limit or a singularity</source>
+        <source>%1: %2 left to the reach limit or a singularity</source>
         <translation>%1：剩余 %2，随后是可达极限或奇异点</translation>
     </message>
     <message>

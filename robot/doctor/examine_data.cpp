@@ -78,8 +78,8 @@ void judgeSoftware(Examiner& examiner, const SoftwareVersion& version) {
                            .arg(wanted.minor));
     } else if (version < wanted) {
         examiner.found(Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
-                       DoctorText::tr("Some values and the registers for control are missing. Update the "
-                                      "robot's software to %1.%2 or newer.")
+                       DoctorText::tr("Some values and the control registers are missing. Update the robot's "
+                                      "software to %1.%2 or newer.")
                            .arg(wanted.major)
                            .arg(wanted.minor));
     } else {
@@ -93,8 +93,8 @@ void judgeModes(Examiner& examiner, RobotMode mode, SafetyMode safety) {
     } else {
         examiner.found(Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"),
                        safetyModeName(safety),
-                       DoctorText::tr("Inspect the arm, remove the cause, then recover: press “Recover…” in "
-                                      "the header, or use the teach pendant."));
+                       DoctorText::tr("Inspect the arm and remove the cause. Then press “Recover…” in the "
+                                      "header, or use the teach pendant."));
     }
     if (mode == RobotMode::Running) {
         examiner.good(Condition::Power, robotModeName(mode));
@@ -129,10 +129,10 @@ void examineRegisters(Examiner& examiner) {
             mute
                 ? DoctorText::tr("the RTDE port accepts connections but does not respond")
                 : DoctorText::tr("the service on port %1 does not use RTDE").arg(examiner.patient.ports.rtde),
-            mute ? DoctorText::tr("Too many RTDE clients are connected, or the controller hangs: close other "
-                                  "programs, then restart the controller.")
-                 : DoctorText::tr(
-                       "Check the address: this is another device, or another program uses the port."));
+            mute ? DoctorText::tr("Too many RTDE clients are connected, or the controller has stopped "
+                                  "responding. Close other programs, then restart the controller.")
+                 : DoctorText::tr("Check the address. The address may belong to another device, or another "
+                                  "program may be using the port."));
         return;
     }
     const rtde::Connection& connection = **opened;

@@ -56,9 +56,9 @@ bool examineAddress(Examiner& examiner) {
     }
     examiner.found(
         Condition::Address, Verdict::Bad, QStringLiteral("address.unresolved"),
-        DoctorText::tr("\"%1\" is not a valid address, and no host with this name was found").arg(host),
-        DoctorText::tr("Enter the four numbers shown on the teach pendant under About, or ask "
-                       "your network administrator for the name."));
+        DoctorText::tr("“%1” is not a valid address, and no host with this name was found").arg(host),
+        DoctorText::tr("Enter the IP address shown on the teach pendant under About, or ask your network "
+                       "administrator for the host name."));
     return false;
 }
 
@@ -121,7 +121,7 @@ void examinePorts(Examiner& examiner) {
                        : DoctorText::tr("port %1 does not respond").arg(door.port),
             wasRefused
                 ? DoctorText::tr("Enable this interface on the robot under Settings > Security > Services.")
-                : DoctorText::tr("A firewall blocks this port: allow TCP port %1 to the robot.")
+                : DoctorText::tr("A firewall may be blocking this port. Allow TCP port %1 to the robot.")
                       .arg(door.port));
     }
 }

@@ -37,8 +37,9 @@ void examineDashboard(Examiner& examiner) {
             mute ? DoctorText::tr("the dashboard accepts connections but does not respond")
                  : DoctorText::tr("the service on port %1 is not a dashboard server")
                        .arg(examiner.patient.ports.dashboard),
-            mute ? DoctorText::tr("Restart the robot's controller; if the problem persists, see its log.")
-                 : DoctorText::tr("Check the address, and check that no other program uses this port."));
+            mute ? DoctorText::tr(
+                       "Restart the robot's controller. If the problem persists, see the controller log.")
+                 : DoctorText::tr("Check the address, and check that no other program is using this port."));
         return;
     }
     if (version->isCb3()) {

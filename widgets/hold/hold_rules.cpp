@@ -274,8 +274,8 @@ struct HoldRules::HoldRuleTable {
     }
     static QString probeNotResponding(const HoldRules& h, const QWidget*, const HoldSource& grip) {
         return h.hasKeyStateProbe(grip) && h.policy_.witness->waitingNs() > kStallNs
-                   ? tr("The display server does not respond: the release of a button or key cannot be "
-                        "detected. Release it and try again.")
+                   ? tr("The display server does not respond, so Tiller cannot detect the release of a "
+                        "button or key. Release the button or key, then try again.")
                    : QString();
     }
 

@@ -89,7 +89,7 @@ QString HoldToRunButton::detail() const {
 void HoldToRunButton::showHoldHint() {
     holdHint_.start();
     QToolTip::showText(mapToGlobal(QPoint(0, height())),
-                       tr("Hold this button: the arm moves only while it is held."), this);
+                       tr("Hold this button. The arm moves only while the button is held."), this);
     update();
 }
 

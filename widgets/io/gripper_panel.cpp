@@ -455,7 +455,9 @@ QString GripperPanel::robotiqObstacle() const {
         return tr("Activate the gripper first.");
     }
     // With invalid input in the box, the previous value would be sent.
-    return speed_->isRefused() || force_->isRefused() ? tr("Speed or force is out of range.") : QString();
+    return speed_->isRefused() || force_->isRefused()
+               ? tr("Speed or force is out of range. Enter 0 to 100 %.")
+               : QString();
 }
 
 std::optional<Result<void>> GripperPanel::robotiqOutcome(bool close) const {
@@ -496,7 +498,7 @@ void GripperPanel::setHand(bool close) {
 
 QString GripperPanel::obstacleOfLink() const {
     if (robot_.isEmpty()) {
-        return tr("Connect to a robot first: the gripper is stored for each robot.");
+        return tr("Connect to a robot first. The gripper is stored for each robot.");
     }
     if (state_.link != LinkState::Live) {
         return tr("No data from the robot.");
@@ -551,7 +553,8 @@ void GripperPanel::refreshRobotiq() {
     const QString fault = robotiq_.faultText();
     const bool noPort = io::kRobotiqPort + state_.portOffset > kMaxTcpPort && !address_;
     const QString unknown =
-        noPort ? tr("The gripper is not available with this port offset.") : robotiq_.reason();
+        noPort ? tr("The gripper is not available with this port offset. Use a smaller port offset.")
+               : robotiq_.reason();
     const QString why = !link.isEmpty() ? link : !now ? unknown : QString();
     const QString moving = !why.isEmpty() ? why
                            : activating   ? tr("Activating: the fingers open and close once.")

@@ -194,12 +194,12 @@ void IoTab::focusSearch() {
 }
 
 void IoTab::showNoSelection() {
-    Q_EMIT session_.message(Severity::Info, tr("Select a row of the I/O tab with the Tab key first."));
+    Q_EMIT session_.message(Severity::Info, tr("Press the Tab key to select a row on the I/O tab first."));
 }
 
 int IoTab::chosenOutput() {
     if (replay_) {
-        Q_EMIT session_.message(Severity::Warning, tr("Replay is active: return to live data first."));
+        Q_EMIT session_.message(Severity::Warning, tr("Replay is active. Press “Back to live” first."));
         return -1;
     }
     for (int channel = 0; channel < kChannels; ++channel) {
@@ -304,7 +304,7 @@ void IoTab::refresh() {
             pending = false;
             notice_->show(NoticeBar::Kind::Warning,
                           {.title = tr("The robot did not confirm %1").arg(out->accessibleName()),
-                           .text = tr("Another program or the installation may control it."),
+                           .text = tr("Another program or the installation may control the output."),
                            .cause = QLatin1String(kUnconfirmed)});
             unconfirmed_ = {channel, wanted};
         } else if (unconfirmed_.first == channel && (stale || unconfirmed_.second == on)) {
@@ -388,7 +388,7 @@ void IoTab::buildAnalog(QVBoxLayout* layout) {
                     }
                 });
     }
-    registerHeading_ = heading(tr("Registers of robot programs"));
+    registerHeading_ = heading(tr("General purpose registers"));
     layout->addWidget(registerHeading_);
     registers_ = new RegisterPanel;
     layout->addWidget(registers_);
@@ -422,7 +422,7 @@ void IoTab::refreshAnalog(bool known, bool stale) {
                                              stale);
         analogOutputs_[channel]->setValue(robot.analogOutput(channel), domain(2 + channel),
                                           !std::isnan(robot.analogOutput(channel)), stale);
-        analogOutputs_[channel]->setObstacle(replay_ ? tr("Replay is active: return to live data first.")
+        analogOutputs_[channel]->setObstacle(replay_ ? tr("Replay is active. Press “Back to live” first.")
                                              : state_.monitorOnly ? texts::monitorOnlyObstacle()
                                              : stale              ? tr("No data from the robot.")
                                                                   : session_.outputs().holders().analog);

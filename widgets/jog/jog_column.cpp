@@ -114,7 +114,7 @@ JogColumn::JogColumn(MotionPort port, HoldPolicy& policy, QWidget* parent)
     limiter_ = new LimiterLine(body);
     pose_ = new PoseView(body);
     detailTab_ = new SegmentedControl({tr("Pose"), tr("Joints")}, body);
-    detailTab_->setNames(QStringLiteral("jogDetail"), tr("Frame of the displayed pose"));
+    detailTab_->setNames(QStringLiteral("jogDetail"), tr("Pose or joints"));
     joints_ = new JointRows(policy, body);
     layout->addLayout(inset(pad_, kAbovePad, 0), 10);
     layout->addLayout(inset(limiter_, kAroundLimiter, kAroundLimiter));

@@ -60,7 +60,8 @@ QString stepNote(MotionChoice motion, const std::optional<StepSize>& other, bool
     selection.step = other;
     return QLatin1Char('\n') +
            (stepRunsToEnd(selection, turns)
-                ? JogSelectors::tr("The step continues after the release. Space, Esc and STOP end it.")
+                ? JogSelectors::tr(
+                      "The step continues after the button is released. Space, Esc and STOP end the step.")
                 : JogSelectors::tr("Hold the button until the step is complete."));
 }
 
@@ -166,7 +167,7 @@ void JogSelectors::showFrames() {
         QFontMetrics(textFont(15, QFont::Bold)).elidedText(name, Qt::ElideRight, kMaxNameLength);
     frame_->setText(kTaughtSegment, frames_.size() > 1 ? shown + QStringLiteral(" ▾") : shown);
     frame_->setSegmentEnabled(kTaughtSegment, any,
-                              any ? name : tr("No frame taught yet. Teach a frame in the Frames tab."));
+                              any ? name : tr("No frame taught yet. Teach a frame on the Frames tab."));
 }
 
 void JogSelectors::setViewRotation(const Eigen::Matrix3d& R_base_view) {

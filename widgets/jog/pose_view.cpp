@@ -172,10 +172,10 @@ void PoseView::describe() {
     const QString name = tr("TCP pose in %1").arg(frame_);
     setAccessibleName(name);
     setToolTip(name + QStringLiteral(", ") +
-               (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement since zero. Click to show "
-                              "the displacement since the start of the last motion.")
+               (ownZero_ ? tr("orientation as set in Settings. Δ₀: displacement from the zero position. "
+                              "Click to show the displacement since the start of the last motion.")
                          : tr("orientation as set in Settings. Δ: displacement since the start of the last "
-                              "motion. Click to zero here.")) +
+                              "motion. Click to set the displacement to zero.")) +
                QLatin1Char('\n') + tr("TCP in the flange frame: %1").arg(format::pose(tcp_)));
     setAccessibleDescription(toolTip());
 }

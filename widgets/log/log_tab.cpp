@@ -69,7 +69,7 @@ LogTab::LogTab(RobotSession& session, QWidget* parent)
         button(QStringLiteral("log.export"), tr("Export…"), tr("Write the visible entries to a file"));
 
     open_ = button(QStringLiteral("log.openRecording"), tr("Open recording"),
-                   tr("Open the recording of the selected entry (incidents only)"));
+                   tr("Open the recording of the selected entry"));
     open_->hide();
 
     auto* tools = new QHBoxLayout;

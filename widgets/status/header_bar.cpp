@@ -260,7 +260,7 @@ void HeaderBar::showLastStop() {
     if (!state_.lastStopSeen) {
         lastStop_->setState(
             tr("not measured"), StateChip::Shape::None, StateChip::Emphasis::Muted,
-            advice(tr("Data stopped while the arm was moving: the stop could not be measured.")));
+            advice(tr("The robot data ended while the arm was moving, so the stop could not be measured.")));
     } else if (last.count > 0) {
         lastStop_->setState(
             tr("%1 ms · %2").arg(last.durationMs, 0, 'f', 0).arg(format::length(last.distanceMm / 1e3, 1)),

@@ -373,7 +373,7 @@ QString nextStepAdvice(NextStep step) {
         case NextStep::Connect:
             return ModeLookText::tr("Select the simulator or enter the address of a robot");
         case NextStep::PowerOn:
-            return ModeLookText::tr("Powers the arm on. Brakes stay engaged.");
+            return ModeLookText::tr("Powers on the arm. The brakes stay engaged.");
         case NextStep::ReleaseBrakes:
             return ModeLookText::tr("The arm may sag by a few millimetres. Keep clear.");
         case NextStep::Recover:

@@ -142,7 +142,7 @@ PreflightPage::PreflightPage(const doctor::Patient& patient, QWidget* parent)
     list_->addStretch(1);
     auto* scroll = new NoFocusScrollArea(this);
     scroll->setObjectName(QStringLiteral("preflightConditions"));
-    scroll->setAccessibleName(tr("Conditions"));
+    scroll->setAccessibleName(tr("Checks"));
     scroll->setWidget(list);
     scroll->setWidgetResizable(true);
     list->setAutoFillBackground(false);

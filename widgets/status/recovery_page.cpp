@@ -227,7 +227,7 @@ void RecoveryPage::showRecord() {
     }
     recordShown_ = record->stoppedAt;
     QString where =
-        tr("At X %1, Y %2, Z %3.")
+        tr("Stopped at X %1, Y %2, Z %3.")
             .arg(signedLength(record->tcpPose.position.x()), signedLength(record->tcpPose.position.y()),
                  signedLength(record->tcpPose.position.z()));
     int joint = record->suspect;
@@ -284,7 +284,7 @@ void RecoveryPage::showKey() {
     key_->setAccessibleName(text);
     waiting_->setText(!guide_.waiting.isEmpty() ? guide_.waiting
                       : !ticked                 ? tr("Tick the items that you have checked.")
-                      : sent_                   ? tr("Requested; waiting for the robot…")
+                      : sent_                   ? tr("Command sent; waiting for the robot…")
                                                 : QString());
 }
 

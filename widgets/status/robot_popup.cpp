@@ -138,7 +138,7 @@ void RobotPopup::followState(const SessionState& state) {
 
 QString RobotPopup::obstacleNow(const SessionState& state) const {
     if (refused_) {
-        return tr("The popup could not be closed from here: close it on the teach pendant.");
+        return tr("Tiller could not close the popup. Close the popup on the teach pendant.");
     }
     return state.link == LinkState::Live
                ? serviceObstacle(state, RobotCommand::ClosePopups)

@@ -38,7 +38,8 @@ void StopButton::setKeysStop(bool keys) {
     const QString what = tr("Software stop. Not an emergency stop. Power stays on.");
     setToolTip(what + QLatin1Char('\n') +
                (keys ? tr("Space and Esc also stop the arm.")
-                     : tr("Click to stop. Space and Esc stop only while this window is in control.")));
+                     : tr("Click to stop the arm. Space and Esc stop the arm only while this window is in "
+                          "control.")));
     setAccessibleDescription(toolTip());
     update();
 }

@@ -68,8 +68,8 @@ QString payloadDoubt(const SessionState& state) {
     }
     const QString felt = force > kPayloadForce ? format::newtons(force) : format::newtonMetres(torque);
     return FreedriveText::tr(
-               "The arm would drift: it measures %1 with a payload of %2 kg. Release the tool, or correct "
-               "the payload and the TCP.")
+               "The arm would drift: the robot measures %1 with a payload of %2 kg. Do not touch the tool, "
+               "or correct the payload and the TCP.")
         .arg(felt, format::number(state.payloadMass, 2));
 }
 

@@ -74,7 +74,7 @@ QString serviceObstacle(const SessionState& state) {
                             state.service == dashboard::ServiceKind::Unknown;
     return withoutApi ? QCoreApplication::translate("Texts",
                                                     "PolyScope X before 10.11 does not accept these commands "
-                                                    "over the network: use the teach pendant.")
+                                                    "over the network. Use the teach pendant.")
                       : QString();
 }
 
@@ -82,7 +82,7 @@ QString serviceObstacle(const SessionState& state, dashboard::RobotCommand comma
     return state.monitorOnly || dashboard::offers(state.service, command)
                ? serviceObstacle(state)
                : QCoreApplication::translate(
-                     "Texts", "PolyScope X cannot close popups over the network: use the teach pendant.");
+                     "Texts", "PolyScope X cannot close popups over the network. Use the teach pendant.");
 }
 
 }  // namespace tiller

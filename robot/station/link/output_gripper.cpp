@@ -72,7 +72,7 @@ QString OutputGripper::text() const {
 
 QString OutputGripper::obstacle(const OutputHolders& holders) const {
     if (hasTwo() && choice_.closeOutput == choice_.openOutput) {
-        return tr("Choose two different outputs: one closes, the other opens.");
+        return tr("Choose different outputs for closing and opening.");
     }
     const QString& close = holders.digital(choice_.closeOutput);
     return !close.isEmpty() || !hasTwo() ? close : holders.digital(choice_.openOutput);

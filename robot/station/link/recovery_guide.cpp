@@ -28,14 +28,13 @@ RecoveryGuide powerUpGuide(const SessionState& state, RecoveryStep next) {
             break;
         case RecoveryStep::Done:
             guide.takesControl = state.control != ControlState::InControl && !state.monitorOnly;
-            guide.what =
-                state.monitorOnly ? texts::monitorOnlyObstacle()
-                : !guide.takesControl
-                    ? RecoveryGuideText::tr(
-                          "The arm can be moved. Motions interrupted by the stop do not resume: each motion "
-                          "requires a new press.")
-                    : RecoveryGuideText::tr(
-                          "The arm is ready. Take control to move it, or continue on the teach pendant.");
+            guide.what = state.monitorOnly     ? texts::monitorOnlyObstacle()
+                         : !guide.takesControl ? RecoveryGuideText::tr(
+                                                     "The arm can be moved. Motions interrupted by the stop "
+                                                     "do not resume. Press the button again for each motion.")
+                                               : RecoveryGuideText::tr(
+                                                     "The arm is ready. Take control to move the arm, or "
+                                                     "continue on the teach pendant.");
             if (state.control == ControlState::Taking) {
                 guide.waiting = RecoveryGuideText::tr("Taking control…");
             }
@@ -53,7 +52,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
     if (!state.hasData() || state.link != LinkState::Live) {
         guide.title = RecoveryGuideText::tr("No data from the robot");
         guide.what = state.linkReason;
-        guide.waiting = RecoveryGuideText::tr("Waiting for the connection");
+        guide.waiting = RecoveryGuideText::tr("Waiting for the connection…");
         return guide;
     }
     const SafetyStatus status = state.safety();
@@ -74,7 +73,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
             const double left = dashboard::kUnlockAfter - sinceStop;
             if (left > 0) {
                 guide.countdown = static_cast<int>(std::ceil(left));
-                guide.waiting = RecoveryGuideText::tr("Possible in %1 s").arg(guide.countdown);
+                guide.waiting = RecoveryGuideText::tr("Unlocking is available in %1 s").arg(guide.countdown);
             }
             break;
         }
@@ -85,7 +84,7 @@ RecoveryGuide guideFor(const SessionState& state, double sinceStop) {
             break;
         default:
             guide.waiting = RecoveryGuideText::tr(
-                "No action is needed in Tiller. The state ends when the cause is removed.");
+                "No action is needed in Tiller. This state ends when the cause is removed.");
             break;
     }
     return guide;

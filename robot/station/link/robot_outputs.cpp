@@ -304,8 +304,8 @@ void RobotOutputs::followPulses() {
     for (const RunningPulse& pulse : ended) {
         if ((d_.state.digitalOutputs >> pulse.output & 1U) != 0) {
             Q_EMIT session_.message(Severity::Warning,
-                                    tr("The robot did not end the pulse of %1 because its program was "
-                                       "stopped or paused. Tiller switches the output off.")
+                                    tr("The robot did not end the pulse on %1 because the program on the "
+                                       "robot was stopped or paused. Tiller switches the output off.")
                                         .arg(terminalText(ioTerminal(true, pulse.output))));
             writeDigitalOutput(pulse.output, false);
         }

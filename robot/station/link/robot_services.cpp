@@ -151,13 +151,13 @@ void RobotServices::followForeignStop(const SampleBatch& batch) {
         case ExternalProgramStopper::Outcome::None:
             break;
         case ExternalProgramStopper::Outcome::Stopped:
-            Q_EMIT session_.message(Severity::Info, tr("The program on the robot was stopped"),
+            Q_EMIT session_.message(Severity::Info, tr("The program on the robot was stopped."),
                                     Origin::Operator);
             break;
         case ExternalProgramStopper::Outcome::Failed:
             Q_EMIT session_.message(
                 Severity::Error,
-                tr("The program on the robot could not be stopped: stop it on the teach pendant. %1")
+                tr("The program on the robot could not be stopped. Stop the program on the teach pendant. %1")
                     .arg(texts::errorText(d_.link->foreignStop->error())));
             break;
     }

@@ -298,7 +298,7 @@ void RobotSession::takeControl(ForeignProgram program) {
             if (result) {
                 Q_EMIT message(Severity::Info, tr("In control"), Origin::Operator);
             } else if (result.error().code == ErrorCode::Cancelled) {
-                Q_EMIT message(Severity::Info, tr("Taking control was cancelled by a stop"));
+                Q_EMIT message(Severity::Info, tr("Taking control was cancelled by a stop."));
             } else {
                 d_->refusal = texts::errorText(result.error());
                 d_->localRefuses =
@@ -761,9 +761,9 @@ void RobotSession::reportExternalProgram() {
     d_->externalRunSeen = runs;
     if (runs) {
         Q_EMIT message(d_->isTakenOver() ? Severity::Warning : Severity::Info,
-                       d_->isTakenOver()
-                           ? tr("A program of another client has taken over the robot. Control was lost.")
-                           : tr("A program of another client is running on the robot."),
+                       d_->isTakenOver() ? tr("A program of another client has taken over the robot, and "
+                                              "control was lost. Taking control again ends that program.")
+                                         : tr("A program of another client is running on the robot."),
                        Origin::Robot);
     } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
         Q_EMIT message(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);
@@ -798,7 +798,7 @@ void RobotSession::reportControllerMessages() {
     if (const std::uint64_t removed = limiter.takeRemoved(now); removed > 0) {
         Q_EMIT message(
             Severity::Warning,
-            tr("The robot sends too many messages: %n were not shown", nullptr,
+            tr("The robot is sending too many messages. %n messages were not shown.", nullptr,
                static_cast<int>(std::min<std::uint64_t>(removed, std::numeric_limits<int>::max()))));
     }
     for (const script::ControllerMessage& m : messages) {

@@ -128,11 +128,11 @@ void RobotiqLink::take(const Look& found, bool afterCommand) {
         lose(errorText(found.error()));
     } else if (!found->has_value()) {
         lose(
-            tr("The gripper sends no values. Power the arm on; if the problem persists, check the gripper "
-               "cable at the wrist."));
+            tr("The gripper does not send any values. Power on the arm. If the problem persists, check the "
+               "gripper cable at the wrist."));
     } else {
         if (failures_ > 0) {
-            Q_EMIT session_.message(Severity::Info, tr("The gripper responds again"), Origin::Robot);
+            Q_EMIT session_.message(Severity::Info, tr("The gripper responds again."), Origin::Robot);
         }
         failures_ = 0;
         reason_.clear();
@@ -177,7 +177,7 @@ void RobotiqLink::note(const io::RobotiqState& now) {
     }
     if (activating_ && now.activation == RobotiqActivation::Active) {
         activating_.reset();
-        Q_EMIT session_.message(Severity::Info, tr("The gripper is active"), Origin::Robot);
+        Q_EMIT session_.message(Severity::Info, tr("The gripper is active."), Origin::Robot);
     } else if (activating_ && activating_->elapsed() > kActivationMs) {
         activating_.reset();
         Q_EMIT session_.message(Severity::Error, tr("The gripper was not activated. Check that nothing "
@@ -186,10 +186,10 @@ void RobotiqLink::note(const io::RobotiqState& now) {
     if (now.holds() && !held_) {
         Q_EMIT session_.message(
             Severity::Info,
-            tr("The gripper holds an object (%1 open)").arg(format::length(opening(now.position), 1)),
+            tr("The gripper holds an object (%1 open).").arg(format::length(opening(now.position), 1)),
             Origin::Robot);
     } else if (held_ && !now.holds() && state_ && state_->requested == now.requested) {
-        Q_EMIT session_.message(Severity::Warning, tr("The gripper lost the object it held"), Origin::Robot);
+        Q_EMIT session_.message(Severity::Warning, tr("The gripper lost the object."), Origin::Robot);
     }
     held_ = now.holds();
 }
@@ -308,8 +308,8 @@ QString RobotiqLink::errorText(const Error& error) const {
                 "automatically; the gripper keeps its grip.");
         case ErrorCode::Rejected:
             return tr(
-                "The gripper did not accept the command. Activate it. If it is active, check the gripper's "
-                "page in the robot's installation.");
+                "The gripper did not accept the command. Activate the gripper. If the gripper is already "
+                "active, check the gripper's page in the robot's installation.");
         default:
             return texts::errorText(error);
     }
@@ -346,7 +346,7 @@ QString RobotiqLink::textOf(io::RobotiqFault fault) {
             return tr("The automatic release of the gripper is complete. Press “Activate”.");
         case RobotiqFault::Internal:
             return tr(
-                "The gripper has an internal fault. Press “Activate”; if the fault returns, contact "
+                "The gripper has an internal fault. Press “Activate”. If the fault returns, contact "
                 "Robotiq.");
         case RobotiqFault::Activation:
             return tr("Activation failed. Check that nothing blocks the fingers, then press “Activate”.");
@@ -355,7 +355,7 @@ QString RobotiqLink::textOf(io::RobotiqFault fault) {
                 "The gripper draws too much current. Check that nothing blocks the fingers, then press "
                 "“Activate”.");
     }
-    return tr("The gripper reports fault %1. Press “Activate”; if the fault returns, see its manual.")
+    return tr("The gripper reports fault %1. Press “Activate”. If the fault returns, see the gripper manual.")
         .arg(static_cast<int>(fault));
 }
 

@@ -75,9 +75,10 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
         }
     }
     if (!missing.isEmpty()) {
-        Q_EMIT session_.message(Severity::Warning,
-                                tr("Not recorded, because the robot cannot send so many signals at once: %1")
-                                    .arg(missing.join(QStringLiteral(", "))));
+        Q_EMIT session_.message(
+            Severity::Warning,
+            tr("The robot cannot send so many signals at once. Signals that are not recorded: %1")
+                .arg(missing.join(QStringLiteral(", "))));
     }
     auto another = std::make_shared<receive::Receiver>(options);
     static_cast<void>(another->start());  // cannot fail, because all fields are in the catalogue

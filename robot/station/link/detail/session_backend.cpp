@@ -327,14 +327,17 @@ QString SessionBackend::obstacle() const {
         return RobotSession::tr("Taking control…");
     }
     if (state.control == ControlState::InControl) {
-        return state.programRuns ? RobotSession::tr("A program is running.") : QString();
+        return state.programRuns
+                   ? RobotSession::tr(
+                         "A program is running. Wait until the program ends, or stop the program.")
+                   : QString();
     }
     if (!refusal.isEmpty()) {
         return refusal;
     }
     if (isTakenOver()) {
         return RobotSession::tr(
-            "A program of another client has taken over the robot. Taking control ends it.");
+            "A program of another client has taken over the robot. Taking control ends that program.");
     }
     return state.remoteNeeded ? texts::remoteObstacle() : texts::controlLossText(loss);
 }
