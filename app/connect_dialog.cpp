@@ -42,7 +42,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     , list_(new QListWidget)
     , forget_(new QPushButton(tr("Forget")))
     , simulator_(new QPushButton(tr("Start the simulated robot")))
-    , sample_(new QPushButton(tr("With a sample project…")))
+    , sample_(new QPushButton(tr("Open sample project…")))
     , connect_(new QPushButton(tr("Connect")))
     , hint_(new QLabel) {
     setObjectName("connectDialog");
@@ -72,7 +72,7 @@ ConnectDialog::ConnectDialog(const QVector<RobotAddress>& remembered, QWidget* p
     cancel->setObjectName("cancelConnect");
     auto* project = new QPushButton(tr("Open project…"));
     project->setObjectName("openProject");
-    project->setToolTip(tr("Opens waypoints from a file without a robot: everything except motion works."));
+    project->setToolTip(tr("Opens a project without a robot, to view and edit waypoints and programs."));
     for (QPushButton* button : {project, cancel, connect_, simulator_, sample_, forget_}) {
         button->setAutoDefault(false);  // a focus change must not change the default button
     }
@@ -128,7 +128,7 @@ QWidget* ConnectDialog::robotPart() {
     auto* layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(16);
-    auto* title = new QLabel(tr("Connect a robot"));
+    auto* title = new QLabel(tr("Connect to a robot"));
     title->setProperty("role", "strong");
     layout->addWidget(title);
     host_->setObjectName("robotHost");

@@ -51,7 +51,7 @@ DecimalSpinBox* numberField(const QString& name, const QString& accessible, doub
 DeviceSettings::DeviceSettings(DeviceJog& devices, const QMap<QString, DeviceTuning>& chosen, QWidget* parent)
     : QWidget(parent), devices_(devices), chosen_(chosen), used_(new ChoiceBox), there_(secondary({})) {
     used_->setObjectName("settings.device");
-    used_->setAccessibleName(tr("Device that moves the arm"));
+    used_->setAccessibleName(tr("Jog device"));
     there_->setObjectName("settings.deviceNote");
     auto* trainer = new QPushButton(tr("Test device…"));
     trainer->setObjectName("settings.trainer");
@@ -62,7 +62,7 @@ DeviceSettings::DeviceSettings(DeviceJog& devices, const QMap<QString, DeviceTun
     auto* form = new QFormLayout;
     form->setVerticalSpacing(10);
     form->setHorizontalSpacing(20);
-    form->addRow(fieldName(tr("Moves the arm")), used_);
+    form->addRow(fieldName(tr("Jog device")), used_);
     form->addRow(QString(), there_);
     auto* row = new QHBoxLayout;
     row->addWidget(trainer);
@@ -152,8 +152,8 @@ void DeviceSettings::listDevices() {
     used_->setEnabled(!devices_.devices().empty());
     there_->setText(devices_.devices().empty()
                         ? tr("No gamepad or SpaceMouse found. Connect one; it is detected automatically.")
-                        : tr("Moves the arm only while the hold-to-run button is held. Not stored: after a "
-                             "restart, no device moves the arm."));
+                        : tr("The device moves the arm only while the hold-to-run button is held. The "
+                             "selection is not stored: after a restart, no device moves the arm."));
 }
 
 }  // namespace tiller::app

@@ -74,11 +74,11 @@ QWidget* HelpPage::buildManual() {
     contents->setEnabled(!folder_.isEmpty());
     if (folder_.isEmpty()) {
         manual_->setHtml(
-            tr("<h2>The manual is not installed on this PC</h2><p>The Debian package of Tiller "
-               "contains it. To add it to your own build, install the package "
+            tr("<h2>The manual is not installed on this PC</h2><p>The Debian package of Tiller contains the "
+               "manual. To add the manual to your own build, install the package "
                "python3-sphinx:</p><pre>apt-get install python3-sphinx</pre><p>Then build again. You can "
-               "also read its pages as text in the folder packaging/manual of the source code. The rules of "
-               "jogging and all keys are on the other page of this window.</p>"));
+               "also read the pages as text in the folder packaging/manual of the source code. The page "
+               "“Jogging and keys” of this window contains the jogging rules and all shortcuts.</p>"));
     } else {
         showManual(QStringLiteral("index.html"));
         manual_->clearHistory();
@@ -95,20 +95,21 @@ QWidget* HelpPage::buildRules(int longestHold, const QString& commands) {
            "it. It also stops when</p><ul><li>the pointer leaves the button, another mouse button is "
            "pressed, or a second input device is used;</li><li>a modifier or an opposite key is pressed "
            "while a keyboard key is held;</li><li>the window loses focus, a dialog or menu opens, or the "
-           "frame, speed, step or tab changes;</li><li>data from the robot are late, this program hangs, or "
-           "the robot leaves Running, its safety mode or Remote control;</li><li>the screen is locked, the "
+           "frame, speed, step or tab changes;</li><li>data from the robot are late, Tiller hangs, or the "
+           "robot mode, the safety mode or Remote control changes;</li><li>the screen is locked, the "
            "PC goes to sleep, or the input device is unplugged or stops sending data;</li><li>the key-state "
            "check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is "
-           "still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If "
-           "the check is not available, the header and Settings show this;</li><li>the maximum hold time is "
+           "still pressed. If the button or key is not pressed, or if the server does not respond for 100 "
+           "ms, the motion ends. If the check is not available, the header and Settings show a "
+           "note;</li><li>the maximum hold time is "
            "reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 "
            "s for a move to a position. The last 3 s are counted down.</li></ul><p>A stopped motion needs a "
            "new press. While Tiller is in control, <b>Space</b> and <b>Esc</b> stop the arm from every "
            "window, dialog and text field. When Tiller is not in control, they act on the focused element; "
            "click <b>STOP</b> to stop a program of another client. This is a software stop, not an emergency "
-           "stop: keep the emergency stop within reach.</p><p><b>Ctrl</b> makes a press ten times finer, "
-           "<b>Shift</b> three times faster, but never above the cap. On a keyboard without Latin letters, a "
-           "letter below refers to its position on a US keyboard.</p><h2>Commands</h2>")
+           "stop: keep the emergency stop within reach.</p><p>Hold <b>Ctrl</b> for one-tenth of the speed or "
+           "step, or <b>Shift</b> for three times the speed, up to the speed cap. On a keyboard without "
+           "Latin letters, the letters below refer to key positions on a US keyboard.</p><h2>Commands</h2>")
             .arg(longestHold) +
         commands);
     return text;

@@ -34,8 +34,8 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
                        const std::function<void()>& showTrainer) {
     table.add(
         {"jog.keyboard", tr("Arm or disarm keyboard jogging"),
-         tr("While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It "
-            "is disarmed after 30 s without use."),
+         tr("While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. The "
+            "keyboard is disarmed after 30 s without use."),
          QKeySequence(Qt::CTRL | Qt::Key_J), [&keyboard] { keyboard.setArmed(!keyboard.isArmed()); },
          [](const SessionState& s) { return s.monitorOnly ? texts::monitorOnlyObstacle() : QString(); }});
     table.add({"jog.devices",
@@ -44,8 +44,8 @@ void JogActions::addTo(ActionTable& table, JogColumn& column, KeyboardJog& keybo
                {},
                showTrainer});
     table.add({"jog.zero", tr("Zero here"),
-               tr("Shows the TCP displacement from this position. Press again to show it from the start of "
-                  "the last motion."),
+               tr("Shows the TCP displacement from the current position. Press again to show the "
+                  "displacement since the start of the last motion."),
                QKeySequence(Qt::Key_Z), [&column] { column.zeroHere(); }});
     int index = 0;
     for (const SpeedClass& choice : speedClasses()) {

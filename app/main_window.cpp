@@ -894,7 +894,7 @@ void MainWindow::askToEndRecording() {
                                      QMessageBox::NoButton, this);
     question->setObjectName(name);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(tr("Closing the window stops it."));
+    question->setInformativeText(tr("Closing the window stops the recording."));
     QPushButton* end = question->addButton(tr("Stop recording and close"), QMessageBox::DestructiveRole);
     end->setObjectName(name + QStringLiteral(".end"));
     end->setAutoDefault(false);
@@ -997,7 +997,7 @@ void MainWindow::addProjectActions() {
              stopMotion(control::StopCause::DialogOpened);
              files_->askForNew(this);
          }});
-    actions_->add({"project.open", tr("Open project…"), tr("Opens waypoints and frames from a file."),
+    actions_->add({"project.open", tr("Open project…"), tr("Opens a project file."),
                    QKeySequence(QKeySequence::Open), [this] {
                        stopMotion(control::StopCause::DialogOpened);
                        files_->askToOpen(this);
@@ -1014,7 +1014,8 @@ void MainWindow::addProjectActions() {
          {},
          [this] { fit_->ask(); }});
     actions_->add({"project.saveAs", tr("Save project as…"),
-                   tr("Saves to this file now and saves all further changes automatically."),
+                   tr("Saves the project to a different file, and saves all further changes to that file "
+                      "automatically."),
                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] {
                        stopMotion(control::StopCause::DialogOpened);
                        files_->askToSave(this);
@@ -1052,7 +1053,7 @@ void MainWindow::addViewActions() {
          {std::pair<QString, QString>{"light", tr("Light colours")}, {"dark", tr("Dark colours")}}) {
         actions_->add({"view." + name,
                        title,
-                       tr("Changes the colour theme now and for later starts."),
+                       tr("Changes the colour theme. The setting is stored."),
                        {},
                        [this, name = name] {
                            setTheme(name);
@@ -1061,7 +1062,7 @@ void MainWindow::addViewActions() {
     }
     actions_->add(
         {"view.zeroForce",
-         tr("Zero the force in the plots, or show it as measured"),
+         tr("Zero the force in the plots, or show the measured force"),
          tr("Subtracts the current TCP force in the plots. Press again to show the measured force."),
          {},
          [this] { plots_->setForceZeroed(!plots_->view().isForceZeroed()); }});
@@ -1092,7 +1093,7 @@ void MainWindow::addViewActions() {
                    }});
     QAction* help = actions_->add({"app.help", tr("Help"),
                                    tr("Opens the manual page for the focused control, the list of commands "
-                                      "and shortcuts, and the rules of jogging."),
+                                      "and shortcuts, and the jogging rules."),
                                    QKeySequence(Qt::Key_F1), [this] { showHelp(); }});
     new HelpKey(*help, *this);
     actions_->add({"app.report",

@@ -46,8 +46,8 @@ void PanelActions::addPlots(ActionTable& table, PlotDock& plots) {
                [&plots] { plots.askExport(); }});
     table.add({"plots.action.signals",
                tr("Search signals for the plots"),
-               tr("Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing "
-                  "Return."),
+               tr("Opens the list of all signals. To add a signal to a plot, drag it, double-click it or "
+                  "press Return."),
                {},
                [&plots] { plots.searchSignals(); }});
     table.add({"plots.action.addPage",
@@ -80,7 +80,7 @@ void PanelActions::addIo(ActionTable& table, IoTab& io, const std::function<void
                }});
     table.add({"io.action.rename",
                tr("Rename selected input or output"),
-               tr("Applies to the focused row of the I/O tab."),
+               tr("Renames the input or output in the focused row of the I/O tab."),
                {},
                [&io] { io.renameChosen(); }});
     table.add({"io.action.switch",

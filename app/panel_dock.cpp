@@ -37,7 +37,7 @@ public:
         auto* name = new QLabel(dock.windowTitle());
         name->setFont(textFont(14, QFont::Bold));
         auto* back = quietKey(PanelDock::tr("Dock"), "dock.back." + dock.objectName());
-        back->setToolTip(PanelDock::tr("Move the panel back to the main window"));
+        back->setToolTip(PanelDock::tr("Moves this panel back to the main window."));
         auto* close = quietKey(PanelDock::tr("Close"), "dock.close." + dock.objectName());
         close->setToolTip(PanelDock::tr("Closes this panel. Use the View menu to show it again."));
         connect(back, &QToolButton::clicked, &dock, [&dock] { dock.setFloating(false); });

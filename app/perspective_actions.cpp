@@ -116,7 +116,7 @@ void PerspectiveActions::showCurrent() {
         key_->setText(metrics.elidedText(current.name, Qt::ElideRight, room) + arrow);
         key_->setAccessibleName(tr("Perspective %1").arg(current.name));
         key_->setToolTip(
-            tr("Perspective %1. Select a panel layout, or save the current one.").arg(current.name));
+            tr("Perspective %1. Select a panel layout, or save the current layout.").arg(current.name));
     }
     hooks_.refresh();
 }

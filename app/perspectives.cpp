@@ -106,8 +106,8 @@ void Perspectives::choose(const QString& id) {
     hooks_.stop(StopCause::SelectionChanged);
     if (!bring(id)) {
         const SavedPerspective* saved = savedOf(id);
-        fallBack(tr("The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels "
-                    "and save it again.")
+        fallBack(tr("The perspective “%1” cannot be shown because the stored layout is damaged. Arrange the "
+                    "panels and save the perspective again.")
                      .arg(saved != nullptr ? saved->name : id));
     }
 }

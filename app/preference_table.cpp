@@ -60,8 +60,8 @@ PreferenceRow densityRow() {
         {.key = "look/density",
          .manual = "size of controls",
          .words = {"compact", "mouse", "touch"},
-         .label = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Size of controls"),
-         .name = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Size of controls"),
+         .label = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Control size"),
+         .name = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Control size"),
          .titles = {QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Compact"),
                     QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Mouse"),
                     QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Touch")},
@@ -90,8 +90,8 @@ PreferenceRow rotationsRow() {
         {.key = "look/rotations",
          .manual = "notation of rotations",
          .words = {"rpy", "vector"},
-         .label = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Rotations"),
-         .name = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Rotations"),
+         .label = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Orientations"),
+         .name = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Orientations"),
          .titles = {QT_TRANSLATE_NOOP("tiller::app::SettingsPage", "Roll, pitch, yaw in degrees"),
                     QT_TRANSLATE_NOOP("tiller::app::SettingsPage",
                                       "Rotation vector in radians, as in scripts")},
@@ -145,8 +145,8 @@ PreferenceRow longestHoldRow() {
         .unit = QT_TRANSLATE_NOOP("tiller::app::SettingsPage", " s"),
         .toolTip = QT_TRANSLATE_NOOP(
             "tiller::app::SettingsPage",
-            "After this time, a jog stops and its button must be pressed again. Freedrive: five "
-            "minutes. Move to a position: its duration plus 5 s.")};
+            "After this time, a jog stops and its button must be pressed again. Freedrive has a limit of "
+            "five minutes. A move to a position has a limit of its duration plus 5 s.")};
     row.value = [](const Preferences& preferences) { return QVariant(preferences.longestHold); };
     row.setValue = [min = row.min, max = row.max](Preferences& preferences, const QVariant& value) {
         bool isNumber = false;

@@ -94,7 +94,7 @@ void RecordingSettings::build() {
     pattern_->setToolTip(tr("{date}, {time}, {robot} and {number} are replaced when a recording starts."));
 
     every_->setObjectName(QStringLiteral("settings.recording.every"));
-    every_->setAccessibleName(tr("One row every"));
+    every_->setAccessibleName(tr("Packets/row"));
     every_->setDecimals(0);
     every_->setRange(1, RecordingChoice::kMaxDecimation);
     every_->setValue(choice_.every);
@@ -146,7 +146,7 @@ void RecordingSettings::build() {
     form->addRow(tr("Folder"), place);
     form->addRow(tr("File name"), pattern_);
     form->addRow(QString(), example_);
-    form->addRow(tr("One row every"), every_);
+    form->addRow(tr("Packets/row"), every_);
     form->addRow(QString(), rate_);
     form->addRow(tr("Keep free"), keepFree_);
     form->addRow(tr("Signals"), above);

@@ -78,8 +78,8 @@ ReportDialog::ReportDialog(ReportSources sources, QWidget* parent)
     layout->setContentsMargins(24, 20, 24, 20);
     layout->setSpacing(12);
     layout->addWidget(
-        line(tr("One file with the information that support needs. Its complete content is listed below. The "
-                "file is saved where you choose; Tiller does not send it.")));
+        line(tr("The report is one file with the information that support needs. The complete content is "
+                "listed below. You choose where to save the file. Tiller does not send it.")));
     layout->addWidget(words_);
     layout->addWidget(names_);
     layout->addLayout(files, 1);

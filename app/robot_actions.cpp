@@ -136,7 +136,8 @@ void RobotActions::addPower(ActionTable& table, RobotSession& session, const Rob
                [](const SessionState& s) {
                    const QString why = needsService(s, RobotCommand::RestartSafety);
                    const bool needed = s.safety() == SafetyMode::Violation || s.safety() == SafetyMode::Fault;
-                   return !why.isEmpty() || needed ? why : tr("Possible only after a violation or fault.");
+                   return !why.isEmpty() || needed ? why
+                                                   : tr("Available only after a safety violation or fault.");
                }});
     table.add({"power.closePopups",
                commandText(RobotCommand::ClosePopups),
@@ -182,13 +183,13 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
                hooks.stop});
     table.add({"control.load",
                tr("Load program…"),
-               tr("Loads a program on the robot by its name."),
+               tr("Loads a program on the robot by name."),
                {},
                hooks.askForProgram,
                [](const SessionState& s) { return needsForeignProgram(s, RobotCommand::Play, false); }});
     table.add({"control.play",
                commandText(RobotCommand::Play),
-               tr("Starts the loaded program or resumes a paused one: the arm may move at once."),
+               tr("Starts the loaded program or resumes the paused program. The arm may move immediately."),
                {},
                perform(RobotCommand::Play),
                [](const SessionState& s) {

@@ -319,12 +319,12 @@ void SettingsPage::showCap() {
     capNote_->setProperty("role", raised ? QStringLiteral("warning") : QStringLiteral("secondary"));
     // The change of the property takes effect only after the style sheet is set again.
     capNote_->setStyleSheet(capNote_->styleSheet());
-    capNote_->setText(raised ? tr("▲ Above %1. No other limit applies to jogging from a PC: neither manual "
-                                  "mode nor the enabling device of the pendant. The header shows a warning. "
-                                  "The cap resets when Tiller is closed.")
-                                   .arg(format::speed(Preferences::kOrdinaryCap))
-                             : tr("Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes "
-                                  "effect at once and stops running motion."));
+    capNote_->setText(
+        raised ? tr("▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging "
+                    "from a PC. The header shows a warning. The cap resets when Tiller is closed.")
+                     .arg(format::speed(Preferences::kOrdinaryCap))
+               : tr("Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes "
+                    "effect immediately and stops any motion."));
 }
 
 QWidget* SettingsPage::buildDevices(DeviceJog& devices) {
@@ -384,8 +384,8 @@ QWidget* SettingsPage::buildShortcuts() {
     row->addWidget(defaults);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 12, 0, 0);
-    layout->addWidget(note(tr("Press the new shortcut in the field; Backspace removes it. While Tiller is in "
-                              "control, Space and Esc always stop the arm."),
+    layout->addWidget(note(tr("Press the new shortcut in the field, or Backspace to remove the shortcut. "
+                              "While Tiller is in control, Space and Esc always stop the arm."),
                            "secondary"));
     layout->addWidget(shortcuts_, 1);
     layout->addLayout(row);
@@ -440,7 +440,7 @@ bool SettingsPage::setShortcut(const QString& id, const QKeySequence& keys) {
     for (const QAction* other : actions_.all()) {
         if (other != action && !keys.isEmpty() && other->shortcut() == keys &&
             ActionTable::share(*action, *other)) {
-            hint_->setText(tr("%1 is assigned to “%2”. Remove it there first.")
+            hint_->setText(tr("%1 is assigned to “%2”. Remove that shortcut first.")
                                .arg(keys.toString(QKeySequence::NativeText), plain(*other)));
             return false;
         }

@@ -45,7 +45,7 @@ QString titleOf(SettingsPart part) {
         case SettingsPart::IoNames:
             return ImportDialog::tr("Names and scales of inputs and outputs");
         case SettingsPart::Layout:
-            return ImportDialog::tr("Layout of the window");
+            return ImportDialog::tr("Window layout");
         case SettingsPart::Other:
             return ImportDialog::tr("Other settings");
     }
@@ -116,10 +116,11 @@ ImportDialog::ImportDialog(const QString& path, const Result<SettingsBundle>& fo
         cancel->setDefault(true);
         return;
     }
-    head_->setText(found->writtenBy.isEmpty()
-                       ? tr("The selected settings are replaced by those in %1:").arg(name)
-                       : tr("The selected settings are replaced by those in %1 (written by Tiller %2):")
-                             .arg(name, found->writtenBy));
+    head_->setText(
+        found->writtenBy.isEmpty()
+            ? tr("The selected settings are replaced by the settings in %1:").arg(name)
+            : tr("The selected settings are replaced by the settings in %1 (written by Tiller %2):")
+                  .arg(name, found->writtenBy));
     head_->setToolTip(head_->text());
     listParts(*found, present);
 }
@@ -138,7 +139,7 @@ void ImportDialog::listParts(const SettingsBundle& found, const SettingsBundle& 
         auto* box = new QCheckBox(same        ? tr("%1: identical").arg(titleOf(part))
                                   : none      ? tr("%1: not in the file").arg(titleOf(part))
                                   : count < 0 ? titleOf(part)
-                                              : tr("%1: %2 here, %3 in the file")
+                                              : tr("%1: %2 in Tiller, %3 in the file")
                                                     .arg(titleOf(part))
                                                     .arg(countOf(present, part))
                                                     .arg(count));
@@ -230,7 +231,7 @@ void SettingsTransfer::importFrom(const QString& path, QWidget* over) {
         dialog->accept();
         Q_EMIT message(
             Severity::Info,
-            tr("Settings imported from %1. The previous settings were saved to %2").arg(path, *backup));
+            tr("Settings imported from %1. The previous settings were saved to %2.").arg(path, *backup));
         Q_EMIT imported();
     });
     dialog->open();

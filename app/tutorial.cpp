@@ -119,7 +119,7 @@ PracticeHooks Tutorial::hooks() {
                                    state.link == LinkState::Stale
                                ? QString()
                                : tr("Practice works only with the built-in simulated robot. The current "
-                                    "robot is “%1”.")
+                                    "robot is “%1”. Connect to the simulated robot first.")
                                      .arg(state.robotName);
                 },
             .setUp = [this](PracticeTask task) { setUp(task); },

@@ -937,7 +937,7 @@
         <translation>Tastatur-Verfahren scharf schalten oder abschalten</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. The keyboard is disarmed after 30 s without use.</source>
         <translation>Bei scharfer Tastatur bewegen die Pfeiltasten den Arm, und ein Rahmen umgibt das Fenster. Endet nach 30 s ohne Bedienung.</translation>
     </message>
     <message>
@@ -953,7 +953,7 @@
         <translation>Hier null</translation>
     </message>
     <message>
-        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <source>Shows the TCP displacement from the current position. Press again to show the displacement since the start of the last motion.</source>
         <translation>Zeigt die Verschiebung des TCP von dieser Position aus. Noch einmal drücken: seit Beginn der letzten Bewegung.</translation>
     </message>
     <message>
@@ -1800,8 +1800,8 @@
         <translation>Gewählten Ein- oder Ausgang umbenennen</translation>
     </message>
     <message>
-        <source>Applies to the focused row of the I/O tab.</source>
-        <translation>Gilt für die Zeile mit Fokus im Register E/A.</translation>
+        <source>Renames the input or output in the focused row of the I/O tab.</source>
+        <translation>Benennt den Eingang oder Ausgang in der fokussierten Zeile des Registers E/A um.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1864,7 +1864,7 @@
         <translation>Signale für die Diagramme suchen</translation>
     </message>
     <message>
-        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
+        <source>Opens the list of all signals. To add a signal to a plot, drag it, double-click it or press Return.</source>
         <translation>Öffnet die Liste aller Signale. Fügen Sie ein Signal durch Ziehen, Doppelklick oder Enter in ein Diagramm ein.</translation>
     </message>
     <message>
@@ -3290,8 +3290,8 @@
         <translation>Setzt das Sicherheitssystem nach einer Verletzung oder einem Fehler zurück. Der Arm bleibt ausgeschaltet.</translation>
     </message>
     <message>
-        <source>Possible only after a violation or fault.</source>
-        <translation>Nur nach einer Verletzung oder einem Fehler möglich.</translation>
+        <source>Available only after a safety violation or fault.</source>
+        <translation>Nur nach einer Sicherheitsverletzung oder einem Sicherheitsfehler verfügbar.</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3330,11 +3330,11 @@
         <translation>Programm laden…</translation>
     </message>
     <message>
-        <source>Loads a program on the robot by its name.</source>
+        <source>Loads a program on the robot by name.</source>
         <translation>Lädt ein Programm auf dem Roboter anhand seines Namens.</translation>
     </message>
     <message>
-        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes the paused program. The arm may move immediately.</source>
         <translation>Startet das geladene Programm oder setzt ein pausiertes fort: Der Arm kann sich sofort bewegen.</translation>
     </message>
     <message>
@@ -3533,7 +3533,7 @@
         <translation>Standardansicht (perspektivisch)</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
         <translation>Blick zwischen vorn und Seite, leicht von oben; passt alles in die Ansicht ein.</translation>
     </message>
     <message>
@@ -11320,8 +11320,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Den simulierten Roboter starten</translation>
     </message>
     <message>
-        <source>With a sample project…</source>
-        <translation>Mit einem Beispielprojekt…</translation>
+        <source>Open sample project…</source>
+        <translation>Beispielprojekt öffnen…</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -11340,8 +11340,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt öffnen…</translation>
     </message>
     <message>
-        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
-        <translation>Öffnet Wegpunkte aus einer Datei ohne Roboter: Alles außer Bewegung funktioniert.</translation>
+        <source>Opens a project without a robot, to view and edit waypoints and programs.</source>
+        <translation>Öffnet ein Projekt ohne Roboter, um Wegpunkte und Programme anzusehen und zu bearbeiten.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -11356,7 +11356,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Startet den simulierten Roboter und öffnet ein Projekt mit geteachten Wegpunkten.</translation>
     </message>
     <message>
-        <source>Connect a robot</source>
+        <source>Connect to a robot</source>
         <translation>Einen Roboter verbinden</translation>
     </message>
     <message>
@@ -11516,8 +11516,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
 <context>
     <name>tiller::app::DeviceSettings</name>
     <message>
-        <source>Device that moves the arm</source>
-        <translation>Gerät, das den Arm bewegt</translation>
+        <source>Jog device</source>
+        <translation>Verfahrgerät</translation>
     </message>
     <message>
         <source>Test device…</source>
@@ -11528,8 +11528,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Zeigt die aktuellen Werte jedes Geräts und die Richtung, in die sich der Arm bewegen würde.</translation>
     </message>
     <message>
-        <source>Moves the arm</source>
-        <translation>Bewegt den Arm</translation>
+        <source>Jog device</source>
+        <translation>Verfahrgerät</translation>
     </message>
     <message>
         <source>Gamepad</source>
@@ -11588,7 +11588,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Kein Gamepad und keine SpaceMouse gefunden. Schließen Sie ein Gerät an; es wird automatisch erkannt.</translation>
     </message>
     <message>
-        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <source>The device moves the arm only while the hold-to-run button is held. The selection is not stored: after a restart, no device moves the arm.</source>
         <translation>Bewegt den Arm nur, solange die Zustimmtaste gehalten wird. Wird nicht gespeichert: Nach einem Neustart bewegt kein Gerät den Arm.</translation>
     </message>
 </context>
@@ -11626,11 +11626,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Inhalt</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains the manual. To add the manual to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read the pages as text in the folder packaging/manual of the source code. The page “Jogging and keys” of this window contains the jogging rules and all shortcuts.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Das Handbuch ist auf diesem Rechner nicht installiert&lt;/h2&gt;&lt;p&gt;Das Debian-Paket von Tiller enthält es. Für einen eigenen Build installieren Sie das Paket python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Bauen Sie danach noch einmal. Sie können die Seiten auch als Text im Ordner packaging/manual des Quelltexts lesen. Die Regeln des Verfahrens und alle Tasten sind auf der anderen Seite dieses Fensters.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed or step, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Den Arm bewegen&lt;/h2&gt;&lt;p&gt;Der Arm bewegt sich, solange Sie eine Verfahrtaste halten, und stoppt, wenn Sie sie loslassen. Er stoppt auch, wenn&lt;/p&gt;&lt;ul&gt;&lt;li&gt;der Zeiger die Taste verlässt, eine andere Maustaste gedrückt oder ein zweites Eingabegerät benutzt wird;&lt;/li&gt;&lt;li&gt;eine Umschalttaste oder eine entgegengesetzte Taste gedrückt wird, während eine Taste der Tastatur gehalten wird;&lt;/li&gt;&lt;li&gt;das Fenster den Fokus verliert, ein Dialog oder Menü sich öffnet oder sich Koordinatensystem, Geschwindigkeit, Schrittweite oder Register ändern;&lt;/li&gt;&lt;li&gt;die Daten vom Roboter verspätet sind, dieses Programm nicht reagiert oder der Roboter „Läuft“, seinen Sicherheitsmodus oder die Fernsteuerung verlässt;&lt;/li&gt;&lt;li&gt;der Bildschirm gesperrt wird, der PC in den Ruhezustand wechselt oder das Eingabegerät getrennt wird oder keine Daten mehr sendet;&lt;/li&gt;&lt;li&gt;die Tastenprüfung fehlschlägt: Unter X11 prüft Tiller alle 10 ms beim Display-Server, ob die Taste noch gedrückt ist. Ist sie es nicht oder antwortet der Server 100 ms lang nicht, endet die Bewegung. Ist die Prüfung nicht verfügbar, zeigen es die Kopfzeile und die Einstellungen;&lt;/li&gt;&lt;li&gt;die maximale Haltezeit erreicht ist: %1 s beim Verfahren (Einstellungen), fünf Minuten bei Freedrive, die Dauer der Bewegung plus 5 s bei einer Bewegung zu einer Position. Die letzten 3 s werden heruntergezählt.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Nach einem Stopp muss die Taste erneut gedrückt werden. Solange Tiller die Steuerung hat, stoppen &lt;b&gt;Leertaste&lt;/b&gt; und &lt;b&gt;Esc&lt;/b&gt; den Arm aus jedem Fenster, Dialog und Textfeld. Hat Tiller die Steuerung nicht, wirken sie auf das fokussierte Bedienelement; klicken Sie auf &lt;b&gt;STOP&lt;/b&gt;, um ein Programm eines anderen Clients zu stoppen. Das ist ein Software-Stopp, kein Not-Halt: Halten Sie den Not-Halt in Reichweite.&lt;/p&gt;&lt;p&gt;Mit &lt;b&gt;Strg&lt;/b&gt; bewegt ein Druck zehnmal feiner, mit &lt;b&gt;Umschalt&lt;/b&gt; dreimal schneller, aber nie über der Grenze. Auf einer Tastatur ohne lateinische Buchstaben bezeichnet ein Buchstabe unten seine Position auf einer US-Tastatur.&lt;/p&gt;&lt;h2&gt;Befehle&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11661,7 +11661,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Namen und Skalen der Ein- und Ausgänge</translation>
     </message>
     <message>
-        <source>Layout of the window</source>
+        <source>Window layout</source>
         <translation>Anordnung des Fensters</translation>
     </message>
     <message>
@@ -11689,11 +11689,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>%1 wurde nicht importiert. Nichts wurde geändert.</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1:</source>
+        <source>The selected settings are replaced by the settings in %1:</source>
         <translation>Die gewählten Einstellungen werden durch die in %1 ersetzt:</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
+        <source>The selected settings are replaced by the settings in %1 (written by Tiller %2):</source>
         <translation>Die gewählten Einstellungen werden durch die in %1 ersetzt (geschrieben von Tiller %2):</translation>
     </message>
     <message>
@@ -11705,8 +11705,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>%1: nicht in der Datei</translation>
     </message>
     <message>
-        <source>%1: %2 here, %3 in the file</source>
-        <translation>%1: hier %2, in der Datei %3</translation>
+        <source>%1: %2 in Tiller, %3 in the file</source>
+        <translation>%1: %2 in Tiller, %3 in der Datei</translation>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
@@ -11780,8 +11780,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt öffnen…</translation>
     </message>
     <message>
-        <source>Opens waypoints and frames from a file.</source>
-        <translation>Öffnet Wegpunkte und Koordinatensysteme aus einer Datei.</translation>
+        <source>Opens a project file.</source>
+        <translation>Öffnet eine Projektdatei.</translation>
     </message>
     <message>
         <source>Open sample project…</source>
@@ -11796,7 +11796,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Projekt speichern unter…</translation>
     </message>
     <message>
-        <source>Saves to this file now and saves all further changes automatically.</source>
+        <source>Saves the project to a different file, and saves all further changes to that file automatically.</source>
         <translation>Speichert jetzt in diese Datei und danach alle weiteren Änderungen automatisch.</translation>
     </message>
     <message>
@@ -11844,11 +11844,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dunkle Farben</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for later starts.</source>
-        <translation>Wechselt das Farbschema sofort und für spätere Starts.</translation>
+        <source>Changes the colour theme. The setting is stored.</source>
+        <translation>Ändert das Farbschema. Die Einstellung wird gespeichert.</translation>
     </message>
     <message>
-        <source>Zero the force in the plots, or show it as measured</source>
+        <source>Zero the force in the plots, or show the measured force</source>
         <translation>Kraft in den Diagrammen auf null setzen, oder zeigen wie gemessen</translation>
     </message>
     <message>
@@ -11983,7 +11983,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Tiller hat ein Absturzprotokoll gespeichert. Sie können es einem Problembericht beifügen.</translation>
     </message>
     <message>
-        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the jogging rules.</source>
         <translation>Öffnet die Handbuchseite zum Element mit Fokus, die Liste der Befehle und Tastenkürzel und die Regeln des Verfahrens.</translation>
     </message>
     <message>
@@ -12067,7 +12067,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Eine Aufzeichnung läuft.</translation>
     </message>
     <message>
-        <source>Closing the window stops it.</source>
+        <source>Closing the window stops the recording.</source>
         <translation>Sie endet, wenn das Fenster geschlossen wird.</translation>
     </message>
     <message>
@@ -12110,8 +12110,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Andocken</translation>
     </message>
     <message>
-        <source>Move the panel back to the main window</source>
-        <translation>Bereich in das Hauptfenster zurücksetzen</translation>
+        <source>Moves this panel back to the main window.</source>
+        <translation>Verschiebt dieses Panel zurück in das Hauptfenster.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -12189,7 +12189,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Arbeitsansicht %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Select a panel layout, or save the current one.</source>
+        <source>Perspective %1. Select a panel layout, or save the current layout.</source>
         <translation>Arbeitsansicht %1. Wählen Sie eine Anordnung der Bereiche oder speichern Sie die aktuelle.</translation>
     </message>
     <message>
@@ -12256,7 +12256,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Zeigt die Bereiche, wie Sie sie gespeichert haben.</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
+        <source>The perspective “%1” cannot be shown because the stored layout is damaged. Arrange the panels and save the perspective again.</source>
         <translation>Die Arbeitsansicht „%1“ kann nicht angezeigt werden: Ihre gespeicherte Anordnung ist beschädigt. Ordnen Sie die Bereiche an und speichern Sie sie erneut.</translation>
     </message>
     <message>
@@ -12307,8 +12307,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>{date}, {time}, {robot} und {number} werden beim Start einer Aufzeichnung ersetzt.</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>Eine Zeile je</translation>
+        <source>Packets/row</source>
+        <translation>Pakete/Zeile</translation>
     </message>
     <message>
         <source>Search signals</source>
@@ -12413,7 +12413,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
+        <source>The report is one file with the information that support needs. The complete content is listed below. You choose where to save the file. Tiller does not send it.</source>
         <translation>Eine Datei mit den Informationen, die der Support benötigt. Ihr vollständiger Inhalt steht unten. Die Datei wird dort gespeichert, wo Sie wollen; Tiller sendet sie nicht.</translation>
     </message>
     <message>
@@ -12503,7 +12503,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dunkel</translation>
     </message>
     <message>
-        <source>Size of controls</source>
+        <source>Control size</source>
         <translation>Größe der Bedienelemente</translation>
     </message>
     <message>
@@ -12539,8 +12539,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Zoll</translation>
     </message>
     <message>
-        <source>Rotations</source>
-        <translation>Drehungen</translation>
+        <source>Orientations</source>
+        <translation>Orientierungen</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12563,7 +12563,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive has a limit of five minutes. A move to a position has a limit of its duration plus 5 s.</source>
         <translation>Nach dieser Zeit stoppt das Verfahren, und die Taste muss erneut gedrückt werden. Freedrive: fünf Minuten. Bewegung zu einer Position: ihre Dauer plus 5 s.</translation>
     </message>
     <message>
@@ -12591,11 +12591,11 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Wird beim nächsten Start von Tiller wirksam.</translation>
     </message>
     <message>
-        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Über %1. Keine andere Grenze gilt beim Verfahren vom PC: weder der manuelle Modus noch die Zustimmeinrichtung des Teach-Pendants. Die Kopfzeile zeigt eine Warnung. Die Grenze wird beim Schließen von Tiller zurückgesetzt.</translation>
+        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
+        <translation>▲ Über %1. Der manuelle Modus und die Zustimmeinrichtung des Teach-Pendants begrenzen das Verfahren vom PC nicht. Der Kopf zeigt eine Warnung. Die Grenze wird beim Schließen von Tiller zurückgesetzt.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Höchstgeschwindigkeit von TCP und Ellbogen für alle von Tiller befohlenen Bewegungen. Wird sofort wirksam und stoppt laufende Bewegungen.</translation>
     </message>
     <message>
@@ -12623,8 +12623,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>%1 ist für das Stoppen des Arms reserviert.</translation>
     </message>
     <message>
-        <source>%1 is assigned to “%2”. Remove it there first.</source>
-        <translation>%1 ist „%2“ zugewiesen. Entfernen Sie es dort zuerst.</translation>
+        <source>%1 is assigned to “%2”. Remove that shortcut first.</source>
+        <translation>%1 ist „%2“ zugewiesen. Entfernen Sie zuerst dieses Tastenkürzel.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -12667,7 +12667,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Nur beobachten (auf der Befehlszeile gesetzt)</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>Drücken Sie das neue Tastenkürzel im Feld; die Rücktaste entfernt es. Solange Tiller die Steuerung hat, stoppen Leertaste und Esc den Arm immer.</translation>
     </message>
 </context>
@@ -12694,8 +12694,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>%1 wurde nicht importiert. Nichts wurde geändert. %2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>Einstellungen aus %1 importiert. Die vorherigen Einstellungen wurden in %2 gespeichert</translation>
+        <source>Settings imported from %1. The previous settings were saved to %2.</source>
+        <translation>Einstellungen aus %1 importiert. Die vorherigen Einstellungen wurden in %2 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -12717,8 +12717,8 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Fünf Aufgaben am simulierten Roboter. Jede Aufgabe prüft das Ergebnis.</translation>
     </message>
     <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Übungen gibt es nur mit dem eingebauten simulierten Roboter. Der aktuelle Roboter ist „%1“.</translation>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”. Connect to the simulated robot first.</source>
+        <translation>Übungen gibt es nur mit dem eingebauten simulierten Roboter. Der aktuelle Roboter ist „%1“. Verbinden Sie sich zuerst mit dem simulierten Roboter.</translation>
     </message>
     <message>
         <source>Practice: add “%1”</source>

@@ -937,7 +937,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. The keyboard is disarmed after 30 s without use.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -953,7 +953,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <source>Shows the TCP displacement from the current position. Press again to show the displacement since the start of the last motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1800,7 +1800,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Applies to the focused row of the I/O tab.</source>
+        <source>Renames the input or output in the focused row of the I/O tab.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1864,7 +1864,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
+        <source>Opens the list of all signals. To add a signal to a plot, drag it, double-click it or press Return.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3290,7 +3290,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Possible only after a violation or fault.</source>
+        <source>Available only after a safety violation or fault.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3330,11 +3330,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Loads a program on the robot by its name.</source>
+        <source>Loads a program on the robot by name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes the paused program. The arm may move immediately.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3533,7 +3533,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11313,7 +11313,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Connect a robot</source>
+        <source>Connect to a robot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11353,7 +11353,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
+        <source>Opens a project without a robot, to view and edit waypoints and programs.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11365,7 +11365,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With a sample project…</source>
+        <source>Open sample project…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11500,7 +11500,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
 <context>
     <name>tiller::app::DeviceSettings</name>
     <message>
-        <source>Device that moves the arm</source>
+        <source>Jog device</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11512,7 +11512,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the arm</source>
+        <source>Jog device</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11572,7 +11572,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <source>The device moves the arm only while the hold-to-run button is held. The selection is not stored: after a restart, no device moves the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11610,11 +11610,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains the manual. To add the manual to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read the pages as text in the folder packaging/manual of the source code. The page “Jogging and keys” of this window contains the jogging rules and all shortcuts.&lt;/p&gt;</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed or step, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -11645,7 +11645,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Layout of the window</source>
+        <source>Window layout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11673,11 +11673,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1:</source>
+        <source>The selected settings are replaced by the settings in %1:</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
+        <source>The selected settings are replaced by the settings in %1 (written by Tiller %2):</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11689,7 +11689,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2 here, %3 in the file</source>
+        <source>%1: %2 in Tiller, %3 in the file</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11760,7 +11760,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens waypoints and frames from a file.</source>
+        <source>Opens a project file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11768,7 +11768,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saves to this file now and saves all further changes automatically.</source>
+        <source>Saves the project to a different file, and saves all further changes to that file automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11812,7 +11812,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for later starts.</source>
+        <source>Changes the colour theme. The setting is stored.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11884,7 +11884,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Zero the force in the plots, or show it as measured</source>
+        <source>Zero the force in the plots, or show the measured force</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11967,7 +11967,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the jogging rules.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12051,7 +12051,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closing the window stops it.</source>
+        <source>Closing the window stops the recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12094,7 +12094,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the panel back to the main window</source>
+        <source>Moves this panel back to the main window.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12173,7 +12173,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Perspective %1. Select a panel layout, or save the current one.</source>
+        <source>Perspective %1. Select a panel layout, or save the current layout.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12240,7 +12240,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
+        <source>The perspective “%1” cannot be shown because the stored layout is damaged. Arrange the panels and save the perspective again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12291,7 +12291,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One row every</source>
+        <source>Packets/row</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12397,7 +12397,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
+        <source>The report is one file with the information that support needs. The complete content is listed below. You choose where to save the file. Tiller does not send it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12467,7 +12467,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Size of controls</source>
+        <source>Control size</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12495,7 +12495,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rotations</source>
+        <source>Orientations</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12519,11 +12519,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
+        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12551,7 +12551,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is assigned to “%2”. Remove it there first.</source>
+        <source>%1 is assigned to “%2”. Remove that shortcut first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12563,7 +12563,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive has a limit of five minutes. A move to a position has a limit of its duration plus 5 s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12651,7 +12651,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12678,7 +12678,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Settings imported from %1. The previous settings were saved to %2</source>
+        <source>Settings imported from %1. The previous settings were saved to %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12701,7 +12701,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”. Connect to the simulated robot first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -937,7 +937,7 @@
         <translation>Armar o desarmar el movimiento con teclado</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. The keyboard is disarmed after 30 s without use.</source>
         <translation>Con el teclado armado, las flechas mueven el brazo y un marco rodea la ventana. Se desarma tras 30 s sin uso.</translation>
     </message>
     <message>
@@ -953,7 +953,7 @@
         <translation>Cero aquí</translation>
     </message>
     <message>
-        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <source>Shows the TCP displacement from the current position. Press again to show the displacement since the start of the last motion.</source>
         <translation>Muestra el desplazamiento del TCP desde esta posición. Pulse de nuevo para mostrarlo desde el inicio del último movimiento.</translation>
     </message>
     <message>
@@ -1800,8 +1800,8 @@
         <translation>Renombrar la entrada o salida seleccionada</translation>
     </message>
     <message>
-        <source>Applies to the focused row of the I/O tab.</source>
-        <translation>Se aplica a la fila con foco de la pestaña E/S.</translation>
+        <source>Renames the input or output in the focused row of the I/O tab.</source>
+        <translation>Cambia el nombre de la entrada o salida de la fila enfocada de la pestaña E/S.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1864,7 +1864,7 @@
         <translation>Buscar señales para los gráficos</translation>
     </message>
     <message>
-        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
+        <source>Opens the list of all signals. To add a signal to a plot, drag it, double-click it or press Return.</source>
         <translation>Abre la lista de todas las señales. Añada una a un gráfico arrastrándola, con doble clic o con Intro.</translation>
     </message>
     <message>
@@ -3290,8 +3290,8 @@
         <translation>Restablece el sistema de seguridad tras una infracción o un fallo. El brazo sigue apagado.</translation>
     </message>
     <message>
-        <source>Possible only after a violation or fault.</source>
-        <translation>Solo posible tras una infracción o un fallo.</translation>
+        <source>Available only after a safety violation or fault.</source>
+        <translation>Solo disponible tras una infracción o un fallo de seguridad.</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3330,11 +3330,11 @@
         <translation>Cargar programa…</translation>
     </message>
     <message>
-        <source>Loads a program on the robot by its name.</source>
+        <source>Loads a program on the robot by name.</source>
         <translation>Carga un programa del robot por su nombre.</translation>
     </message>
     <message>
-        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes the paused program. The arm may move immediately.</source>
         <translation>Inicia el programa cargado o reanuda uno en pausa: el brazo puede moverse de inmediato.</translation>
     </message>
     <message>
@@ -3533,7 +3533,7 @@
         <translation>Vista predeterminada (en perspectiva)</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
         <translation>Mirar entre el frente y el lado, un poco desde arriba, con todo ajustado a la vista.</translation>
     </message>
     <message>
@@ -11320,8 +11320,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Iniciar el robot simulado</translation>
     </message>
     <message>
-        <source>With a sample project…</source>
-        <translation>Con un proyecto de ejemplo…</translation>
+        <source>Open sample project…</source>
+        <translation>Abrir proyecto de ejemplo…</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -11340,8 +11340,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Abrir proyecto…</translation>
     </message>
     <message>
-        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
-        <translation>Abre puntos de paso de un archivo sin robot: todo funciona salvo el movimiento.</translation>
+        <source>Opens a project without a robot, to view and edit waypoints and programs.</source>
+        <translation>Abre un proyecto sin robot para ver y editar puntos de paso y programas.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -11356,7 +11356,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Inicia el robot simulado y abre un proyecto con puntos de paso enseñados.</translation>
     </message>
     <message>
-        <source>Connect a robot</source>
+        <source>Connect to a robot</source>
         <translation>Conectar un robot</translation>
     </message>
     <message>
@@ -11516,8 +11516,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
 <context>
     <name>tiller::app::DeviceSettings</name>
     <message>
-        <source>Device that moves the arm</source>
-        <translation>Dispositivo que mueve el brazo</translation>
+        <source>Jog device</source>
+        <translation>Dispositivo de movimiento</translation>
     </message>
     <message>
         <source>Test device…</source>
@@ -11528,8 +11528,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Muestra los valores actuales de cada dispositivo y la dirección en que se movería el brazo.</translation>
     </message>
     <message>
-        <source>Moves the arm</source>
-        <translation>Mueve el brazo</translation>
+        <source>Jog device</source>
+        <translation>Dispositivo</translation>
     </message>
     <message>
         <source>Gamepad</source>
@@ -11588,7 +11588,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>No se encontró ningún mando ni SpaceMouse. Conecte uno; se detecta automáticamente.</translation>
     </message>
     <message>
-        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <source>The device moves the arm only while the hold-to-run button is held. The selection is not stored: after a restart, no device moves the arm.</source>
         <translation>Mueve el brazo solo mientras se mantiene el botón de habilitación. No se guarda: tras un reinicio, ningún dispositivo mueve el brazo.</translation>
     </message>
 </context>
@@ -11626,11 +11626,11 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Índice</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains the manual. To add the manual to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read the pages as text in the folder packaging/manual of the source code. The page “Jogging and keys” of this window contains the jogging rules and all shortcuts.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;El manual no está instalado en este ordenador&lt;/h2&gt;&lt;p&gt;El paquete Debian de Tiller lo contiene. Para añadirlo a su propia compilación, instale el paquete python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Después compile otra vez. También puede leer las páginas como texto en la carpeta packaging/manual del código fuente. Las reglas del movimiento manual y todas las teclas están en la otra página de esta ventana.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed or step, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Mover el brazo&lt;/h2&gt;&lt;p&gt;El brazo se mueve mientras mantiene pulsado un botón de movimiento y se detiene al soltarlo. También se detiene cuando&lt;/p&gt;&lt;ul&gt;&lt;li&gt;el puntero sale del botón, se pulsa otro botón del ratón o se usa un segundo dispositivo de entrada;&lt;/li&gt;&lt;li&gt;se pulsa un modificador o la tecla contraria mientras se mantiene una tecla del teclado;&lt;/li&gt;&lt;li&gt;la ventana pierde el foco, se abre un diálogo o menú, o cambia el sistema de coordenadas, la velocidad, el paso o la pestaña;&lt;/li&gt;&lt;li&gt;los datos del robot llegan tarde, este programa no responde o el robot sale de «En marcha», de su modo de seguridad o del control remoto;&lt;/li&gt;&lt;li&gt;se bloquea la pantalla, el PC entra en suspensión, o el dispositivo de entrada se desconecta o deja de enviar datos;&lt;/li&gt;&lt;li&gt;falla la comprobación de teclas: en X11, Tiller comprueba cada 10 ms en el servidor gráfico que el botón o la tecla sigue pulsado. Si no lo está, o si el servidor no responde durante 100 ms, el movimiento termina. Si la comprobación no está disponible, lo indican la cabecera y los ajustes;&lt;/li&gt;&lt;li&gt;se alcanza el tiempo máximo de pulsación: %1 s para el movimiento manual (Ajustes), cinco minutos para el movimiento libre, la duración del movimiento más 5 s para ir a una posición. Se muestra una cuenta atrás de los últimos 3 s.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Después de una parada hay que pulsar de nuevo. Mientras Tiller tiene el control, &lt;b&gt;Espacio&lt;/b&gt; y &lt;b&gt;Esc&lt;/b&gt; detienen el brazo desde cualquier ventana, diálogo y campo de texto. Cuando Tiller no tiene el control, actúan sobre el elemento que tiene el foco; haga clic en &lt;b&gt;STOP&lt;/b&gt; para detener un programa de otro cliente. Es una parada por software, no una parada de emergencia: tenga la parada de emergencia a su alcance.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; hace el movimiento diez veces más fino y &lt;b&gt;Mayús&lt;/b&gt; tres veces más rápido, pero nunca por encima del límite. En un teclado sin letras latinas, las letras siguientes se refieren a su posición en un teclado de EE. UU.&lt;/p&gt;&lt;h2&gt;Órdenes&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11661,7 +11661,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Nombres y escalas de entradas y salidas</translation>
     </message>
     <message>
-        <source>Layout of the window</source>
+        <source>Window layout</source>
         <translation>Disposición de la ventana</translation>
     </message>
     <message>
@@ -11689,11 +11689,11 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>%1 no se importó. No se cambió nada.</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1:</source>
+        <source>The selected settings are replaced by the settings in %1:</source>
         <translation>Los ajustes seleccionados se sustituyen por los de %1:</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
+        <source>The selected settings are replaced by the settings in %1 (written by Tiller %2):</source>
         <translation>Los ajustes seleccionados se sustituyen por los de %1 (escrito por Tiller %2):</translation>
     </message>
     <message>
@@ -11705,8 +11705,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>%1: no está en el archivo</translation>
     </message>
     <message>
-        <source>%1: %2 here, %3 in the file</source>
-        <translation>%1: %2 aquí, %3 en el archivo</translation>
+        <source>%1: %2 in Tiller, %3 in the file</source>
+        <translation>%1: %2 en Tiller, %3 en el archivo</translation>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
@@ -11780,8 +11780,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Abrir proyecto…</translation>
     </message>
     <message>
-        <source>Opens waypoints and frames from a file.</source>
-        <translation>Abre puntos de paso y sistemas de un archivo.</translation>
+        <source>Opens a project file.</source>
+        <translation>Abre un archivo de proyecto.</translation>
     </message>
     <message>
         <source>Open sample project…</source>
@@ -11796,7 +11796,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Guardar proyecto como…</translation>
     </message>
     <message>
-        <source>Saves to this file now and saves all further changes automatically.</source>
+        <source>Saves the project to a different file, and saves all further changes to that file automatically.</source>
         <translation>Guarda en este archivo ahora y después cada cambio automáticamente.</translation>
     </message>
     <message>
@@ -11844,11 +11844,11 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Colores oscuros</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for later starts.</source>
-        <translation>Cambia el tema de colores ahora y para los próximos inicios.</translation>
+        <source>Changes the colour theme. The setting is stored.</source>
+        <translation>Cambia el tema de color. El ajuste se guarda.</translation>
     </message>
     <message>
-        <source>Zero the force in the plots, or show it as measured</source>
+        <source>Zero the force in the plots, or show the measured force</source>
         <translation>Poner a cero la fuerza en los gráficos, o mostrarla como se mide</translation>
     </message>
     <message>
@@ -11983,7 +11983,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Tiller guardó un registro del fallo. Puede adjuntarlo a un informe de problemas.</translation>
     </message>
     <message>
-        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the jogging rules.</source>
         <translation>Abre la página del manual del elemento con foco, la lista de órdenes y atajos, y las reglas del movimiento manual.</translation>
     </message>
     <message>
@@ -12067,7 +12067,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Hay una grabación en curso.</translation>
     </message>
     <message>
-        <source>Closing the window stops it.</source>
+        <source>Closing the window stops the recording.</source>
         <translation>Terminará al cerrar la ventana.</translation>
     </message>
     <message>
@@ -12110,8 +12110,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Acoplar</translation>
     </message>
     <message>
-        <source>Move the panel back to the main window</source>
-        <translation>Devolver el panel a la ventana principal</translation>
+        <source>Moves this panel back to the main window.</source>
+        <translation>Devuelve este panel a la ventana principal.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -12189,7 +12189,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Perspectiva %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Select a panel layout, or save the current one.</source>
+        <source>Perspective %1. Select a panel layout, or save the current layout.</source>
         <translation>Perspectiva %1. Seleccione una disposición de paneles o guarde la actual.</translation>
     </message>
     <message>
@@ -12256,7 +12256,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Muestra los paneles como los guardó.</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
+        <source>The perspective “%1” cannot be shown because the stored layout is damaged. Arrange the panels and save the perspective again.</source>
         <translation>No se puede mostrar la perspectiva «%1»: su disposición guardada está dañada. Ordene los paneles y guárdela de nuevo.</translation>
     </message>
     <message>
@@ -12307,8 +12307,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>{date}, {time}, {robot} y {number} se sustituyen al iniciar una grabación.</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>Una fila cada</translation>
+        <source>Packets/row</source>
+        <translation>Paquetes/fila</translation>
     </message>
     <message>
         <source>Search signals</source>
@@ -12413,7 +12413,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
+        <source>The report is one file with the information that support needs. The complete content is listed below. You choose where to save the file. Tiller does not send it.</source>
         <translation>Un archivo con la información que necesita el soporte. Abajo se muestra todo su contenido. El archivo se guarda donde usted elija; Tiller no lo envía.</translation>
     </message>
     <message>
@@ -12503,7 +12503,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Oscuro</translation>
     </message>
     <message>
-        <source>Size of controls</source>
+        <source>Control size</source>
         <translation>Tamaño de los controles</translation>
     </message>
     <message>
@@ -12539,8 +12539,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Pulgadas</translation>
     </message>
     <message>
-        <source>Rotations</source>
-        <translation>Rotaciones</translation>
+        <source>Orientations</source>
+        <translation>Orientaciones</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12563,7 +12563,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive has a limit of five minutes. A move to a position has a limit of its duration plus 5 s.</source>
         <translation>Después de este tiempo, el movimiento manual se detiene y hay que pulsar el botón de nuevo. Movimiento libre: cinco minutos. Ir a una posición: su duración más 5 s.</translation>
     </message>
     <message>
@@ -12591,11 +12591,11 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Se aplica en el próximo inicio de Tiller.</translation>
     </message>
     <message>
-        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Por encima de %1. Ningún otro límite se aplica al mover desde un PC: ni el modo manual ni el dispositivo de habilitación de la consola. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
+        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
+        <translation>▲ Por encima de %1. El modo manual y el dispositivo de habilitación de la consola no limitan el movimiento desde un PC. La cabecera muestra un aviso. El límite se restablece al cerrar Tiller.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Velocidad máxima de TCP y codo para todo movimiento ordenado por Tiller. Se aplica de inmediato y detiene el movimiento en curso.</translation>
     </message>
     <message>
@@ -12623,8 +12623,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>%1 está reservada para detener el brazo.</translation>
     </message>
     <message>
-        <source>%1 is assigned to “%2”. Remove it there first.</source>
-        <translation>%1 está asignada a «%2». Quítela primero de allí.</translation>
+        <source>%1 is assigned to “%2”. Remove that shortcut first.</source>
+        <translation>%1 está asignada a «%2». Quite primero ese atajo.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -12667,7 +12667,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Solo supervisión (definido en la línea de órdenes)</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>Pulse el nuevo atajo en el campo; Retroceso lo elimina. Mientras Tiller tiene el control, Espacio y Esc siempre detienen el brazo.</translation>
     </message>
 </context>
@@ -12694,8 +12694,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>%1 no se importó. No se cambió nada. %2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>Ajustes importados de %1. Los ajustes anteriores se guardaron en %2</translation>
+        <source>Settings imported from %1. The previous settings were saved to %2.</source>
+        <translation>Ajustes importados de %1. Los ajustes anteriores se guardaron en %2.</translation>
     </message>
 </context>
 <context>
@@ -12717,8 +12717,8 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Cinco ejercicios en el robot simulado. Cada uno comprueba el resultado.</translation>
     </message>
     <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Los ejercicios solo funcionan con el robot simulado integrado. El robot actual es «%1».</translation>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”. Connect to the simulated robot first.</source>
+        <translation>Los ejercicios solo funcionan con el robot simulado integrado. El robot actual es «%1». Conéctese primero al robot simulado.</translation>
     </message>
     <message>
         <source>Practice: add “%1”</source>

@@ -937,7 +937,7 @@
         <translation>Armer ou désarmer le déplacement au clavier</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. The keyboard is disarmed after 30 s without use.</source>
         <translation>Clavier armé, les flèches déplacent le bras et un cadre entoure la fenêtre. Se désarme après 30 s sans utilisation.</translation>
     </message>
     <message>
@@ -953,7 +953,7 @@
         <translation>Zéro ici</translation>
     </message>
     <message>
-        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <source>Shows the TCP displacement from the current position. Press again to show the displacement since the start of the last motion.</source>
         <translation>Affiche le déplacement du TCP depuis cette position. Appuyez de nouveau pour l’afficher depuis le début du dernier mouvement.</translation>
     </message>
     <message>
@@ -1800,8 +1800,8 @@
         <translation>Renommer l’entrée ou la sortie sélectionnée</translation>
     </message>
     <message>
-        <source>Applies to the focused row of the I/O tab.</source>
-        <translation>S’applique à la ligne active de l’onglet E/S.</translation>
+        <source>Renames the input or output in the focused row of the I/O tab.</source>
+        <translation>Renomme l’entrée ou la sortie de la ligne active de l’onglet E/S.</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1864,7 +1864,7 @@
         <translation>Chercher des signaux pour les tracés</translation>
     </message>
     <message>
-        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
+        <source>Opens the list of all signals. To add a signal to a plot, drag it, double-click it or press Return.</source>
         <translation>Ouvre la liste de tous les signaux. Ajoutez-en un à un tracé par glisser-déposer, double-clic ou Entrée.</translation>
     </message>
     <message>
@@ -3290,8 +3290,8 @@
         <translation>Réinitialise le système de sécurité après une violation ou un défaut. Le bras reste hors tension.</translation>
     </message>
     <message>
-        <source>Possible only after a violation or fault.</source>
-        <translation>Possible seulement après une violation ou un défaut.</translation>
+        <source>Available only after a safety violation or fault.</source>
+        <translation>Disponible seulement après une violation ou un défaut de sécurité.</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3330,11 +3330,11 @@
         <translation>Charger un programme…</translation>
     </message>
     <message>
-        <source>Loads a program on the robot by its name.</source>
+        <source>Loads a program on the robot by name.</source>
         <translation>Charge un programme du robot par son nom.</translation>
     </message>
     <message>
-        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes the paused program. The arm may move immediately.</source>
         <translation>Démarre le programme chargé ou reprend un programme en pause : le bras peut bouger aussitôt.</translation>
     </message>
     <message>
@@ -3533,7 +3533,7 @@
         <translation>Vue par défaut (en perspective)</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
         <translation>Regarder entre l’avant et le côté, légèrement d’en haut, avec tout ajusté à la vue.</translation>
     </message>
     <message>
@@ -11320,8 +11320,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Démarrer le robot simulé</translation>
     </message>
     <message>
-        <source>With a sample project…</source>
-        <translation>Avec un projet d’exemple…</translation>
+        <source>Open sample project…</source>
+        <translation>Ouvrir un exemple…</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -11340,8 +11340,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ouvrir un projet…</translation>
     </message>
     <message>
-        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
-        <translation>Ouvre des points de passage d’un fichier sans robot : tout fonctionne sauf le mouvement.</translation>
+        <source>Opens a project without a robot, to view and edit waypoints and programs.</source>
+        <translation>Ouvre un projet sans robot, pour voir et modifier les points de passage et les programmes.</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -11356,7 +11356,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Démarre le robot simulé et ouvre un projet avec des points de passage appris.</translation>
     </message>
     <message>
-        <source>Connect a robot</source>
+        <source>Connect to a robot</source>
         <translation>Connecter un robot</translation>
     </message>
     <message>
@@ -11516,8 +11516,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
 <context>
     <name>tiller::app::DeviceSettings</name>
     <message>
-        <source>Device that moves the arm</source>
-        <translation>Périphérique qui bouge le bras</translation>
+        <source>Jog device</source>
+        <translation>Appareil de déplacement</translation>
     </message>
     <message>
         <source>Test device…</source>
@@ -11528,8 +11528,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Affiche les valeurs actuelles de chaque appareil et la direction dans laquelle le bras irait.</translation>
     </message>
     <message>
-        <source>Moves the arm</source>
-        <translation>Bouge le bras</translation>
+        <source>Jog device</source>
+        <translation>Appareil</translation>
     </message>
     <message>
         <source>Gamepad</source>
@@ -11588,7 +11588,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Aucune manette ni SpaceMouse trouvée. Branchez-en une ; elle est détectée automatiquement.</translation>
     </message>
     <message>
-        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <source>The device moves the arm only while the hold-to-run button is held. The selection is not stored: after a restart, no device moves the arm.</source>
         <translation>Déplace le bras seulement tant que le bouton de validation est maintenu. Non enregistré : après un redémarrage, aucun appareil ne déplace le bras.</translation>
     </message>
 </context>
@@ -11626,11 +11626,11 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Sommaire</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains the manual. To add the manual to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read the pages as text in the folder packaging/manual of the source code. The page “Jogging and keys” of this window contains the jogging rules and all shortcuts.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Le manuel n’est pas installé sur cet ordinateur&lt;/h2&gt;&lt;p&gt;Le paquet Debian de Tiller le contient. Pour l’ajouter à votre propre compilation, installez le paquet python3-sphinx :&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Compilez ensuite de nouveau. Vous pouvez aussi lire ses pages comme du texte dans le dossier packaging/manual du code source. Les règles du déplacement et toutes les touches sont sur l’autre page de cette fenêtre.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed or step, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;Déplacer le bras&lt;/h2&gt;&lt;p&gt;Le bras bouge tant que vous maintenez un bouton de déplacement, et s’arrête quand vous le relâchez. Il s’arrête aussi quand&lt;/p&gt;&lt;ul&gt;&lt;li&gt;le pointeur quitte le bouton, un autre bouton de souris est pressé ou un second périphérique est utilisé ;&lt;/li&gt;&lt;li&gt;un modificateur ou la touche contraire est enfoncé pendant qu’une touche du clavier est maintenue ;&lt;/li&gt;&lt;li&gt;la fenêtre perd le focus, un dialogue ou un menu s’ouvre, ou le repère, la vitesse, le pas ou l’onglet change ;&lt;/li&gt;&lt;li&gt;les données du robot sont en retard, ce programme ne répond plus, ou le robot quitte « En marche », son mode de sécurité ou la commande à distance ;&lt;/li&gt;&lt;li&gt;l’écran est verrouillé, le PC se met en veille, ou le périphérique est débranché ou n’envoie plus de données ;&lt;/li&gt;&lt;li&gt;le contrôle de touche échoue : sous X11, Tiller vérifie toutes les 10 ms auprès du serveur d’affichage que le bouton ou la touche est encore enfoncé. Si ce n’est pas le cas, ou si le serveur ne répond pas pendant 100 ms, le mouvement se termine. Si ce contrôle n’est pas disponible, l’en-tête et les réglages l’indiquent ;&lt;/li&gt;&lt;li&gt;la durée maximale d’appui est atteinte : %1 s pour un déplacement manuel (réglages), cinq minutes pour Freedrive, la durée du mouvement plus 5 s pour aller à une position. Les 3 dernières secondes sont décomptées.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;Après un arrêt, un nouvel appui est nécessaire. Tant que Tiller a le contrôle, &lt;b&gt;Espace&lt;/b&gt; et &lt;b&gt;Échap&lt;/b&gt; arrêtent le bras depuis chaque fenêtre, dialogue et champ de texte. Quand Tiller n’a pas le contrôle, ils agissent sur l’élément qui a le focus ; cliquez sur &lt;b&gt;STOP&lt;/b&gt; pour arrêter un programme d’un autre client. C’est un arrêt logiciel, pas un arrêt d’urgence : gardez l’arrêt d’urgence à portée de main.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; rend le mouvement dix fois plus fin, &lt;b&gt;Maj&lt;/b&gt; trois fois plus rapide, mais jamais au-dessus du plafond. Sur un clavier sans lettres latines, une lettre ci-dessous désigne sa position sur un clavier américain.&lt;/p&gt;&lt;h2&gt;Commandes&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11661,7 +11661,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Noms et échelles des entrées et sorties</translation>
     </message>
     <message>
-        <source>Layout of the window</source>
+        <source>Window layout</source>
         <translation>Disposition de la fenêtre</translation>
     </message>
     <message>
@@ -11689,11 +11689,11 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>%1 n’a pas été importé. Rien n’a été changé.</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1:</source>
+        <source>The selected settings are replaced by the settings in %1:</source>
         <translation>Les réglages sélectionnés sont remplacés par ceux de %1 :</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
+        <source>The selected settings are replaced by the settings in %1 (written by Tiller %2):</source>
         <translation>Les réglages sélectionnés sont remplacés par ceux de %1 (écrit par Tiller %2) :</translation>
     </message>
     <message>
@@ -11705,8 +11705,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>%1 : absent du fichier</translation>
     </message>
     <message>
-        <source>%1: %2 here, %3 in the file</source>
-        <translation>%1 : %2 ici, %3 dans le fichier</translation>
+        <source>%1: %2 in Tiller, %3 in the file</source>
+        <translation>%1 : %2 dans Tiller, %3 dans le fichier</translation>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
@@ -11780,8 +11780,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ouvrir un projet…</translation>
     </message>
     <message>
-        <source>Opens waypoints and frames from a file.</source>
-        <translation>Ouvre points de passage et repères d’un fichier.</translation>
+        <source>Opens a project file.</source>
+        <translation>Ouvre un fichier de projet.</translation>
     </message>
     <message>
         <source>Open sample project…</source>
@@ -11796,7 +11796,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Enregistrer le projet sous…</translation>
     </message>
     <message>
-        <source>Saves to this file now and saves all further changes automatically.</source>
+        <source>Saves the project to a different file, and saves all further changes to that file automatically.</source>
         <translation>Enregistre maintenant dans ce fichier, puis chaque modification automatiquement.</translation>
     </message>
     <message>
@@ -11844,11 +11844,11 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Couleurs sombres</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for later starts.</source>
-        <translation>Change le thème de couleurs maintenant et pour les prochains démarrages.</translation>
+        <source>Changes the colour theme. The setting is stored.</source>
+        <translation>Change le thème de couleurs. Le réglage est enregistré.</translation>
     </message>
     <message>
-        <source>Zero the force in the plots, or show it as measured</source>
+        <source>Zero the force in the plots, or show the measured force</source>
         <translation>Mettre à zéro la force dans les tracés, ou la montrer telle que mesurée</translation>
     </message>
     <message>
@@ -11983,7 +11983,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Tiller a enregistré un journal de plantage. Vous pouvez le joindre à un rapport de problème.</translation>
     </message>
     <message>
-        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the jogging rules.</source>
         <translation>Ouvre la page du manuel de l’élément actif, la liste des commandes et raccourcis, et les règles du déplacement manuel.</translation>
     </message>
     <message>
@@ -12067,7 +12067,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Un enregistrement est en cours.</translation>
     </message>
     <message>
-        <source>Closing the window stops it.</source>
+        <source>Closing the window stops the recording.</source>
         <translation>Il s’arrête à la fermeture de la fenêtre.</translation>
     </message>
     <message>
@@ -12110,8 +12110,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ancrer</translation>
     </message>
     <message>
-        <source>Move the panel back to the main window</source>
-        <translation>Remettre le panneau dans la fenêtre principale</translation>
+        <source>Moves this panel back to the main window.</source>
+        <translation>Replace ce panneau dans la fenêtre principale.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -12189,7 +12189,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Perspective %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Select a panel layout, or save the current one.</source>
+        <source>Perspective %1. Select a panel layout, or save the current layout.</source>
         <translation>Perspective %1. Sélectionnez une disposition de panneaux ou enregistrez l’actuelle.</translation>
     </message>
     <message>
@@ -12256,7 +12256,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Montre les panneaux comme vous les avez enregistrés.</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
+        <source>The perspective “%1” cannot be shown because the stored layout is damaged. Arrange the panels and save the perspective again.</source>
         <translation>La perspective « %1 » ne peut pas être affichée : sa disposition enregistrée est endommagée. Disposez les panneaux et enregistrez-la de nouveau.</translation>
     </message>
     <message>
@@ -12307,8 +12307,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>{date}, {time}, {robot} et {number} sont remplacés au début d’un enregistrement.</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>Une ligne tous les</translation>
+        <source>Packets/row</source>
+        <translation>Paquets/ligne</translation>
     </message>
     <message>
         <source>Search signals</source>
@@ -12413,7 +12413,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
+        <source>The report is one file with the information that support needs. The complete content is listed below. You choose where to save the file. Tiller does not send it.</source>
         <translation>Un fichier avec les informations utiles à l’assistance. Son contenu complet figure ci-dessous. Le fichier est enregistré où vous voulez ; Tiller ne l’envoie pas.</translation>
     </message>
     <message>
@@ -12503,7 +12503,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Sombre</translation>
     </message>
     <message>
-        <source>Size of controls</source>
+        <source>Control size</source>
         <translation>Taille des commandes</translation>
     </message>
     <message>
@@ -12539,8 +12539,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Pouces</translation>
     </message>
     <message>
-        <source>Rotations</source>
-        <translation>Rotations</translation>
+        <source>Orientations</source>
+        <translation>Orientations</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12563,7 +12563,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive has a limit of five minutes. A move to a position has a limit of its duration plus 5 s.</source>
         <translation>Après cette durée, un déplacement s’arrête et son bouton doit être pressé de nouveau. Freedrive : cinq minutes. Aller à une position : sa durée plus 5 s.</translation>
     </message>
     <message>
@@ -12591,11 +12591,11 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Prend effet au prochain démarrage de Tiller.</translation>
     </message>
     <message>
-        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ Au-dessus de %1. Aucune autre limite ne s’applique au déplacement depuis un PC : ni le mode manuel ni le dispositif de validation du pupitre. L’en-tête affiche un avertissement. Le plafond est réinitialisé à la fermeture de Tiller.</translation>
+        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
+        <translation>▲ Au-dessus de %1. Le mode manuel et le dispositif de validation du pupitre ne limitent pas le déplacement depuis un PC. L’en-tête affiche un avertissement. Le plafond est réinitialisé à la fermeture de Tiller.</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Vitesse maximale du TCP et du coude pour tout mouvement commandé par Tiller. Prend effet aussitôt et arrête le mouvement en cours.</translation>
     </message>
     <message>
@@ -12623,8 +12623,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>%1 est réservée à l’arrêt du bras.</translation>
     </message>
     <message>
-        <source>%1 is assigned to “%2”. Remove it there first.</source>
-        <translation>%1 est attribuée à « %2 ». Retirez-la d’abord de là.</translation>
+        <source>%1 is assigned to “%2”. Remove that shortcut first.</source>
+        <translation>%1 est attribuée à « %2 ». Retirez d’abord ce raccourci.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -12667,7 +12667,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Surveillance seule (définie sur la ligne de commande)</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>Tapez le nouveau raccourci dans le champ ; Retour arrière le supprime. Tant que Tiller a le contrôle, Espace et Échap arrêtent toujours le bras.</translation>
     </message>
 </context>
@@ -12694,8 +12694,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>%1 n’a pas été importé. Rien n’a été changé. %2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>Réglages importés de %1. Les réglages précédents ont été enregistrés dans %2</translation>
+        <source>Settings imported from %1. The previous settings were saved to %2.</source>
+        <translation>Réglages importés de %1. Les réglages précédents ont été enregistrés dans %2.</translation>
     </message>
 </context>
 <context>
@@ -12717,8 +12717,8 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Cinq exercices sur le robot simulé. Chacun vérifie le résultat.</translation>
     </message>
     <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>Les exercices ne fonctionnent qu’avec le robot simulé intégré. Le robot actuel est « %1 ».</translation>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”. Connect to the simulated robot first.</source>
+        <translation>Les exercices ne fonctionnent qu’avec le robot simulé intégré. Le robot actuel est « %1 ». Connectez-vous d’abord au robot simulé.</translation>
     </message>
     <message>
         <source>Practice: add “%1”</source>

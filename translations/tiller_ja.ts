@@ -937,7 +937,7 @@
         <translation>キーボードジョグを有効／無効にする</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. The keyboard is disarmed after 30 s without use.</source>
         <translation>キーボードが有効な間、矢印キーがアームを動かし、ウィンドウが枠で囲まれます。30 秒間使わないと無効になります。</translation>
     </message>
     <message>
@@ -953,7 +953,7 @@
         <translation>ここをゼロに</translation>
     </message>
     <message>
-        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <source>Shows the TCP displacement from the current position. Press again to show the displacement since the start of the last motion.</source>
         <translation>この位置からの TCP の移動量を表示します。もう一度押すと、最後の動作の開始からの移動量になります。</translation>
     </message>
     <message>
@@ -1800,8 +1800,8 @@
         <translation>選んだ入出力の名前を変更</translation>
     </message>
     <message>
-        <source>Applies to the focused row of the I/O tab.</source>
-        <translation>I/O タブでフォーカスのある行が対象です。</translation>
+        <source>Renames the input or output in the focused row of the I/O tab.</source>
+        <translation>I/O タブでフォーカスのある行の入出力の名前を変更します。</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1864,7 +1864,7 @@
         <translation>グラフの信号を検索</translation>
     </message>
     <message>
-        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
+        <source>Opens the list of all signals. To add a signal to a plot, drag it, double-click it or press Return.</source>
         <translation>全信号の一覧を開きます。ドラッグ、ダブルクリック、または Return でグラフに追加します。</translation>
     </message>
     <message>
@@ -3290,8 +3290,8 @@
         <translation>違反や故障の後、安全システムをリセットします。アームの電源は切れたままです。</translation>
     </message>
     <message>
-        <source>Possible only after a violation or fault.</source>
-        <translation>違反または故障の後にのみ実行できます。</translation>
+        <source>Available only after a safety violation or fault.</source>
+        <translation>安全違反または安全上の故障の後にのみ実行できます。</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3330,11 +3330,11 @@
         <translation>プログラムを読み込む…</translation>
     </message>
     <message>
-        <source>Loads a program on the robot by its name.</source>
+        <source>Loads a program on the robot by name.</source>
         <translation>ロボット上のプログラムを名前で読み込みます。</translation>
     </message>
     <message>
-        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes the paused program. The arm may move immediately.</source>
         <translation>読み込んだプログラムを開始、または一時停止中のプログラムを再開します：アームがすぐに動くことがあります。</translation>
     </message>
     <message>
@@ -3533,7 +3533,7 @@
         <translation>標準の視点（透視）</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
         <translation>正面と側面の間、少し上から、全体が収まるように見る。</translation>
     </message>
     <message>
@@ -11281,8 +11281,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>シミュレートされたロボットを起動</translation>
     </message>
     <message>
-        <source>With a sample project…</source>
-        <translation>見本プロジェクトで…</translation>
+        <source>Open sample project…</source>
+        <translation>見本プロジェクトを開く…</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -11301,8 +11301,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
-        <translation>ロボットなしでファイルのウェイポイントを開きます：動作以外はすべて使えます。</translation>
+        <source>Opens a project without a robot, to view and edit waypoints and programs.</source>
+        <translation>ロボットなしでプロジェクトを開き、ウェイポイントとプログラムを表示、編集します。</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -11317,7 +11317,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>シミュレートされたロボットを起動し、教示済みのプロジェクトを開きます。</translation>
     </message>
     <message>
-        <source>Connect a robot</source>
+        <source>Connect to a robot</source>
         <translation>ロボットに接続</translation>
     </message>
     <message>
@@ -11477,8 +11477,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
 <context>
     <name>tiller::app::DeviceSettings</name>
     <message>
-        <source>Device that moves the arm</source>
-        <translation>アームを動かすデバイス</translation>
+        <source>Jog device</source>
+        <translation>ジョグ装置</translation>
     </message>
     <message>
         <source>Test device…</source>
@@ -11489,8 +11489,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>各デバイスの現在の値と、アームが動く方向を表示します。</translation>
     </message>
     <message>
-        <source>Moves the arm</source>
-        <translation>アームを動かす</translation>
+        <source>Jog device</source>
+        <translation>ジョグ装置</translation>
     </message>
     <message>
         <source>Gamepad</source>
@@ -11549,7 +11549,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>ゲームパッドも SpaceMouse も見つかりません。接続すると自動で検出されます。</translation>
     </message>
     <message>
-        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <source>The device moves the arm only while the hold-to-run button is held. The selection is not stored: after a restart, no device moves the arm.</source>
         <translation>イネーブルボタンを押している間だけアームを動かします。保存されません：再起動後はどのデバイスもアームを動かしません。</translation>
     </message>
 </context>
@@ -11587,11 +11587,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>目次</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains the manual. To add the manual to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read the pages as text in the folder packaging/manual of the source code. The page “Jogging and keys” of this window contains the jogging rules and all shortcuts.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;このコンピューターにはマニュアルがインストールされていません&lt;/h2&gt;&lt;p&gt;マニュアルは Tiller の Debian パッケージに含まれています。自分でビルドする場合は、パッケージ python3-sphinx をインストールしてください。&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;その後もう一度ビルドしてください。ソースコードのフォルダー packaging/manual でテキストとして読むこともできます。ジョグの規則とすべてのキーは、このウィンドウのもう一方のページにあります。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed or step, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;アームを動かす&lt;/h2&gt;&lt;p&gt;ジョグボタンを押している間アームが動き、離すと止まります。次の場合にも止まります：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;ポインターがボタンから外れる、マウスの別のボタンが押される、または別の入力デバイスが使われる；&lt;/li&gt;&lt;li&gt;キーボードのキーを押している間に、修飾キーや反対方向のキーが押される；&lt;/li&gt;&lt;li&gt;ウィンドウがフォーカスを失う、ダイアログやメニューが開く、または座標系、速度、ステップ、タブが変わる；&lt;/li&gt;&lt;li&gt;ロボットのデータが遅れる、このプログラムが応答しない、またはロボットが「稼働中」、現在の安全モード、リモート制御から外れる；&lt;/li&gt;&lt;li&gt;画面がロックされる、PC がスリープする、または入力デバイスが取り外されるかデータを送らなくなる；&lt;/li&gt;&lt;li&gt;キー状態の確認に失敗する：X11 では、ボタンやキーが押されているかを 10 ms ごとにディスプレイサーバーで確認します。押されていない場合、またはサーバーが 100 ms 応答しない場合、動作は終わります。この確認が使えない場合は、ヘッダーと設定に表示されます；&lt;/li&gt;&lt;li&gt;最大保持時間に達する：ジョグは %1 s（設定）、フリードライブは 5 分、ある位置への移動は所要時間と 5 s。最後の 3 s はカウントダウンされます。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止後は、もう一度押す必要があります。Tiller が制御している間は、&lt;b&gt;Space&lt;/b&gt; と &lt;b&gt;Esc&lt;/b&gt; でどのウィンドウ、ダイアログ、入力欄からでもアームが停止します。制御していないときは、フォーカスのある要素に働きます。他のクライアントのプログラムを停止するには &lt;b&gt;STOP&lt;/b&gt; をクリックしてください。これはソフトウェア停止で、非常停止ではありません：非常停止を手の届く所に置いてください。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; を押すと動作は 10 倍細かく、&lt;b&gt;Shift&lt;/b&gt; を押すと 3 倍速くなりますが、上限は超えません。ラテン文字のないキーボードでは、下の文字は US 配列での位置を指します。&lt;/p&gt;&lt;h2&gt;コマンド&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11622,7 +11622,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>入出力の名前とスケール</translation>
     </message>
     <message>
-        <source>Layout of the window</source>
+        <source>Window layout</source>
         <translation>ウィンドウの配置</translation>
     </message>
     <message>
@@ -11650,11 +11650,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1 は取り込まれませんでした。何も変わっていません。</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1:</source>
+        <source>The selected settings are replaced by the settings in %1:</source>
         <translation>選択した設定は %1 の内容で置き換えられます：</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
+        <source>The selected settings are replaced by the settings in %1 (written by Tiller %2):</source>
         <translation>選択した設定は %1（Tiller %2 で作成）の内容で置き換えられます：</translation>
     </message>
     <message>
@@ -11666,8 +11666,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1：ファイルにありません</translation>
     </message>
     <message>
-        <source>%1: %2 here, %3 in the file</source>
-        <translation>%1：ここ %2、ファイル %3</translation>
+        <source>%1: %2 in Tiller, %3 in the file</source>
+        <translation>%1：Tiller %2、ファイル %3</translation>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
@@ -11741,8 +11741,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プロジェクトを開く…</translation>
     </message>
     <message>
-        <source>Opens waypoints and frames from a file.</source>
-        <translation>ファイルからウェイポイントと座標系を開きます。</translation>
+        <source>Opens a project file.</source>
+        <translation>プロジェクトファイルを開きます。</translation>
     </message>
     <message>
         <source>Open sample project…</source>
@@ -11757,7 +11757,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プロジェクトに名前を付けて保存…</translation>
     </message>
     <message>
-        <source>Saves to this file now and saves all further changes automatically.</source>
+        <source>Saves the project to a different file, and saves all further changes to that file automatically.</source>
         <translation>今このファイルに保存し、以後の変更も保存します。</translation>
     </message>
     <message>
@@ -11805,11 +11805,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>暗い色</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for later starts.</source>
-        <translation>配色をすぐに変更し、以後の起動時にも使います。</translation>
+        <source>Changes the colour theme. The setting is stored.</source>
+        <translation>配色テーマを変更します。設定は保存されます。</translation>
     </message>
     <message>
-        <source>Zero the force in the plots, or show it as measured</source>
+        <source>Zero the force in the plots, or show the measured force</source>
         <translation>グラフの力をゼロにする、または測定どおりに表示</translation>
     </message>
     <message>
@@ -11943,7 +11943,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Tiller はクラッシュログを保存しました。問題の報告に添付できます。</translation>
     </message>
     <message>
-        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the jogging rules.</source>
         <translation>フォーカスのある部分のマニュアルのページ、コマンドとショートカットの一覧、ジョグの規則を開きます。</translation>
     </message>
     <message>
@@ -12027,7 +12027,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>記録中です。</translation>
     </message>
     <message>
-        <source>Closing the window stops it.</source>
+        <source>Closing the window stops the recording.</source>
         <translation>ウィンドウを閉じると停止します。</translation>
     </message>
     <message>
@@ -12070,8 +12070,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>ドッキング</translation>
     </message>
     <message>
-        <source>Move the panel back to the main window</source>
-        <translation>メインウィンドウに戻す</translation>
+        <source>Moves this panel back to the main window.</source>
+        <translation>このパネルをメインウィンドウに戻します。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -12149,7 +12149,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>パースペクティブ %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Select a panel layout, or save the current one.</source>
+        <source>Perspective %1. Select a panel layout, or save the current layout.</source>
         <translation>パースペクティブ %1。パネルの配置を選ぶか、今の配置を保存します。</translation>
     </message>
     <message>
@@ -12216,7 +12216,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>保存したときのパネル配置を表示します。</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
+        <source>The perspective “%1” cannot be shown because the stored layout is damaged. Arrange the panels and save the perspective again.</source>
         <translation>パースペクティブ「%1」を表示できません：設定の配置が壊れています。パネルを並べて保存し直してください。</translation>
     </message>
     <message>
@@ -12267,8 +12267,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>{date}、{time}、{robot}、{number} は記録開始時に埋められます。</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>一行の間隔</translation>
+        <source>Packets/row</source>
+        <translation>パケット/行</translation>
     </message>
     <message>
         <source>Search signals</source>
@@ -12372,7 +12372,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
+        <source>The report is one file with the information that support needs. The complete content is listed below. You choose where to save the file. Tiller does not send it.</source>
         <translation>サポートに必要な情報をまとめた一つのファイルです。内容はすべて下に表示されます。選んだ場所に保存され、Tiller が送信することはありません。</translation>
     </message>
     <message>
@@ -12462,7 +12462,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>暗</translation>
     </message>
     <message>
-        <source>Size of controls</source>
+        <source>Control size</source>
         <translation>キーと行の大きさ</translation>
     </message>
     <message>
@@ -12498,8 +12498,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>インチ</translation>
     </message>
     <message>
-        <source>Rotations</source>
-        <translation>回転</translation>
+        <source>Orientations</source>
+        <translation>姿勢</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12522,7 +12522,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive has a limit of five minutes. A move to a position has a limit of its duration plus 5 s.</source>
         <translation>この時間でジョグは止まり、ボタンを押し直す必要があります。フリードライブは 5 分、ある位置への移動は所要時間と 5 s です。</translation>
     </message>
     <message>
@@ -12550,11 +12550,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Tiller の次の起動から有効です。</translation>
     </message>
     <message>
-        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ %1 を超えています。PC からのジョグを制限するものは他にありません：手動モードもペンダントのイネーブル装置も働きません。ヘッダーに警告が表示されます。上限は Tiller を閉じると元に戻ります。</translation>
+        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
+        <translation>▲ %1 を超えています。手動モードとペンダントのイネーブル装置は、PC からのジョグを制限しません。ヘッダーに警告が表示されます。上限は Tiller を閉じると元に戻ります。</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Tiller の全動作での TCP と肘の最高速度です。すぐに有効になり、実行中の動作を停止します。</translation>
     </message>
     <message>
@@ -12582,8 +12582,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1 はアームの停止用に予約されています。</translation>
     </message>
     <message>
-        <source>%1 is assigned to “%2”. Remove it there first.</source>
-        <translation>%1 は「%2」に割り当てられています。先にそちらから外してください。</translation>
+        <source>%1 is assigned to “%2”. Remove that shortcut first.</source>
+        <translation>%1 は「%2」に割り当てられています。先にそのショートカットを外してください。</translation>
     </message>
     <message>
         <source>Language</source>
@@ -12626,7 +12626,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>監視のみ（コマンドラインで指定）</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>欄で新しいショートカットを押します。Backspaceで削除します。Tiller が制御している間は、SpaceとEscで必ずアームが停止します。</translation>
     </message>
 </context>
@@ -12653,8 +12653,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1 は取り込まれませんでした。何も変わっていません。%2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>%1 から設定を取り込みました。以前の設定は %2 にあります</translation>
+        <source>Settings imported from %1. The previous settings were saved to %2.</source>
+        <translation>%1 から設定を取り込みました。以前の設定は %2 にあります。</translation>
     </message>
 </context>
 <context>
@@ -12676,8 +12676,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>シミュレートされたロボットでの五つの課題。課題ごとに結果を確認します。</translation>
     </message>
     <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>練習は内蔵のシミュレートされたロボットでのみ使えます。現在のロボットは「%1」です。</translation>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”. Connect to the simulated robot first.</source>
+        <translation>練習は内蔵のシミュレートされたロボットでのみ使えます。現在のロボットは「%1」です。先にシミュレートされたロボットに接続してください。</translation>
     </message>
     <message>
         <source>Practice: add “%1”</source>

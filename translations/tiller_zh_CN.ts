@@ -937,7 +937,7 @@
         <translation>启用或停用键盘点动</translation>
     </message>
     <message>
-        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. It is disarmed after 30 s without use.</source>
+        <source>While the keyboard is armed, the arrow keys move the arm and a border surrounds the window. The keyboard is disarmed after 30 s without use.</source>
         <translation>键盘启用后，方向键移动机械臂，窗口四周出现边框。30 秒未使用后停用。</translation>
     </message>
     <message>
@@ -953,7 +953,7 @@
         <translation>此处归零</translation>
     </message>
     <message>
-        <source>Shows the TCP displacement from this position. Press again to show it from the start of the last motion.</source>
+        <source>Shows the TCP displacement from the current position. Press again to show the displacement since the start of the last motion.</source>
         <translation>显示从当前位置起的 TCP 位移。再次按下则显示自上次运动开始起的位移。</translation>
     </message>
     <message>
@@ -1800,8 +1800,8 @@
         <translation>重命名所选输入或输出</translation>
     </message>
     <message>
-        <source>Applies to the focused row of the I/O tab.</source>
-        <translation>作用于 I/O 选项卡中具有焦点的行。</translation>
+        <source>Renames the input or output in the focused row of the I/O tab.</source>
+        <translation>重命名 I/O 选项卡中焦点行的输入或输出。</translation>
     </message>
     <message>
         <source>Switch selected output</source>
@@ -1864,7 +1864,7 @@
         <translation>搜索曲线图的信号</translation>
     </message>
     <message>
-        <source>Opens the list of all signals. Add one to a plot by dragging, double-clicking or pressing Return.</source>
+        <source>Opens the list of all signals. To add a signal to a plot, drag it, double-click it or press Return.</source>
         <translation>打开所有信号的列表。拖动、双击或按回车可将信号加到曲线图。</translation>
     </message>
     <message>
@@ -3290,8 +3290,8 @@
         <translation>在违规或故障后重置安全系统。机械臂保持断电。</translation>
     </message>
     <message>
-        <source>Possible only after a violation or fault.</source>
-        <translation>仅在违规或故障后可用。</translation>
+        <source>Available only after a safety violation or fault.</source>
+        <translation>仅在安全违规或安全故障后可用。</translation>
     </message>
     <message>
         <source>Closes the popups on the teach pendant.</source>
@@ -3330,11 +3330,11 @@
         <translation>加载程序…</translation>
     </message>
     <message>
-        <source>Loads a program on the robot by its name.</source>
+        <source>Loads a program on the robot by name.</source>
         <translation>按名称加载机器人上的程序。</translation>
     </message>
     <message>
-        <source>Starts the loaded program or resumes a paused one: the arm may move at once.</source>
+        <source>Starts the loaded program or resumes the paused program. The arm may move immediately.</source>
         <translation>启动已加载的程序，或继续已暂停的程序：机械臂可能立即移动。</translation>
     </message>
     <message>
@@ -3533,7 +3533,7 @@
         <translation>默认视图（透视）</translation>
     </message>
     <message>
-        <source>Look from between front and side, slightly from above, and fit everything in the view.</source>
+        <source>Look from between the front and the side, slightly from above, and fit everything in the view.</source>
         <translation>从正面与侧面之间略高处观察，并使全部内容适合视图。</translation>
     </message>
     <message>
@@ -11281,8 +11281,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>启动模拟机器人</translation>
     </message>
     <message>
-        <source>With a sample project…</source>
-        <translation>使用示例项目…</translation>
+        <source>Open sample project…</source>
+        <translation>打开示例项目…</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -11301,8 +11301,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>打开项目…</translation>
     </message>
     <message>
-        <source>Opens waypoints from a file without a robot: everything except motion works.</source>
-        <translation>无需机器人即可打开文件中的路点：除移动外都可用。</translation>
+        <source>Opens a project without a robot, to view and edit waypoints and programs.</source>
+        <translation>无需机器人即可打开项目，以查看和编辑路点和程序。</translation>
     </message>
     <message>
         <source>Try the simulator</source>
@@ -11317,7 +11317,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>启动模拟机器人，并打开一个已示教的项目。</translation>
     </message>
     <message>
-        <source>Connect a robot</source>
+        <source>Connect to a robot</source>
         <translation>连接机器人</translation>
     </message>
     <message>
@@ -11477,8 +11477,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
 <context>
     <name>tiller::app::DeviceSettings</name>
     <message>
-        <source>Device that moves the arm</source>
-        <translation>移动机械臂的设备</translation>
+        <source>Jog device</source>
+        <translation>点动设备</translation>
     </message>
     <message>
         <source>Test device…</source>
@@ -11489,8 +11489,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>显示各设备的当前数值，以及机械臂将移动的方向。</translation>
     </message>
     <message>
-        <source>Moves the arm</source>
-        <translation>移动机械臂</translation>
+        <source>Jog device</source>
+        <translation>点动设备</translation>
     </message>
     <message>
         <source>Gamepad</source>
@@ -11549,7 +11549,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>未找到手柄或 SpaceMouse。连接后会自动检测到。</translation>
     </message>
     <message>
-        <source>Moves the arm only while the hold-to-run button is held. Not stored: after a restart, no device moves the arm.</source>
+        <source>The device moves the arm only while the hold-to-run button is held. The selection is not stored: after a restart, no device moves the arm.</source>
         <translation>仅在按住使能键时移动机械臂。不保存：重启后没有设备移动机械臂。</translation>
     </message>
 </context>
@@ -11587,11 +11587,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>目录</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains it. To add it to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read its pages as text in the folder packaging/manual of the source code. The rules of jogging and all keys are on the other page of this window.&lt;/p&gt;</source>
+        <source>&lt;h2&gt;The manual is not installed on this PC&lt;/h2&gt;&lt;p&gt;The Debian package of Tiller contains the manual. To add the manual to your own build, install the package python3-sphinx:&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;Then build again. You can also read the pages as text in the folder packaging/manual of the source code. The page “Jogging and keys” of this window contains the jogging rules and all shortcuts.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;本机上未安装手册&lt;/h2&gt;&lt;p&gt;手册包含在 Tiller 的 Debian 软件包中。要在自行编译时加入手册，请安装软件包 python3-sphinx：&lt;/p&gt;&lt;pre&gt;apt-get install python3-sphinx&lt;/pre&gt;&lt;p&gt;然后重新编译。也可以在源代码的文件夹 packaging/manual 中以文本形式阅读。点动规则和所有按键在本窗口的另一页上。&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, this program hangs, or the robot leaves Running, its safety mode or Remote control;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If it is not, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show this;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; makes a press ten times finer, &lt;b&gt;Shift&lt;/b&gt; three times faster, but never above the cap. On a keyboard without Latin letters, a letter below refers to its position on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
+        <source>&lt;h2&gt;Moving the arm&lt;/h2&gt;&lt;p&gt;The arm moves while you hold a jog button, and stops when you release it. It also stops when&lt;/p&gt;&lt;ul&gt;&lt;li&gt;the pointer leaves the button, another mouse button is pressed, or a second input device is used;&lt;/li&gt;&lt;li&gt;a modifier or an opposite key is pressed while a keyboard key is held;&lt;/li&gt;&lt;li&gt;the window loses focus, a dialog or menu opens, or the frame, speed, step or tab changes;&lt;/li&gt;&lt;li&gt;data from the robot are late, Tiller hangs, or the robot mode, the safety mode or Remote control changes;&lt;/li&gt;&lt;li&gt;the screen is locked, the PC goes to sleep, or the input device is unplugged or stops sending data;&lt;/li&gt;&lt;li&gt;the key-state check fails: on X11, Tiller checks every 10 ms with the display server that the button or key is still pressed. If the button or key is not pressed, or if the server does not respond for 100 ms, the motion ends. If the check is not available, the header and Settings show a note;&lt;/li&gt;&lt;li&gt;the maximum hold time is reached: %1 s for a jog (Settings), five minutes for Freedrive, the duration of the move plus 5 s for a move to a position. The last 3 s are counted down.&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;A stopped motion needs a new press. While Tiller is in control, &lt;b&gt;Space&lt;/b&gt; and &lt;b&gt;Esc&lt;/b&gt; stop the arm from every window, dialog and text field. When Tiller is not in control, they act on the focused element; click &lt;b&gt;STOP&lt;/b&gt; to stop a program of another client. This is a software stop, not an emergency stop: keep the emergency stop within reach.&lt;/p&gt;&lt;p&gt;Hold &lt;b&gt;Ctrl&lt;/b&gt; for one-tenth of the speed or step, or &lt;b&gt;Shift&lt;/b&gt; for three times the speed, up to the speed cap. On a keyboard without Latin letters, the letters below refer to key positions on a US keyboard.&lt;/p&gt;&lt;h2&gt;Commands&lt;/h2&gt;</source>
         <translation>&lt;h2&gt;移动机械臂&lt;/h2&gt;&lt;p&gt;按住点动按钮时机械臂移动，松开即停止。以下情况也会停止：&lt;/p&gt;&lt;ul&gt;&lt;li&gt;指针离开按钮、按下鼠标的另一个键，或使用了另一个输入设备；&lt;/li&gt;&lt;li&gt;按住键盘按键时，按下了修饰键或相反方向的按键；&lt;/li&gt;&lt;li&gt;窗口失去焦点、打开了对话框或菜单，或坐标系、速度、步长或选项卡发生变化；&lt;/li&gt;&lt;li&gt;机器人的数据延迟、本程序没有响应，或机器人离开“运行”、其安全模式或远程控制；&lt;/li&gt;&lt;li&gt;屏幕被锁定、PC 进入休眠，或输入设备被拔出或停止发送数据；&lt;/li&gt;&lt;li&gt;按键状态检查失败：在 X11 上，Tiller 每 10 ms 向显示服务器检查按钮或按键是否仍被按下。如果没有按下，或服务器 100 ms 没有响应，运动即结束。如果无法进行此检查，页眉和设置会显示；&lt;/li&gt;&lt;li&gt;达到最长按住时间：点动为 %1 s（设置），自由驱动为五分钟，移动到某位置为运动时间加 5 s。最后 3 s 会倒计时。&lt;/li&gt;&lt;/ul&gt;&lt;p&gt;停止后需要重新按下。Tiller 拥有控制时，&lt;b&gt;Space&lt;/b&gt; 和 &lt;b&gt;Esc&lt;/b&gt; 在任何窗口、对话框和文本框中都会停止机械臂。Tiller 没有控制时，它们作用于当前焦点控件；请单击 &lt;b&gt;STOP&lt;/b&gt; 停止其他客户端的程序。这是软件停止，不是紧急停止：请使紧急停止在伸手可及之处。&lt;/p&gt;&lt;p&gt;&lt;b&gt;Ctrl&lt;/b&gt; 使运动精细十倍，&lt;b&gt;Shift&lt;/b&gt; 使运动快三倍，但绝不超过上限。在没有拉丁字母的键盘上，下面的字母指其在美式键盘上的位置。&lt;/p&gt;&lt;h2&gt;命令&lt;/h2&gt;</translation>
     </message>
 </context>
@@ -11622,7 +11622,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>输入输出的名称和比例</translation>
     </message>
     <message>
-        <source>Layout of the window</source>
+        <source>Window layout</source>
         <translation>窗口布局</translation>
     </message>
     <message>
@@ -11650,11 +11650,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1 未导入。没有任何更改。</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1:</source>
+        <source>The selected settings are replaced by the settings in %1:</source>
         <translation>所选设置将由 %1 中的设置替换：</translation>
     </message>
     <message>
-        <source>The selected settings are replaced by those in %1 (written by Tiller %2):</source>
+        <source>The selected settings are replaced by the settings in %1 (written by Tiller %2):</source>
         <translation>所选设置将由 %1（由 Tiller %2 写入）中的设置替换：</translation>
     </message>
     <message>
@@ -11666,8 +11666,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1：文件中没有</translation>
     </message>
     <message>
-        <source>%1: %2 here, %3 in the file</source>
-        <translation>%1：此处 %2，文件中 %3</translation>
+        <source>%1: %2 in Tiller, %3 in the file</source>
+        <translation>%1：Tiller 中 %2，文件中 %3</translation>
     </message>
     <message>
         <source>The replaced settings are saved to a separate file, which can be imported again.</source>
@@ -11741,8 +11741,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>打开项目…</translation>
     </message>
     <message>
-        <source>Opens waypoints and frames from a file.</source>
-        <translation>从文件打开路点和坐标系。</translation>
+        <source>Opens a project file.</source>
+        <translation>打开项目文件。</translation>
     </message>
     <message>
         <source>Open sample project…</source>
@@ -11757,7 +11757,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>项目另存为…</translation>
     </message>
     <message>
-        <source>Saves to this file now and saves all further changes automatically.</source>
+        <source>Saves the project to a different file, and saves all further changes to that file automatically.</source>
         <translation>立即保存到此文件，并自动保存以后的所有更改。</translation>
     </message>
     <message>
@@ -11805,11 +11805,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>深色</translation>
     </message>
     <message>
-        <source>Changes the colour theme now and for later starts.</source>
-        <translation>立即更改配色，以后启动时也使用。</translation>
+        <source>Changes the colour theme. The setting is stored.</source>
+        <translation>更改颜色主题。该设置会保存。</translation>
     </message>
     <message>
-        <source>Zero the force in the plots, or show it as measured</source>
+        <source>Zero the force in the plots, or show the measured force</source>
         <translation>曲线图中的力归零，或按测量值显示</translation>
     </message>
     <message>
@@ -11943,7 +11943,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>Tiller 保存了崩溃日志。您可以将其附在问题报告中。</translation>
     </message>
     <message>
-        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the rules of jogging.</source>
+        <source>Opens the manual page for the focused control, the list of commands and shortcuts, and the jogging rules.</source>
         <translation>打开焦点所在部分的手册页面、命令和快捷键列表，以及点动规则。</translation>
     </message>
     <message>
@@ -12027,7 +12027,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>正在记录。</translation>
     </message>
     <message>
-        <source>Closing the window stops it.</source>
+        <source>Closing the window stops the recording.</source>
         <translation>关闭窗口会停止记录。</translation>
     </message>
     <message>
@@ -12070,8 +12070,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>停靠</translation>
     </message>
     <message>
-        <source>Move the panel back to the main window</source>
-        <translation>放回主窗口</translation>
+        <source>Moves this panel back to the main window.</source>
+        <translation>将此面板移回主窗口。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -12149,7 +12149,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>视角布局 %1</translation>
     </message>
     <message>
-        <source>Perspective %1. Select a panel layout, or save the current one.</source>
+        <source>Perspective %1. Select a panel layout, or save the current layout.</source>
         <translation>视角布局 %1。选择面板排列，或保存当前排列。</translation>
     </message>
     <message>
@@ -12216,7 +12216,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>按您保存的排列显示面板。</translation>
     </message>
     <message>
-        <source>The perspective “%1” cannot be shown: its stored layout is damaged. Arrange the panels and save it again.</source>
+        <source>The perspective “%1” cannot be shown because the stored layout is damaged. Arrange the panels and save the perspective again.</source>
         <translation>无法显示视角布局“%1”：其在设置中的布局已损坏。请排列面板并重新保存。</translation>
     </message>
     <message>
@@ -12267,8 +12267,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>{date}、{time}、{robot} 和 {number} 在录制开始时填入。</translation>
     </message>
     <message>
-        <source>One row every</source>
-        <translation>每几个一行</translation>
+        <source>Packets/row</source>
+        <translation>数据包/行</translation>
     </message>
     <message>
         <source>Search signals</source>
@@ -12372,7 +12372,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>取消</translation>
     </message>
     <message>
-        <source>One file with the information that support needs. Its complete content is listed below. The file is saved where you choose; Tiller does not send it.</source>
+        <source>The report is one file with the information that support needs. The complete content is listed below. You choose where to save the file. Tiller does not send it.</source>
         <translation>一个包含技术支持所需信息的文件。完整内容列在下面。文件保存在您选择的位置；Tiller 不会发送它。</translation>
     </message>
     <message>
@@ -12462,7 +12462,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>深色</translation>
     </message>
     <message>
-        <source>Size of controls</source>
+        <source>Control size</source>
         <translation>控件大小</translation>
     </message>
     <message>
@@ -12498,8 +12498,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>英寸</translation>
     </message>
     <message>
-        <source>Rotations</source>
-        <translation>旋转</translation>
+        <source>Orientations</source>
+        <translation>方向</translation>
     </message>
     <message>
         <source>Roll, pitch, yaw in degrees</source>
@@ -12522,7 +12522,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation> s</translation>
     </message>
     <message>
-        <source>After this time, a jog stops and its button must be pressed again. Freedrive: five minutes. Move to a position: its duration plus 5 s.</source>
+        <source>After this time, a jog stops and its button must be pressed again. Freedrive has a limit of five minutes. A move to a position has a limit of its duration plus 5 s.</source>
         <translation>超过此时间后点动停止，须重新按下按钮。自由驱动：五分钟。移动到某位置：所需时间加 5 s。</translation>
     </message>
     <message>
@@ -12550,11 +12550,11 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>从下次启动 Tiller 起生效。</translation>
     </message>
     <message>
-        <source>▲ Above %1. No other limit applies to jogging from a PC: neither manual mode nor the enabling device of the pendant. The header shows a warning. The cap resets when Tiller is closed.</source>
-        <translation>▲ 高于 %1。从 PC 点动没有其他限制：手动模式和示教器的使能装置都不起作用。页眉会显示警告。关闭 Tiller 后上限复位。</translation>
+        <source>▲ Above %1. Manual mode and the enabling device of the pendant do not limit jogging from a PC. The header shows a warning. The cap resets when Tiller is closed.</source>
+        <translation>▲ 高于 %1。手动模式和示教器的使能装置不限制从 PC 的点动。页眉会显示警告。关闭 Tiller 后上限复位。</translation>
     </message>
     <message>
-        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. Takes effect at once and stops running motion.</source>
+        <source>Maximum speed of TCP and elbow for all motion commanded by Tiller. A change takes effect immediately and stops any motion.</source>
         <translation>Tiller 所有运动中 TCP 和肘部的最大速度。立即生效，并停止正在进行的运动。</translation>
     </message>
     <message>
@@ -12582,8 +12582,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1 保留用于停止机械臂。</translation>
     </message>
     <message>
-        <source>%1 is assigned to “%2”. Remove it there first.</source>
-        <translation>%1 已分配给“%2”。请先在那里移除。</translation>
+        <source>%1 is assigned to “%2”. Remove that shortcut first.</source>
+        <translation>%1 已分配给“%2”。请先移除该快捷键。</translation>
     </message>
     <message>
         <source>Language</source>
@@ -12626,7 +12626,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>仅监视（由命令行设置）</translation>
     </message>
     <message>
-        <source>Press the new shortcut in the field; Backspace removes it. While Tiller is in control, Space and Esc always stop the arm.</source>
+        <source>Press the new shortcut in the field, or Backspace to remove the shortcut. While Tiller is in control, Space and Esc always stop the arm.</source>
         <translation>在框中按下新的快捷键；退格键可删除。Tiller 拥有控制时，空格键和 Esc 始终停止机械臂。</translation>
     </message>
 </context>
@@ -12653,8 +12653,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>%1 未导入。没有任何更改。%2</translation>
     </message>
     <message>
-        <source>Settings imported from %1. The previous settings were saved to %2</source>
-        <translation>已从 %1 导入设置。先前的设置已保存到 %2</translation>
+        <source>Settings imported from %1. The previous settings were saved to %2.</source>
+        <translation>已从 %1 导入设置。先前的设置已保存到 %2。</translation>
     </message>
 </context>
 <context>
@@ -12676,8 +12676,8 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>模拟机器人上的五个任务。每个任务都会检查结果。</translation>
     </message>
     <message>
-        <source>Practice works only with the built-in simulated robot. The current robot is “%1”.</source>
-        <translation>练习仅适用于内置的模拟机器人。当前机器人是“%1”。</translation>
+        <source>Practice works only with the built-in simulated robot. The current robot is “%1”. Connect to the simulated robot first.</source>
+        <translation>练习仅适用于内置的模拟机器人。当前机器人是“%1”。请先连接模拟机器人。</translation>
     </message>
     <message>
         <source>Practice: add “%1”</source>

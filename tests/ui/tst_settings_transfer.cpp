@@ -142,7 +142,7 @@ private Q_SLOTS:
         const auto* robots = dialog->findChild<QCheckBox*>(
             QStringLiteral("importSettings.part.%1").arg(static_cast<int>(SettingsPart::Robots)));
         QVERIFY(robots != nullptr && robots->isChecked());
-        QVERIFY2(robots->text().contains("2 here") && robots->text().contains("1 in the file"),
+        QVERIFY2(robots->text().contains("2 in Tiller") && robots->text().contains("1 in the file"),
                  qPrintable(robots->text()));
         const QStringList found = stillClipped(*dialog);
         QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
