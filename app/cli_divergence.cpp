@@ -210,28 +210,40 @@ const Command& divergenceCommand() {
         .title = "compares the motion of an arm with its model",
         .usage = {"FILE [options]"},
         .operandRows = {{"FILE",
-                         "recording (.mcap, .h5 or .csv), such as that of an incident. The arm of the "
-                         "simulated controller follows the targets of the recording, and its motion is "
-                         "compared with that of the real arm. The simulated arm carries the payload "
-                         "that is set on the controller, and has neither contact nor friction"}},
-        .options =
-            {{"model", "MODEL", "robot model, such as ur5e (default: the model named in the recording)"},
-             {"joint",
-              "DEGREES",
-              "largest permitted deviation of each joint (default 0.5); 0: not compared",
-              "",
-              {0, kMaxLimit}},
-             {"tcp", "MM", "the same for the TCP (default 5)", "", {0, kMaxLimit}},
-             {"current", "A", "the same for the current of each joint (default 2)", "", {0, kMaxLimit}},
-             {"force", "N", "the same for the force at the TCP (default 30)", "", {0, kMaxLimit}},
-             {"lasting", "SECONDS", "ignores shorter deviations (default 0.01)", "", {0, kMaxLimit}},
-             {"from", "SECONDS", "compares only the part from this time", "", {0, kMaxLimit}},
-             {"until", "SECONDS", "compares only the part until this time", "", {0, kMaxLimit}},
-             {"json", "", "prints one JSON object instead of text"},
-             {"quiet", "", "shows no progress on the terminal"}},
+                         "recording (.mcap, .h5 or .csv), such as an incident recording. The simulated arm "
+                         "follows the targets in the recording, and its motion is compared with the motion "
+                         "of the real arm. The simulated arm carries the payload that is set on the "
+                         "controller, and has neither contact nor friction"}},
+        .options = {{"model", "MODEL",
+                     "robot model, such as ur5e (default: the model named in the recording)"},
+                    {"joint",
+                     "DEGREES",
+                     "maximum permitted deviation of each joint (default 0.5); 0: not compared",
+                     "",
+                     {0, kMaxLimit}},
+                    {"tcp",
+                     "MM",
+                     "maximum permitted deviation of the TCP position (default 5); 0: not compared",
+                     "",
+                     {0, kMaxLimit}},
+                    {"current",
+                     "A",
+                     "maximum permitted deviation of each joint current (default 2); 0: not compared",
+                     "",
+                     {0, kMaxLimit}},
+                    {"force",
+                     "N",
+                     "maximum permitted deviation of the TCP force (default 30); 0: not compared",
+                     "",
+                     {0, kMaxLimit}},
+                    {"lasting", "SECONDS", "ignores shorter deviations (default 0.01)", "", {0, kMaxLimit}},
+                    {"from", "SECONDS", "start of the compared time range", "", {0, kMaxLimit}},
+                    {"until", "SECONDS", "end of the compared time range", "", {0, kMaxLimit}},
+                    {"json", "", "prints one JSON object instead of text"},
+                    {"quiet", "", "shows no progress on the terminal"}},
         .notes =
-            "Exit code: 0 arm and model agree, 1 they differ or cannot be compared, 2 "
-            "invalid arguments.",
+            "Exit code: 0 the arm and the model agree, 1 the arm and the model differ or cannot be compared, "
+            "2 invalid arguments.",
         .run = compare};
     return kCommand;
 }

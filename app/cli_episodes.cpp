@@ -67,23 +67,23 @@ const Command& episodesCommand() {
         .title = "cuts recordings into demonstrations for imitation learning",
         .usage = {"FILE... --out FILE.h5 [options]"},
         .operandRows = {{"FILE...", "recordings (.mcap, .h5 or .csv)"}},
-        .options = {{"out", "FILE",
-                     "HDF5 file in the layout of robomimic: /data/demo_0 with obs, next_obs, "
-                     "actions, rewards and dones"},
-                    {"cut", "HOW",
-                     "program: one episode from each start of a program to its stop (default); "
-                     "notes: from each note of the operator to the next; whole: one episode per "
-                     "recording",
-                     "program"},
-                    {"rate", "HZ", "rows per second (default %1); 0: all rows", "20", {0, 10'000}},
-                    {"shortest", "SECONDS", "shorter episodes are omitted (default %1)", "0.5", {0, 1e6}},
-                    {"observations", "A,B",
-                     "observed fields (default actual_q,actual_qd,actual_TCP_pose,actual_TCP_force)"},
-                    {"action", "FIELD", "field with the commanded values (default %1)", "target_q"},
-                    {"force", "", "replaces an existing file"}},
+        .options =
+            {{"out", "FILE",
+              "HDF5 file in robomimic layout: /data/demo_0 with obs, next_obs, actions, rewards and dones"},
+             {"cut", "HOW",
+              "program: one episode from each start of a program to its stop (default); "
+              "notes: from each note of the operator to the next; whole: one episode per "
+              "recording",
+              "program"},
+             {"rate", "HZ", "rows per second (default %1); 0: all rows", "20", {0, 10'000}},
+             {"shortest", "SECONDS", "shorter episodes are omitted (default %1)", "0.5", {0, 1e6}},
+             {"observations", "A,B",
+              "observed fields (default actual_q,actual_qd,actual_TCP_pose,actual_TCP_force)"},
+             {"action", "FIELD", "field with the commanded values (default %1)", "target_q"},
+             {"force", "", "replaces an existing file"}},
         .notes =
-            "Exit code: 0 file written, 1 file not written or no episode found, 2 invalid "
-            "arguments.",
+            "Exit code: 0 the file was written, 1 the file was not written or no episode was found, 2 "
+            "invalid arguments.",
         .run = episodes};
     return kCommand;
 }

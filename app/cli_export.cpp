@@ -81,22 +81,30 @@ const Command& exportCommand() {
     static const Command kCommand{
         .name = "export",
         .operands = "FILE",
-        .summary = "exports a recording as CSV or HDF5 (see 'tiller-cli export --help')",
+        .summary = "exports a recording as CSV, HDF5 or MCAP (see 'tiller-cli export --help')",
         .title = "exports a recording or a part of it for other programs",
         .usage = {"FILE --out FILE [options]"},
         .operandRows = {{"FILE", "recording (.mcap, .h5 or .csv); the format is detected from the content"}},
-        .options =
-            {{"out", "FILE", "FILE.csv, FILE.h5 (also .hdf5) for h5py, MATLAB and Octave, or FILE.mcap"},
-             {"columns", "A,B,...",
-              "exports only these columns and the time column; the name of a field selects "
-              "all its columns"},
-             {"from", "SECONDS", "start of the exported part, from the first row", "0", {-1e12, 1e12}},
-             {"until", "SECONDS", "end of the exported part, from the first row", "1e12", {-1e12, 1e12}},
-             {"separator", "CHAR", "column separator of a .csv file: , ; or tab (default %1)", ","},
-             {"decimal", "CHAR", "decimal sign of a .csv file: . or , (default %1)", "."},
-             {"units", "", "adds a line of units below the header of a .csv file"},
-             {"force", "", "replaces an existing file"},
-             {"quiet", "", "shows no progress on the terminal"}},
+        .options = {{"out", "FILE",
+                     "FILE.csv, FILE.h5 (also .hdf5) for h5py, MATLAB and Octave, or FILE.mcap"},
+                    {"columns", "A,B,...",
+                     "exports only these columns and the time column; the name of a field selects "
+                     "all its columns"},
+                    {"from",
+                     "SECONDS",
+                     "start of the exported time range, relative to the first row",
+                     "0",
+                     {-1e12, 1e12}},
+                    {"until",
+                     "SECONDS",
+                     "end of the exported time range, relative to the first row",
+                     "1e12",
+                     {-1e12, 1e12}},
+                    {"separator", "CHAR", "column separator of a .csv file: , ; or tab (default %1)", ","},
+                    {"decimal", "CHAR", "decimal sign of a .csv file: . or , (default %1)", "."},
+                    {"units", "", "adds a line of units below the header of a .csv file"},
+                    {"force", "", "replaces an existing file"},
+                    {"quiet", "", "shows no progress on the terminal"}},
         .notes =
             "Numbers are written with the fewest digits that read back exactly; values "
             "that the robot did not send are empty cells. Exit code: 0 everything was "

@@ -16,11 +16,11 @@ int fault(const CommandArguments& arguments) {
     const QStringList operands = arguments.operands();
     if (operands.isEmpty()) {
         return wrongArguments(
-            QStringLiteral("fault: an address and words are required, such as 'tiller-cli fault "
-                           "127.0.0.1 protective-stop'"));
+            QStringLiteral("fault: an address and a fault are required, such as 'tiller-cli fault 127.0.0.1 "
+                           "protective-stop'"));
     }
     if (operands.size() < 2) {
-        return wrongArguments(QStringLiteral("fault: words are required, such as 'protective-stop'"));
+        return wrongArguments(QStringLiteral("fault: a fault is required, such as 'protective-stop'"));
     }
     const QStringList address = operands[0].split(':');
     bool ok = address.size() <= 2;
@@ -62,11 +62,11 @@ const Command& faultCommand() {
         .summary = "triggers a fault on a simulated controller (see 'tiller-cli fault --help')",
         .title = "triggers a fault on a simulated controller",
         .usage = {"ADDRESS[:PORT] WORDS..."},
-        .notes = QStringLiteral(
-                     "ADDRESS is the address of 'tiller-cli simulate' or of the simulator of the "
-                     "application, PORT the port that its 'ready' line lists as faults (default 29990). Any "
-                     "program can do the same over a TCP connection: it sends one line of WORDS and receives "
-                     "one line, 'ok' or 'error: ' and the reason.\n\nWORDS is one of\n") +
+        .notes = QStringLiteral("ADDRESS is the address of 'tiller-cli simulate' or of the simulated robot "
+                                "in Tiller. PORT is the port that the 'ready' line of 'tiller-cli simulate' "
+                                "lists as 'faults' (default 29990). Any program can trigger faults over a "
+                                "TCP connection: the program sends one line with WORDS and receives one line "
+                                "with 'ok', or 'error: ' and the reason.\n\nWORDS is one of\n") +
                  simulator::faultHelp().chopped(1),
         .run = fault,
         .optionsEndAtFirstOperand = true};

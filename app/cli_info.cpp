@@ -71,23 +71,23 @@ void print(const recording::Recording& file) {
                  .arg(file.rows())
                  .arg(lengthOf(file), 0, 'f', 3);
     if (const QString start = startOf(file); !start.isEmpty()) {
-        out() << "begins " << start << '\n';
+        out() << "started " << start << '\n';
     }
     for (const auto& [key, value] : file.facts()) {
         out() << QString::fromStdString(key) << ": " << QString::fromStdString(value) << '\n';
     }
     for (const QString& name : file.attachments()) {
-        out() << "inside: " << name << '\n';
+        out() << "attachment: " << name << '\n';
     }
     std::uint64_t missing = 0;
     for (const recording::RecordedGap& gap : file.gaps()) {
         missing += gap.packets;
     }
-    out() << QStringLiteral("%1 gaps, %2 packages missing\n").arg(file.gaps().size()).arg(missing);
+    out() << QStringLiteral("%1 gaps, %2 packets missing\n").arg(file.gaps().size()).arg(missing);
     constexpr std::size_t kMaxGaps = 10;
     for (std::size_t i = 0; i < file.gaps().size() && i < kMaxGaps; ++i) {
         const recording::RecordedGap& gap = file.gaps()[i];
-        out() << QStringLiteral("  before row %1: %2 packages, %3 s\n")
+        out() << QStringLiteral("  before row %1: %2 packets, %3 s\n")
                      .arg(gap.row)
                      .arg(gap.packets)
                      .arg(gap.seconds, 0, 'f', 3);
@@ -147,8 +147,8 @@ const Command& infoCommand() {
         .operandRows = {{"FILE", "recording (.mcap, .h5 or .csv); the format is detected from the content"}},
         .options = {{"json", "", "prints one JSON object instead of text"}},
         .notes =
-            "Exit code: 0 the whole file can be read, 1 it cannot be read or only in part, "
-            "2 invalid arguments.",
+            "Exit code: 0 the whole file was read, 1 the file or a part of the file could not be read, 2 "
+            "invalid arguments.",
         .run = info};
     return kCommand;
 }

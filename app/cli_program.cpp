@@ -38,7 +38,8 @@ Result<LoadedProgram> loadProgram(const QString& path, const QString& name, int 
     if (fromStep > 0) {
         const program::ProgramScript whole = program::writeScript(loaded.project, loaded.program);
         if (fromStep > static_cast<int>(whole.steps.size())) {
-            return noSuch(QStringLiteral("the program has %1 steps").arg(whole.steps.size()));
+            return noSuch(QStringLiteral("the program has %1 steps; use a smaller step number with --from")
+                              .arg(whole.steps.size()));
         }
         loaded.options.from = whole.steps[static_cast<std::size_t>(fromStep - 1)].step;
     }

@@ -305,18 +305,17 @@ const Command& projectCommand() {
                          "with the arm, the tool and the cell. Uses the nominal kinematics of the robot "
                          "model"},
                         {"convert",
-                         "converts waypoints of a .tiller file to a .csv file, a .csv file to a .tiller "
-                         "file, or a .tiller file of an earlier version to the current one"},
+                         "converts the waypoints of a .tiller file to a .csv file, a .csv file to a .tiller "
+                         "file, or a .tiller file of an earlier version to the current version"},
                         {"FILE", "project (.tiller); convert also accepts waypoints (.csv)"}},
         .options = {{"json", "", "info, check: prints one JSON object instead of text"},
                     {"model", "MODEL",
-                     "robot model for a file without one: ur3e, ur5e, ur10e, ur20, ur30..."},
+                     "robot model for a file that contains no model: ur3e, ur5e, ur10e, ur20, ur30..."},
                     {"out", "FILE", "convert: file to write, .tiller or .csv"},
                     {"force", "", "convert: replaces an existing file"}},
         .notes =
-            "Exit code: 0 done, and check found no error; 1 the file cannot be read or "
-            "written, or check found an error; 2 invalid arguments. A finding that only "
-            "slows the arm down is a warning.",
+            "Exit code: 0 success, and check found no error; 1 the file cannot be read or written, or check "
+            "found an error; 2 invalid arguments. A finding that only slows down the arm is a warning.",
         .run = runProjectAction};
     return kCommand;
 }

@@ -214,55 +214,55 @@ const Command& recordCommand() {
         .name = "record",
         .operands = "ADDRESS",
         .summary = "records the data of a robot (see 'tiller-cli record --help')",
-        .title = "records every package that a robot sends",
+        .title = "records the data packets of a robot",
         .usage = {"ADDRESS --out FILE [options]", "ADDRESS --out-folder FOLDER [options]"},
         .operandRows = {{"ADDRESS", "address or host name of the robot, or of a simulated robot"}},
-        .options = {{"out", "FILE", "FILE.mcap or FILE.csv. An existing file is replaced only with --force"},
-                    {"out-folder", "FOLDER",
-                     "writes a new .mcap file in this folder, named after the address and the time "
-                     "(UTC)"},
-                    {"fields", "A,B,...",
-                     "RTDE outputs to record; the time stamp is always included. Default: for .mcap "
-                     "everything that the window shows, for .csv the fields that ur_rtde records"},
-                    {"duration",
-                     "SECONDS",
-                     "stops this long after the first package; default: stops on Ctrl-C or SIGTERM",
-                     "0",
-                     {0, 1e9}},
-                    {"every", "N", "records only every N-th package (default %1)", "1", {1, 1e6}},
-                    {"trigger", "CONDITION",
-                     "records only while the condition is true, in numbered files FILE_001, "
-                     "FILE_002...: 'actual_TCP_force_2 > 20', 'robot_mode = 7', "
-                     "'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'"},
-                    {"before",
-                     "SECONDS",
-                     "with a trigger: also records this time before it (0 to 60, default %1)",
-                     "0",
-                     {0, 60}},
-                    {"after",
-                     "SECONDS",
-                     "with a trigger: also records this time after it (default %1)",
-                     "0",
-                     {0, 3600}},
-                    {"files", "N", "with a trigger: stops after N files", "0", {0, 1e6}},
-                    {"attach", "FILE", "stores a file, such as the project, inside the .mcap file"},
-                    {"no-ros", "",
-                     "omits joint state, wrench and transform for ROS tools from the .mcap file"},
-                    {"keep-free",
-                     "MB",
-                     "stops and completes the file when the disk has less free space (default %1)",
-                     "200",
-                     {0, 1e9}},
-                    {"wait", "SECONDS", "time to wait for the first package (default %1)", "10", {0, 1e6}},
-                    {"force", "", "replaces an existing file"},
-                    {"quiet", "", "shows no progress on the terminal"},
-                    {"port-offset", "N", "added to every port number (default %1)", "0", kPortOffsets}},
+        .options =
+            {{"out", "FILE", "FILE.mcap or FILE.csv. An existing file is replaced only with --force"},
+             {"out-folder", "FOLDER",
+              "writes a new .mcap file in this folder, named after the address and the time "
+              "(UTC)"},
+             {"fields", "A,B,...",
+              "RTDE outputs to record; the time stamp is always included. Default: for .mcap, all fields "
+              "that the window shows; for .csv, the fields that ur_rtde records"},
+             {"duration",
+              "SECONDS",
+              "stops this many seconds after the first packet (default: no limit). Ctrl+C or SIGTERM also "
+              "stops the recording",
+              "0",
+              {0, 1e9}},
+             {"every", "N", "records only every N-th packet (default %1)", "1", {1, 1e6}},
+             {"trigger", "CONDITION",
+              "records only while the condition is true, in numbered files FILE_001, "
+              "FILE_002...: 'actual_TCP_force_2 > 20', 'robot_mode = 7', "
+              "'actual_digital_input_bits:3 = 1', 'runtime_state changes', 'program starts'"},
+             {"before",
+              "SECONDS",
+              "with a trigger: also records this many seconds before the trigger (0 to 60, default %1)",
+              "0",
+              {0, 60}},
+             {"after",
+              "SECONDS",
+              "with a trigger: also records this many seconds after the trigger (default %1)",
+              "0",
+              {0, 3600}},
+             {"files", "N", "with a trigger: stops after N files", "0", {0, 1e6}},
+             {"attach", "FILE", "stores a file, such as the project, inside the .mcap file"},
+             {"no-ros", "", "omits joint state, wrench and transform for ROS tools from the .mcap file"},
+             {"keep-free",
+              "MB",
+              "stops and completes the file when the free disk space falls below this value (default %1)",
+              "200",
+              {0, 1e9}},
+             {"wait", "SECONDS", "time to wait for the first packet (default %1)", "10", {0, 1e6}},
+             {"force", "", "replaces an existing file"},
+             {"quiet", "", "shows no progress on the terminal"},
+             {"port-offset", "N", "added to every port number (default %1)", "0", kPortOffsets}},
         .notes =
-            "If the connection is lost, it is restored automatically, and the file "
-            "contains the gap with its length. A restart of the controller is stored as an "
-            "event with both times; \"info\" shows it. Data are saved twice a second; a "
-            "crash loses at most half a second. Exit code: 0 the file is complete, 1 the "
-            "file is incomplete or there are no data, 2 invalid arguments.",
+            "A lost connection is restored automatically, and the file contains the gap and its length. A "
+            "restart of the controller is stored as an event with both times; 'tiller-cli info' shows the "
+            "event. Data are saved twice a second; a crash loses at most half a second of data. Exit code: 0 "
+            "the file is complete, 1 the file is incomplete or no data were received, 2 invalid arguments.",
         .run = record};
     return kCommand;
 }

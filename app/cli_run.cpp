@@ -221,12 +221,16 @@ QString mismatch(const LoadedProgram& loaded, const receive::RobotState& state) 
     const RobotModel& model = robotModel(loaded.project.robot.value_or(RobotModelId::UR5e));
     const Pose computed = kinematics::forwardTcp(model.dh, state.q(), state.tcpOffset());
     if (!((computed.position - state.tcpPose().position).norm() < kSamePlace)) {
-        return QStringLiteral("the project was taught with a %1, but the robot is a different model")
+        return QStringLiteral(
+                   "the project was taught with a %1, but the robot is a different model; adapt the project "
+                   "to the robot first")
             .arg(QLatin1String(model.name));
     }
     if (loaded.script.tcp &&
         !((loaded.script.tcp->position - state.tcpOffset().position).norm() < kSameTcp)) {
-        return QStringLiteral("the TCP of the robot differs from the TCP of the program's waypoints");
+        return QStringLiteral(
+            "the TCP of the robot differs from the TCP of the program's waypoints; set the TCP of the "
+            "waypoints on the robot first");
     }
     return {};
 }
@@ -324,7 +328,8 @@ int runProgram(const CommandArguments& arguments) {
         return wrongArguments(QStringLiteral("run: either --simulate or --robot ADDRESS is required"));
     }
     if (arguments.isSet("recoverability") && (arguments.isSet("robot") || arguments.isSet("from"))) {
-        return wrongArguments(QStringLiteral("--recoverability requires --simulate, without --from"));
+        return wrongArguments(
+            QStringLiteral("--recoverability requires --simulate and cannot be combined with --from"));
     }
     if (arguments.isSet("robot") && !isHostName(arguments.value("robot"))) {
         return wrongArguments(
@@ -388,10 +393,10 @@ const Command& runProgramCommand() {
         .title = "runs a program of a project",
         .usage = {"FILE.tiller --simulate [options]", "FILE.tiller --robot ADDRESS [options]"},
         .options =
-            {{"simulate", "", "runs the script in the simulated controller, faster than real time"},
+            {{"simulate", "", "runs the program in the simulated controller, faster than real time"},
              {"robot", "ADDRESS",
-              "runs it on a robot, after a simulated run from the current position of the arm"},
-             {"program", "NAME", "name of the program; not needed if the project has only one"},
+              "runs the program on a robot, after a simulated run from the current position of the arm"},
+             {"program", "NAME", "name of the program; not needed if the project has only one program"},
              {"from", "STEP", "starts at the step with this number", "0", {0, 1e6}},
              {"input", "CHANNEL=on|off[@SECONDS]",
               "sets a digital input of the simulated run: DI0-DI7, CI0-CI7, TI0, TI1. Can be "
@@ -399,16 +404,15 @@ const Command& runProgramCommand() {
              {"time-limit", "SECONDS", "stops the run after this time (default %1)", "3600", {0.001, 1e6}},
              {"port-offset", "N", "added to every port number of the robot (default %1)", "0", kPortOffsets},
              {"recoverability", "",
-              "prints, for each step, whether the program can continue after a stop in the step. "
-              "Requires --simulate, without --from"},
+              "prints, for each step, whether the program can continue after a stop in the step. Requires "
+              "--simulate and cannot be combined with --from"},
              {"json", "", "prints one JSON object instead of text"}},
         .notes =
-            "A run on a robot moves the arm at once, at the speeds of the program: keep "
-            "clear of the arm. Ctrl-C, the end of this command and a lost connection stop "
-            "the run. The run is refused if a simulated run of the first ten minutes finds "
-            "a collision or a stop, or if the robot is a different model than the "
-            "project's.\nExit code: 0 the program ended without findings, 1 it did not, 2 "
-            "invalid arguments.",
+            "A run on a robot moves the arm without asking, at the programmed speeds. Keep clear of the arm. "
+            "Ctrl+C, the end of this command and a lost connection stop the run. The run is refused if a "
+            "simulated run of the first ten minutes finds a collision or a stop, or if the robot and the "
+            "project have different robot models.\nExit code: 0 the program ended without findings, 1 the "
+            "program failed or had findings, 2 invalid arguments.",
         .run = runProgram};
     return kCommand;
 }

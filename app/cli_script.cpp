@@ -48,13 +48,14 @@ const Command& scriptCommand() {
         .summary = "writes a program of a project as URScript",
         .title = "writes a program of a project as URScript",
         .usage = {"FILE.tiller [options]"},
-        .options = {{"program", "NAME", "name of the program; not needed if the project has only one"},
+        .options = {{"program", "NAME",
+                     "name of the program; not needed if the project has only one program"},
                     {"from", "STEP", "starts at the step with this number", "0"},
                     {"out", "FILE", "writes to this file instead of standard output"}},
         .notes =
-            "The script runs on the robot without a PC, so this PC cannot stop it. Exit "
-            "code: 0 written, 1 the program has errors or the file cannot be read or "
-            "written, 2 invalid arguments.",
+            "The script runs on the robot without a PC, so this PC cannot stop the script. Exit code: 0 the "
+            "script was written, 1 the program has errors or the file cannot be read or written, 2 invalid "
+            "arguments.",
         .run = script};
     return kCommand;
 }

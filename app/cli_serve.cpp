@@ -22,10 +22,11 @@ public:
         constexpr qsizetype kMaxShown = 20;
         if (!origin.isEmpty() && shown_.size() < kMaxShown && !shown_.contains(origin)) {
             shown_ << origin;
-            QTextStream(stderr)
-                << QStringLiteral("\nserve: refused a viewer with the origin %1; --allow-origin permits it")
-                       .arg(printable(origin))
-                << Qt::endl;
+            QTextStream(stderr) << QStringLiteral(
+                                       "\nserve: refused a viewer with the origin %1; use --allow-origin to "
+                                       "allow this origin")
+                                       .arg(printable(origin))
+                                << Qt::endl;
         }
     }
 
@@ -99,8 +100,8 @@ int serve(const CommandArguments& arguments) {
         const live::LiveProgress progress = output.progress();
         refused.show(progress.refusedOrigin);
         line.show(
-            QStringLiteral("%1 viewers  %2 packages  %3 messages  %4 dropped  %5 datagrams  %6 disconnected  "
-                           "%7 refused")
+            QStringLiteral(
+                "%1 viewers  %2 packets  %3 messages  %4 dropped  %5 datagrams  %6 disconnected  %7 refused")
                 .arg(progress.viewers)
                 .arg(progress.packets)
                 .arg(progress.messages)
@@ -119,8 +120,8 @@ const Command& serveCommand() {
     static const Command kCommand{
         .name = "serve",
         .operands = "ADDRESS",
-        .summary = "forwards live data of a robot to Foxglove or PlotJuggler",
-        .title = "forwards live data of a robot to viewers",
+        .summary = "forwards live data from a robot to Foxglove or PlotJuggler",
+        .title = "forwards live data from a robot to viewers",
         .usage = {"ADDRESS [options]"},
         .operandRows = {{"ADDRESS", "address or host name of the robot, or of a simulated robot"}},
         .options = {{"listen", "ADDRESS",
@@ -134,23 +135,22 @@ const Command& serveCommand() {
                      "in a browser) or file:// (desktop apps: Foxglove, Lichtblick). Can be repeated"},
                     {"no-server", "", "starts no server; requires --udp"},
                     {"udp", "ADDRESS[:PORT]",
-                     "sends JSON in UDP datagrams, one for each package, to PlotJuggler (port 9870)"},
-                    {"fields", "A,B,...", "RTDE outputs to forward; default: all that the window shows"},
-                    {"wait", "SECONDS", "time to wait for the first package (default %1)", "10", {0, 1e6}},
+                     "sends one UDP datagram with JSON for each packet to PlotJuggler (default port 9870)"},
+                    {"fields", "A,B,...",
+                     "RTDE outputs to forward; default: all fields that the window shows"},
+                    {"wait", "SECONDS", "time to wait for the first packet (default %1)", "10", {0, 1e6}},
                     {"quiet", "", "shows no progress on the terminal"},
                     {"port-offset", "N", "added to every port number of the robot (default %1)", "0",
                      kPortOffsets}},
         .notes =
-            "Limits of the server: 16 viewers with a subscription; 32 connections without "
-            "a subscription and 32 handshakes (a new one replaces the oldest); handshake "
-            "within 5 s and 16 KiB; requests of at most 64 KiB each and 1 MiB/s; 8 MiB of "
-            "unsent messages for each viewer (the oldest are dropped). A viewer that reads "
-            "nothing for 10 s, or does not read the responses to its requests, is "
-            "disconnected. Web pages are refused unless they come from this machine or "
-            "from an allowed origin.\n\nPrints a line beginning with 'ready'. Ends on Ctrl-C "
-            "or SIGTERM. Reconnects when the connection to the robot is lost. Exit code: 0 "
-            "ended by Ctrl-C or SIGTERM, 1 no data or port not available, 2 invalid "
-            "arguments.",
+            "Server limits: 16 viewers with a subscription; 32 connections without a subscription and 32 "
+            "handshakes (a new connection replaces the oldest); handshake within 5 s and 16 KiB; requests of "
+            "at most 64 KiB each and 1 MiB/s; 8 MiB of unsent messages for each viewer (the oldest are "
+            "dropped). A viewer that reads nothing for 10 s, or does not read the responses to its requests, "
+            "is disconnected. Web pages are refused unless they come from this machine or from an allowed "
+            "origin.\n\nPrints a line that begins with 'ready'. Press Ctrl+C or send SIGTERM to end the "
+            "command. Reconnects when the connection to the robot is lost. Exit code: 0 ended by Ctrl+C or "
+            "SIGTERM, 1 no data or port not available, 2 invalid arguments.",
         .run = serve};
     return kCommand;
 }

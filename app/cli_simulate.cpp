@@ -78,7 +78,9 @@ int simulate(const CommandArguments& arguments) {
         }
     }
     if (arguments.values("assume").contains(QLatin1String("help"))) {
-        out() << QStringLiteral("Unknown properties of real controllers; the first value is the default.\n\n")
+        out() << QStringLiteral(
+                     "Behaviour that is not confirmed for real controllers; the first value is the "
+                     "default.\n\n")
               << simulator::assumptionHelp();
         return kSuccess;
     }
@@ -95,7 +97,7 @@ int simulate(const CommandArguments& arguments) {
     options.portOffset = static_cast<int>(arguments.number("port-offset"));
     const auto id = robotModelByName(arguments.value("model"));
     if (!id) {
-        return wrongArguments(QStringLiteral("--model '%1' is not known; the models are %2")
+        return wrongArguments(QStringLiteral("--model '%1' is not known; the supported models are %2")
                                   .arg(arguments.value("model"), modelNames()));
     }
     options.model = *id;
@@ -174,32 +176,26 @@ const Command& simulateCommand() {
              {"headless", "", "starts with the brakes released and in remote control, ready to move"},
              {"local", "", "starts in local control and refuses the same commands as a real robot"},
              {"programs", "FOLDER",
-              "folder with programs: .urp files as saved by the pendant, .urpx, or URScript "
-              "text; with the installation files that they name"},
+              "folder with programs: .urp files as saved by the pendant, .urpx files, or URScript text; also "
+              "contains the installation files that the programs name"},
              {"urcaps", "FOLDER",
               "URScript that replaces nodes of URCaps: one .script file for each node class, "
               "with a line '# class: NAME'"},
              {"device", "NAME=FILE",
-              "simulates a camera, gripper or other device that replies to programs by "
-              "XML-RPC or lines of text, as defined by the table in FILE; can be repeated. "
-              "The README of robot/simulator describes the table; the fault 'device' "
-              "disconnects it"},
+              "simulates a camera, gripper or other device that replies to programs by XML-RPC or lines of "
+              "text, as defined by the table in FILE; can be repeated. The README of robot/simulator "
+              "describes the table; the fault 'device' disconnects the device"},
              {"fault", "WORDS",
-              "fault that is present from the start; can be repeated. See 'tiller-cli fault "
-              "--help': the same words work while the simulator runs; '--fault help' lists "
-              "them"},
+              "fault that is present from the start; can be repeated. '--fault help' lists the words. "
+              "'tiller-cli fault' triggers the same faults while the simulator is running"},
              {"assume", "NAME=VALUE",
               "sets a behaviour that is not confirmed for real controllers; can be repeated. "
               "'--assume help' lists all names and values"},
-             {"boot-time",
-              "SECONDS",
-              "duration of booting, as on a real controller (default: none)",
-              "0",
-              {0, 3600}},
+             {"boot-time", "SECONDS", "boot time, as on a real controller (default: none)", "0", {0, 3600}},
              {"calibration",
               "SIZE",
-              "uses an arm that deviates from its model by up to SIZE mm and mrad (at most "
-              "5) and reports its calibration as real arms do",
+              "uses an arm that deviates from its model by up to SIZE mm and mrad (at most 5) and reports "
+              "its calibration like a real arm",
               "0",
               {0, 5}},
              {"seed",
@@ -209,8 +205,8 @@ const Command& simulateCommand() {
               {0, 1e15}},
              {"priority", "N", "runs at SCHED_FIFO priority N, 1 to 99, if the system permits", "", {1, 99}}},
         .notes =
-            "Prints a line beginning with 'ready' when all ports accept connections. Ends "
-            "on Ctrl-C or SIGTERM.",
+            "Prints a line that begins with 'ready' when all ports accept connections. Press Ctrl+C or send "
+            "SIGTERM to end the command.",
         .run = simulate};
     return kCommand;
 }

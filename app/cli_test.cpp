@@ -90,12 +90,11 @@ const Command& testCommand() {
         .usage = {"FILE... [options]"},
         .operandRows =
             {{"FILE",
-              "file with tests, such as pick-and-place.test.json. It names a project and a program, "
-              "scripted inputs and faults, and what is expected of the run. The format is described "
-              "in the manual"}},
+              "file with tests, such as pick-and-place.test.json. The file names a project and a program, "
+              "scripted inputs and faults, and the expected results. The manual describes the format"}},
         .options =
             {{"junit", "FILE", "writes the results as JUnit XML for a build server"},
-             {"coverage", "FILE", "writes as JSON which steps of the programs ran"},
+             {"coverage", "FILE", "writes a JSON file that lists the program steps that ran"},
              {"json", {}, "prints one JSON object instead of text"},
              {"seed",
               "N",
@@ -109,11 +108,9 @@ const Command& testCommand() {
               QString::number(std::max(1U, std::thread::hardware_concurrency())),
               {1, 256, true}}},
         .notes =
-            "Everything is simulated; no robot is needed, and none moves. Exit code: 0 all expectations are "
-            "met, "
-            "1 at least one is not or a program has errors, 2 invalid arguments or test files. With exit "
-            "code 2 "
-            "caused by a test file, no test runs.",
+            "All tests are simulated. No robot is required, and no robot moves. Exit code: 0 all "
+            "expectations are met, 1 at least one expectation is not met or a program has errors, 2 invalid "
+            "arguments or test files. If a test file is invalid, no test runs.",
         .run = test};
     return kCommand;
 }

@@ -107,8 +107,8 @@ QWidget* HelpPage::buildRules(int longestHold, const QString& commands) {
            "new press. While Tiller is in control, <b>Space</b> and <b>Esc</b> stop the arm from every "
            "window, dialog and text field. When Tiller is not in control, they act on the focused element; "
            "click <b>STOP</b> to stop a program of another client. This is a software stop, not an emergency "
-           "stop: keep the emergency stop within reach.</p><p>Hold <b>Ctrl</b> for one-tenth of the speed or "
-           "step, or <b>Shift</b> for three times the speed, up to the speed cap. On a keyboard without "
+           "stop: keep the emergency stop within reach.</p><p>Hold <b>Ctrl</b> for one-tenth of the speed, "
+           "or <b>Shift</b> for three times the speed, up to the speed cap. On a keyboard without "
            "Latin letters, the letters below refer to key positions on a US keyboard.</p><h2>Commands</h2>")
             .arg(longestHold) +
         commands);
