@@ -239,7 +239,7 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
 }
 
 Result<void> writeSettingsFile(const QString& path, const SettingsBundle& bundle) {
-    return writeFileAtomically(path, settingsToJson(bundle), SettingsFile::tr("write %1").arg(path));
+    return writeFileAtomically(path, settingsToJson(bundle));
 }
 
 Result<SettingsBundle> readSettingsFile(const QString& path) {

@@ -374,7 +374,7 @@ Result<void> SettingsEdit::commit() {
     if (readError_.code != ErrorCode::None) {
         // Content that cannot be read must not be overwritten.
         return Error{
-            ErrorCode::FileNotWritable, QStringLiteral("write %1").arg(path_),
+            ErrorCode::FileNotWritable, path_,
             readError_.controllerMessage.isEmpty() ? readError_.context : readError_.controllerMessage};
     }
     if (values_ == before_) {

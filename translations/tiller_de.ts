@@ -3598,10 +3598,6 @@
 <context>
     <name>SettingsFile</name>
     <message>
-        <source>write %1</source>
-        <translation>%1 schreiben</translation>
-    </message>
-    <message>
         <source>Invalid value for the setting “%1”.</source>
         <translation>Ungültiger Wert für die Einstellung „%1“.</translation>
     </message>

@@ -3598,10 +3598,6 @@
 <context>
     <name>SettingsFile</name>
     <message>
-        <source>write %1</source>
-        <translation>escribir %1</translation>
-    </message>
-    <message>
         <source>Invalid value for the setting “%1”.</source>
         <translation>Valor no válido para el ajuste «%1».</translation>
     </message>

@@ -3598,10 +3598,6 @@
 <context>
     <name>SettingsFile</name>
     <message>
-        <source>write %1</source>
-        <translation>écrire %1</translation>
-    </message>
-    <message>
         <source>Invalid value for the setting “%1”.</source>
         <translation>Valeur non valide pour le réglage « %1 ».</translation>
     </message>

@@ -3597,10 +3597,6 @@
 <context>
     <name>SettingsFile</name>
     <message>
-        <source>write %1</source>
-        <translation>%1 を書き込む</translation>
-    </message>
-    <message>
         <source>Invalid value for the setting “%1”.</source>
         <translation>設定「%1」の値が無効です。</translation>
     </message>

@@ -3597,10 +3597,6 @@
 <context>
     <name>SettingsFile</name>
     <message>
-        <source>write %1</source>
-        <translation>写入 %1</translation>
-    </message>
-    <message>
         <source>Invalid value for the setting “%1”.</source>
         <translation>设置“%1”的值无效。</translation>
     </message>

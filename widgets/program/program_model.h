@@ -43,7 +43,7 @@ public:
 
     QUuid idAt(const QModelIndex& index) const;  ///< null for an invalid index
     QModelIndex indexOf(const QUuid& id) const;
-    /// The problem of a step, or the finding of the preview for that step; empty: none.
+    /// A problem with a step, or the preview's finding for the step; empty if there is no problem.
     QString noteAt(const QUuid& id) const;
 
     QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;

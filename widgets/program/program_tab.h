@@ -50,7 +50,7 @@ public:
     /// Updates the displayed speed.
     void followSpeed();
 
-    /// All actions, for menus, the command palette and the help.
+    /// All actions, for the menus, the command list and the help page.
     QList<QAction*> commandActions() const { return actions_; }
     StepTree& tree() { return *tree_; }
     /// True while a program runs without a held button.

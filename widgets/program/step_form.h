@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The fields of one step, each with its unit. The problem of the step is shown above the fields. An editor
+// The fields of one step, each with its unit. A problem with the step is shown above the fields. An editor
 // reports its value when editing is finished. A value outside the range is rejected, and the permitted range
 // is shown. The text remains as typed.
 
@@ -23,7 +23,7 @@ public:
 
     /// step  null: no step to edit
     void setStep(const project::Project& project, const project::ProgramStep* step);
-    /// The problem of the step, as a sentence; empty: none.
+    /// Shows a problem with the step. `text` is a sentence, or empty if there is no problem.
     void setProblem(const QString& text);
     /// Sets the focus to the editor of a field, or to the first editor if there is no such field.
     void focusField(const QString& key);

@@ -16,7 +16,7 @@
 
 namespace tiller::program {
 
-/// Output integer register with the number of the running step. It is 0 at the end, or the negative number of
+/// Output integer register with the number of the running step. It is 0 at the end, or the negated number of
 /// the failed step if no On error section handled the failure.
 inline constexpr int kStepRegister = script::kStepRegister;
 

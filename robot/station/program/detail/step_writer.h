@@ -109,8 +109,7 @@ private:
     Private& d_;
 };
 
-/// Formats a number for a script.
-QString scriptNumber(double value);
+QString scriptNumber(double value);             ///< e.g. "0.1"; never "-0"
 QString scriptPose(const Pose& pose);           ///< e.g. "p[0.1, ...]"
 QString scriptJoints(const JointPositions& q);  ///< e.g. "[0.1, ...]"
 QString scriptFlag(bool value);                 ///< e.g. "True"

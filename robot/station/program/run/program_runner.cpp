@@ -47,7 +47,7 @@ double longestLever(const SessionState& state) {
     return sum;
 }
 
-/// As longestLever(), for the joint motions of this path.
+/// Like longestLever(), for the joint motions of this path.
 double leverOf(const Preview& preview, const SessionState& state) {
     constexpr double kLeastTurn = 1e-4;  // [rad]
     constexpr double kChord = 1.05;      // samples are connected by chords

@@ -44,7 +44,7 @@ double slowedDuration(const Preview& preview, const SpeedLimits& limits, double 
 ScriptOptions optionsFor(const project::Project& project, const SessionState& state,
                          const SpeedLimits& limits = {});
 
-/// Writes the script of the program for the connected robot. Reports as obstacle: a problem of the program, a
+/// Writes the script of the program for the connected robot. Reports as obstacle: a problem with the program, a
 /// different model or TCP, a robot that cannot be moved now, an arm that is not at the position of `start`.
 /// start  first step of the run; empty: the program runs from its beginning
 RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
