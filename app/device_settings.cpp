@@ -150,10 +150,11 @@ void DeviceSettings::listDevices() {
     }
     used_->setCurrentIndex(current);
     used_->setEnabled(!devices_.devices().empty());
-    there_->setText(devices_.devices().empty()
-                        ? tr("No gamepad or SpaceMouse found. Connect one; it is detected automatically.")
-                        : tr("The device moves the arm only while the hold-to-run button is held. The "
-                             "selection is not stored: after a restart, no device moves the arm."));
+    there_->setText(
+        devices_.devices().empty()
+            ? tr("No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.")
+            : tr("The device moves the arm only while the hold-to-run button is held. The "
+                 "selection is not stored: after a restart, no device moves the arm."));
 }
 
 }  // namespace tiller::app

@@ -1066,7 +1066,7 @@ void MainWindow::addViewActions() {
          tr("Subtracts the current TCP force in the plots. Press again to show the measured force."),
          {},
          [this] { plots_->setForceZeroed(!plots_->view().isForceZeroed()); }});
-    actions_->add({"app.palette", tr("Commands…"), tr("Finds a command by its name."),
+    actions_->add({"app.palette", tr("Commands…"), tr("Finds a command by name."),
                    QKeySequence(Qt::CTRL | Qt::Key_K), [this] {
                        stopMotion(control::StopCause::DialogOpened);
                        (new CommandPalette(*actions_, this))->open();
@@ -1232,7 +1232,7 @@ void MainWindow::askToEndProgram(const QString& name, const QString& title, cons
 
 void MainWindow::askToTakeControl() {
     askToEndProgram(QStringLiteral("takeControlQuestion"), tr("Take control"),
-                    tr("Taking control stops the program. It cannot be resumed, only restarted."),
+                    tr("Taking control stops the program. The program cannot be resumed, only restarted."),
                     tr("Stop program and take control"), tr("Keep program"),
                     [this] { session_->takeControl(RobotSession::ForeignProgram::Stop); });
 }
@@ -1249,7 +1249,7 @@ void MainWindow::askToChange(const QString& what, const std::function<void()>& c
 
 void MainWindow::askToPowerOff() {
     askToEndProgram(QStringLiteral("powerOffQuestion"), commandText(RobotCommand::PowerOff),
-                    tr("Powering off stops the program. It cannot be resumed, only restarted."),
+                    tr("Powering off stops the program. The program cannot be resumed, only restarted."),
                     tr("Stop program and power off"), tr("Keep program"),
                     [this] { session_->services().perform(RobotCommand::PowerOff, true); });
 }
@@ -1285,11 +1285,11 @@ void MainWindow::showSettings(bool atRecording) {
 
 void MainWindow::reopenWindow(SettingsPage& page) {
     if (session_->state().recording.active) {
-        page.refuseNewWindow(tr("A recording is running. Stop it first."));
+        page.refuseNewWindow(tr("A recording is running. Stop the recording first."));
         return;
     }
     if (waypoints_->isStoringPath()) {
-        page.refuseNewWindow(tr("A path is being recorded. Stop it first."));
+        page.refuseNewWindow(tr("A path is being recorded. Stop the path recording first."));
         return;
     }
     page.close();

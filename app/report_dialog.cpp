@@ -53,7 +53,7 @@ ReportDialog::ReportDialog(ReportSources sources, QWidget* parent)
     list_->setAccessibleName(tr("Report files"));
     list_->setFixedWidth(190);
     content_->setObjectName("report.content");
-    content_->setAccessibleName(tr("Content of this file"));
+    content_->setAccessibleName(tr("File content"));
     content_->setReadOnly(true);
     content_->setLineWrapMode(QPlainTextEdit::NoWrap);
     failure_->setObjectName("report.failure");

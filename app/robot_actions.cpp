@@ -156,7 +156,7 @@ void RobotActions::addControl(ActionTable& table, RobotSession& session, const R
     };
     table.add({"control.take",
                tr("Take control"),
-               tr("Starts the control program on the robot. Asks for confirmation before it stops another "
+               tr("Starts the control program on the robot. Asks for confirmation before stopping another "
                   "program."),
                {},
                [&session] { session.takeControl(); },

@@ -47,7 +47,7 @@ SampleDialog::SampleDialog(QWidget* parent) : QDialog(parent) {
     layout->setContentsMargins(24, 20, 24, 20);
     layout->setSpacing(14);
     auto* about = new QLabel(tr("Each project was taught with a UR5e and runs on the simulated robot. You "
-                                "work on a copy: choose a new file to save it."),
+                                "work on a copy. To keep your changes, save the project to a new file."),
                              this);
     about->setObjectName(QStringLiteral("sampleAbout"));
     about->setProperty("role", QStringLiteral("secondary"));

@@ -208,10 +208,11 @@ Result<SettingsBundle> settingsFromJson(const QByteArray& bytes) {
     }
     const double version = root.value(QLatin1String("version")).toDouble(0);
     if (version > kSettingsFormatVersion) {
-        return Error{ErrorCode::VersionUnsupported,
-                     SettingsFile::tr(
-                         "The file was written by a newer version of Tiller. Update Tiller to import it."),
-                     {}};
+        return Error{
+            ErrorCode::VersionUnsupported,
+            SettingsFile::tr(
+                "The file was written by a newer version of Tiller. Update Tiller to import the file."),
+            {}};
     }
     if (version != kSettingsFormatVersion) {
         return corrupt(SettingsFile::tr("The file contains no version number."));

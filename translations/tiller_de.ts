@@ -412,7 +412,7 @@
         <translation>Kollision von einem Gelenk erkannt</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion requires.</source>
+        <source>A joint required more torque than expected for the motion.</source>
         <translation>Ein Gelenk benötigte mehr Drehmoment, als die Bewegung erfordert.</translation>
     </message>
     <message>
@@ -504,8 +504,8 @@
         <translation>Meldung C%1 der Steuerung</translation>
     </message>
     <message>
-        <source>The controller reported this message code.</source>
-        <translation>Die Steuerung hat diesen Meldungscode gemeldet.</translation>
+        <source>Tiller has no description of this message code.</source>
+        <translation>Tiller hat keine Beschreibung für diesen Meldungscode.</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -569,7 +569,7 @@
         <translation>%1 und %2 weitere</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <source>The robot&apos;s software is too old. Update the software to %1.%2 or newer.</source>
         <translation>Die Software des Roboters ist zu alt. Aktualisieren Sie sie auf %1.%2 oder neuer.</translation>
     </message>
     <message>
@@ -577,12 +577,12 @@
         <translation>Einige Werte und die Register zum Steuern fehlen. Aktualisieren Sie die Software des Roboters auf %1.%2 oder neuer.</translation>
     </message>
     <message>
-        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the Tiller header, or use the teach pendant.</source>
         <translation>Prüfen Sie den Arm, beseitigen Sie die Ursache und stellen Sie den Betrieb wieder her: „Wiederherstellen…“ in der Kopfzeile oder am Teach-Pendant.</translation>
     </message>
     <message>
-        <source>Power on and release the brakes with the button in the header.</source>
-        <translation>Schalten Sie den Arm ein und lösen Sie die Bremsen mit der Schaltfläche in der Kopfzeile.</translation>
+        <source>Power on the arm and release the brakes, with the button in the Tiller header or on the teach pendant.</source>
+        <translation>Schalten Sie den Arm ein und lösen Sie die Bremsen, mit der Schaltfläche in der Kopfzeile von Tiller oder am Teach-Pendant.</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not respond</source>
@@ -1161,7 +1161,7 @@
         <translation>eine niedrigere Geschwindigkeit wählen</translation>
     </message>
     <message>
-        <source>move away from it</source>
+        <source>move away</source>
         <translation>davon wegbewegen</translation>
     </message>
     <message>
@@ -1367,7 +1367,7 @@
         <translation>Daten verspätet</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
     </message>
 </context>
@@ -1386,7 +1386,7 @@
         <translation>Arm getrennt</translation>
     </message>
     <message>
-        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <source>The controller has no connection to the arm. See the teach pendant for the cause.</source>
         <translation>Die Steuerung hat keine Verbindung zum Arm. Sehen Sie auf das Teach-Pendant.</translation>
     </message>
     <message>
@@ -1410,7 +1410,7 @@
         <translation>Ausgeschaltet</translation>
     </message>
     <message>
-        <source>The arm is powered off. Power it on.</source>
+        <source>The arm is powered off. Power on the arm.</source>
         <translation>Der Arm ist ausgeschaltet. Schalten Sie ihn ein.</translation>
     </message>
     <message>
@@ -3346,7 +3346,7 @@
         <translation>Stoppt das Programm auf dem Roboter.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Startet das Steuerprogramm auf dem Roboter. Fragt nach, bevor ein anderes Programm gestoppt wird.</translation>
     </message>
 </context>
@@ -3614,7 +3614,7 @@
         <translation>Die Datei enthält keine Tiller-Einstellungen.</translation>
     </message>
     <message>
-        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import the file.</source>
         <translation>Die Datei wurde von einer neueren Version von Tiller geschrieben. Aktualisieren Sie Tiller, um sie zu importieren.</translation>
     </message>
     <message>
@@ -4677,7 +4677,7 @@ F2: Umbenennen, Umschalt+F2: Skalieren, oder Rechtsklick.</translation>
         <translation>Name von %1</translation>
     </message>
     <message>
-        <source>Scale of %1</source>
+        <source>Scale %1</source>
         <translation>Skala von %1</translation>
     </message>
     <message>
@@ -5136,7 +5136,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>Kein Gamepad und keine SpaceMouse gefunden. Schließen Sie ein Gerät an; es wird automatisch erkannt.</translation>
     </message>
     <message>
@@ -5910,8 +5910,8 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Gripper of this robot: %1</source>
-        <translation>Greifer dieses Roboters: %1</translation>
+        <source>Gripper set to %1</source>
+        <translation>Greifer eingestellt: %1</translation>
     </message>
     <message>
         <source>%1 (speed %2, force %3)</source>
@@ -6006,7 +6006,7 @@ Fahren Sie die Spitze an eine Ecke von Tray oder Tisch. Drücken Sie „Vom TCP�
         <translation>Öffnet den Greifer und lässt das Objekt los.</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep your fingers clear of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of the gripper.</source>
         <translation>Schließt den Greifer. Halten Sie Ihre Finger fern.</translation>
     </message>
     <message>
@@ -6493,7 +6493,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Axes of the view: X right, Y away from you, Z up</source>
+        <source>View axes: X right, Y away from you, Z up</source>
         <translation>Achsen der Ansicht: X rechts, Y von Ihnen weg, Z nach oben</translation>
     </message>
     <message>
@@ -6758,7 +6758,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>%1 kollidiert nach %3 der Bahn mit %2</translation>
     </message>
     <message>
-        <source>The path enters the wrist singularity after %1 of its length</source>
+        <source>The move enters the wrist singularity after %1 of the path</source>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Handgelenk-Singularität</translation>
     </message>
     <message>
@@ -6766,7 +6766,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Langsam nahe der Handgelenk-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
-        <source>The path enters the elbow singularity after %1 of its length</source>
+        <source>The move enters the elbow singularity after %1 of the path</source>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Ellbogen-Singularität</translation>
     </message>
     <message>
@@ -6774,7 +6774,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Langsam nahe der Ellbogen-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
-        <source>The path enters the shoulder singularity after %1 of its length</source>
+        <source>The move enters the shoulder singularity after %1 of the path</source>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Schulter-Singularität</translation>
     </message>
     <message>
@@ -6790,7 +6790,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>%1 überschreitet nach %2 der Bahn seinen Bereich</translation>
     </message>
     <message>
-        <source>The path leaves the reach of the arm after %1 of its length</source>
+        <source>The move leaves the reach of the arm after %1 of the path</source>
         <translation>Die Bahn verlässt nach %1 ihrer Länge die Reichweite des Arms</translation>
     </message>
     <message>
@@ -11580,7 +11580,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Keine</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>Kein Gamepad und keine SpaceMouse gefunden. Schließen Sie ein Gerät an; es wird automatisch erkannt.</translation>
     </message>
     <message>
@@ -11856,7 +11856,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Befehle…</translation>
     </message>
     <message>
-        <source>Finds a command by its name.</source>
+        <source>Finds a command by name.</source>
         <translation>Findet einen Befehl nach seinem Namen.</translation>
     </message>
     <message>
@@ -11944,7 +11944,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Geschwindigkeitsgrenze auf %1 gesetzt</translation>
     </message>
     <message>
-        <source>A recording is running. Stop it first.</source>
+        <source>A recording is running. Stop the recording first.</source>
         <translation>Eine Aufzeichnung läuft. Beenden Sie sie zuerst.</translation>
     </message>
     <message>
@@ -12023,7 +12023,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Das Programm „%1“ läuft auf dem Roboter.</translation>
     </message>
     <message>
-        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <source>Taking control stops the program. The program cannot be resumed, only restarted.</source>
         <translation>Wenn Sie die Steuerung übernehmen, wird das Programm gestoppt. Es lässt sich nicht fortsetzen, nur neu starten.</translation>
     </message>
     <message>
@@ -12043,7 +12043,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Programm</translation>
     </message>
     <message>
-        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <source>Powering off stops the program. The program cannot be resumed, only restarted.</source>
         <translation>Das Ausschalten stoppt das Programm. Es kann nicht fortgesetzt, sondern nur neu gestartet werden.</translation>
     </message>
     <message>
@@ -12051,7 +12051,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Programm stoppen und ausschalten</translation>
     </message>
     <message>
-        <source>A path is being recorded. Stop it first.</source>
+        <source>A path is being recorded. Stop the path recording first.</source>
         <translation>Eine Bahn wird aufgezeichnet. Beenden Sie zuerst die Aufzeichnung.</translation>
     </message>
     <message>
@@ -12397,7 +12397,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Dateien des Berichts</translation>
     </message>
     <message>
-        <source>Content of this file</source>
+        <source>File content</source>
         <translation>Inhalt dieser Datei</translation>
     </message>
     <message>
@@ -12432,7 +12432,7 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Beispielprojekt öffnen</translation>
     </message>
     <message>
-        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy. To keep your changes, save the project to a new file.</source>
         <translation>Jedes Projekt wurde mit einem UR5e geteacht und läuft auf dem simulierten Roboter. Sie arbeiten an einer Kopie: Wählen Sie zum Speichern eine neue Datei.</translation>
     </message>
     <message>

@@ -412,7 +412,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion requires.</source>
+        <source>A joint required more torque than expected for the motion.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -504,7 +504,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller reported this message code.</source>
+        <source>Tiller has no description of this message code.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -621,7 +621,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <source>The robot&apos;s software is too old. Update the software to %1.%2 or newer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -629,11 +629,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the Tiller header, or use the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Power on and release the brakes with the button in the header.</source>
+        <source>Power on the arm and release the brakes, with the button in the Tiller header or on the teach pendant.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1161,7 +1161,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>move away from it</source>
+        <source>move away</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1367,7 +1367,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1386,7 +1386,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <source>The controller has no connection to the arm. See the teach pendant for the cause.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1410,7 +1410,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm is powered off. Power it on.</source>
+        <source>The arm is powered off. Power on the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3346,7 +3346,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3614,7 +3614,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import the file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4676,7 +4676,7 @@ Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scale of %1</source>
+        <source>Scale %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5134,7 +5134,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5906,7 +5906,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Gripper of this robot: %1</source>
+        <source>Gripper set to %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6002,7 +6002,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep your fingers clear of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of the gripper.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6478,7 +6478,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Axes of the view: X right, Y away from you, Z up</source>
+        <source>View axes: X right, Y away from you, Z up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6751,7 +6751,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path enters the wrist singularity after %1 of its length</source>
+        <source>The move enters the wrist singularity after %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6759,7 +6759,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path enters the elbow singularity after %1 of its length</source>
+        <source>The move enters the elbow singularity after %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6767,7 +6767,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path enters the shoulder singularity after %1 of its length</source>
+        <source>The move enters the shoulder singularity after %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6783,7 +6783,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The path leaves the reach of the arm after %1 of its length</source>
+        <source>The move leaves the reach of the arm after %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11564,7 +11564,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11816,7 +11816,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Finds a command by its name.</source>
+        <source>Finds a command by name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -11928,7 +11928,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A recording is running. Stop it first.</source>
+        <source>A recording is running. Stop the recording first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12007,7 +12007,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <source>Taking control stops the program. The program cannot be resumed, only restarted.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12027,7 +12027,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <source>Powering off stops the program. The program cannot be resumed, only restarted.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12035,7 +12035,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A path is being recorded. Stop it first.</source>
+        <source>A path is being recorded. Stop the path recording first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12381,7 +12381,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Content of this file</source>
+        <source>File content</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -12416,7 +12416,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy. To keep your changes, save the project to a new file.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

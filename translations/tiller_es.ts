@@ -412,7 +412,7 @@
         <translation>Colisión detectada por una articulación</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion requires.</source>
+        <source>A joint required more torque than expected for the motion.</source>
         <translation>Una articulación necesitó más par del que requiere el movimiento.</translation>
     </message>
     <message>
@@ -504,8 +504,8 @@
         <translation>Mensaje C%1 del controlador</translation>
     </message>
     <message>
-        <source>The controller reported this message code.</source>
-        <translation>El controlador comunicó este código de mensaje.</translation>
+        <source>Tiller has no description of this message code.</source>
+        <translation>Tiller no tiene ninguna descripción de este código de mensaje.</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -569,7 +569,7 @@
         <translation>%1 y %2 más</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <source>The robot&apos;s software is too old. Update the software to %1.%2 or newer.</source>
         <translation>El software del robot es demasiado antiguo. Actualícelo a %1.%2 o posterior.</translation>
     </message>
     <message>
@@ -577,12 +577,12 @@
         <translation>Faltan algunos valores y los registros para el control. Actualice el software del robot a %1.%2 o posterior.</translation>
     </message>
     <message>
-        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the Tiller header, or use the teach pendant.</source>
         <translation>Inspeccione el brazo, elimine la causa y recupérelo: pulse «Recuperar…» en la cabecera o use la consola portátil.</translation>
     </message>
     <message>
-        <source>Power on and release the brakes with the button in the header.</source>
-        <translation>Encienda el brazo y libere los frenos con el botón de la cabecera.</translation>
+        <source>Power on the arm and release the brakes, with the button in the Tiller header or on the teach pendant.</source>
+        <translation>Encienda el brazo y libere los frenos con el botón de la cabecera de Tiller o en la consola portátil.</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not respond</source>
@@ -1161,7 +1161,7 @@
         <translation>elija una velocidad menor</translation>
     </message>
     <message>
-        <source>move away from it</source>
+        <source>move away</source>
         <translation>alejarse</translation>
     </message>
     <message>
@@ -1367,7 +1367,7 @@
         <translation>Datos con retraso</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Inicia el programa de control en el robot. Pregunta antes de detener otro programa.</translation>
     </message>
 </context>
@@ -1386,7 +1386,7 @@
         <translation>Brazo sin conexión</translation>
     </message>
     <message>
-        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <source>The controller has no connection to the arm. See the teach pendant for the cause.</source>
         <translation>El controlador no tiene conexión con el brazo. Mire la consola portátil.</translation>
     </message>
     <message>
@@ -1410,7 +1410,7 @@
         <translation>Apagado</translation>
     </message>
     <message>
-        <source>The arm is powered off. Power it on.</source>
+        <source>The arm is powered off. Power on the arm.</source>
         <translation>El brazo está apagado. Enciéndalo.</translation>
     </message>
     <message>
@@ -3346,7 +3346,7 @@
         <translation>Detiene el programa del robot.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Inicia el programa de control en el robot. Pregunta antes de detener otro programa.</translation>
     </message>
 </context>
@@ -3614,7 +3614,7 @@
         <translation>El archivo no contiene ajustes de Tiller.</translation>
     </message>
     <message>
-        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import the file.</source>
         <translation>El archivo se escribió con una versión más nueva de Tiller. Actualice Tiller para importarlo.</translation>
     </message>
     <message>
@@ -4677,7 +4677,7 @@ F2 para renombrar, Mayús+F2 para escalar, o clic derecho.</translation>
         <translation>Nombre de %1</translation>
     </message>
     <message>
-        <source>Scale of %1</source>
+        <source>Scale %1</source>
         <translation>Escala de %1</translation>
     </message>
     <message>
@@ -5136,7 +5136,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>No se encontró ningún mando ni SpaceMouse. Conecte uno; se detecta automáticamente.</translation>
     </message>
     <message>
@@ -5910,8 +5910,8 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Gripper of this robot: %1</source>
-        <translation>Pinza de este robot: %1</translation>
+        <source>Gripper set to %1</source>
+        <translation>Pinza ajustada: %1</translation>
     </message>
     <message>
         <source>%1 (speed %2, force %3)</source>
@@ -6006,7 +6006,7 @@ Mueva la punta a una esquina de la bandeja o la mesa. Pulse «Del TCP», o «3 p
         <translation>Abre la pinza y suelta el objeto.</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep your fingers clear of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of the gripper.</source>
         <translation>Cierra la pinza. Mantenga los dedos lejos de ella.</translation>
     </message>
     <message>
@@ -6493,7 +6493,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Velocidad</translation>
     </message>
     <message>
-        <source>Axes of the view: X right, Y away from you, Z up</source>
+        <source>View axes: X right, Y away from you, Z up</source>
         <translation>Ejes de la vista: X a la derecha, Y alejándose de usted, Z hacia arriba</translation>
     </message>
     <message>
@@ -6758,7 +6758,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>%1 choca con %2 tras el %3 de la trayectoria</translation>
     </message>
     <message>
-        <source>The path enters the wrist singularity after %1 of its length</source>
+        <source>The move enters the wrist singularity after %1 of the path</source>
         <translation>La trayectoria entra en la singularidad de muñeca tras el %1 de su longitud</translation>
     </message>
     <message>
@@ -6766,7 +6766,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Lento cerca de la singularidad de muñeca al %1 de la trayectoria</translation>
     </message>
     <message>
-        <source>The path enters the elbow singularity after %1 of its length</source>
+        <source>The move enters the elbow singularity after %1 of the path</source>
         <translation>La trayectoria entra en la singularidad de codo tras el %1 de su longitud</translation>
     </message>
     <message>
@@ -6774,7 +6774,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Lento cerca de la singularidad de codo al %1 de la trayectoria</translation>
     </message>
     <message>
-        <source>The path enters the shoulder singularity after %1 of its length</source>
+        <source>The move enters the shoulder singularity after %1 of the path</source>
         <translation>La trayectoria entra en la singularidad de hombro tras el %1 de su longitud</translation>
     </message>
     <message>
@@ -6790,7 +6790,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>%1 supera su recorrido tras el %2 de la trayectoria</translation>
     </message>
     <message>
-        <source>The path leaves the reach of the arm after %1 of its length</source>
+        <source>The move leaves the reach of the arm after %1 of the path</source>
         <translation>La trayectoria sale del alcance del brazo tras el %1 de su longitud</translation>
     </message>
     <message>
@@ -11580,7 +11580,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Ninguno</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>No se encontró ningún mando ni SpaceMouse. Conecte uno; se detecta automáticamente.</translation>
     </message>
     <message>
@@ -11856,7 +11856,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Órdenes…</translation>
     </message>
     <message>
-        <source>Finds a command by its name.</source>
+        <source>Finds a command by name.</source>
         <translation>Encuentra una orden por su nombre.</translation>
     </message>
     <message>
@@ -11944,7 +11944,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Límite de velocidad ajustado a %1</translation>
     </message>
     <message>
-        <source>A recording is running. Stop it first.</source>
+        <source>A recording is running. Stop the recording first.</source>
         <translation>Hay una grabación en curso. Deténgala primero.</translation>
     </message>
     <message>
@@ -12023,7 +12023,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>El programa «%1» está en marcha en el robot.</translation>
     </message>
     <message>
-        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <source>Taking control stops the program. The program cannot be resumed, only restarted.</source>
         <translation>Al tomar el control se detiene el programa. No se puede reanudar, solo reiniciar.</translation>
     </message>
     <message>
@@ -12043,7 +12043,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Programa</translation>
     </message>
     <message>
-        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <source>Powering off stops the program. The program cannot be resumed, only restarted.</source>
         <translation>Al apagar se detiene el programa. No se puede reanudar, solo reiniciar.</translation>
     </message>
     <message>
@@ -12051,7 +12051,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Detener el programa y apagar</translation>
     </message>
     <message>
-        <source>A path is being recorded. Stop it first.</source>
+        <source>A path is being recorded. Stop the path recording first.</source>
         <translation>Se está grabando una trayectoria. Deténgala primero.</translation>
     </message>
     <message>
@@ -12397,7 +12397,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Archivos del informe</translation>
     </message>
     <message>
-        <source>Content of this file</source>
+        <source>File content</source>
         <translation>Contenido de este archivo</translation>
     </message>
     <message>
@@ -12432,7 +12432,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
         <translation>Abrir proyecto de ejemplo</translation>
     </message>
     <message>
-        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy. To keep your changes, save the project to a new file.</source>
         <translation>Cada proyecto se enseñó con un UR5e y funciona en el robot simulado. Usted trabaja con una copia: elija un archivo nuevo para guardarla.</translation>
     </message>
     <message>

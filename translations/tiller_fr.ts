@@ -412,7 +412,7 @@
         <translation>Collision détectée par une articulation</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion requires.</source>
+        <source>A joint required more torque than expected for the motion.</source>
         <translation>Une articulation a demandé plus de couple que le mouvement n’en exige.</translation>
     </message>
     <message>
@@ -504,8 +504,8 @@
         <translation>Message C%1 du contrôleur</translation>
     </message>
     <message>
-        <source>The controller reported this message code.</source>
-        <translation>Le contrôleur a signalé ce code de message.</translation>
+        <source>Tiller has no description of this message code.</source>
+        <translation>Tiller n’a pas de description de ce code de message.</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -569,7 +569,7 @@
         <translation>%1 et %2 de plus</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <source>The robot&apos;s software is too old. Update the software to %1.%2 or newer.</source>
         <translation>Le logiciel du robot est trop ancien. Mettez-le à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
@@ -577,12 +577,12 @@
         <translation>Des valeurs et les registres de commande manquent. Mettez le logiciel du robot à jour en %1.%2 ou plus récent.</translation>
     </message>
     <message>
-        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the Tiller header, or use the teach pendant.</source>
         <translation>Inspectez le bras, éliminez la cause, puis rétablissez : appuyez sur « Rétablir… » dans l’en-tête ou utilisez le pupitre.</translation>
     </message>
     <message>
-        <source>Power on and release the brakes with the button in the header.</source>
-        <translation>Mettez sous tension et desserrez les freins avec le bouton de l’en-tête.</translation>
+        <source>Power on the arm and release the brakes, with the button in the Tiller header or on the teach pendant.</source>
+        <translation>Mettez le bras sous tension et desserrez les freins, avec le bouton de l’en-tête de Tiller ou sur le pupitre.</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not respond</source>
@@ -1161,7 +1161,7 @@
         <translation>choisissez une vitesse plus basse</translation>
     </message>
     <message>
-        <source>move away from it</source>
+        <source>move away</source>
         <translation>s’en éloigner</translation>
     </message>
     <message>
@@ -1367,7 +1367,7 @@
         <translation>Données en retard</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Démarre le programme de commande sur le robot. Demande confirmation avant d’arrêter un autre programme.</translation>
     </message>
 </context>
@@ -1386,7 +1386,7 @@
         <translation>Bras hors ligne</translation>
     </message>
     <message>
-        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <source>The controller has no connection to the arm. See the teach pendant for the cause.</source>
         <translation>Le contrôleur n’a pas de liaison avec le bras. Consultez le pupitre.</translation>
     </message>
     <message>
@@ -1410,7 +1410,7 @@
         <translation>Hors tension</translation>
     </message>
     <message>
-        <source>The arm is powered off. Power it on.</source>
+        <source>The arm is powered off. Power on the arm.</source>
         <translation>Le bras est éteint. Mettez-le sous tension.</translation>
     </message>
     <message>
@@ -3346,7 +3346,7 @@
         <translation>Arrête le programme du robot.</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>Démarre le programme de commande sur le robot. Demande confirmation avant d’arrêter un autre programme.</translation>
     </message>
 </context>
@@ -3614,7 +3614,7 @@
         <translation>Le fichier ne contient pas de réglages de Tiller.</translation>
     </message>
     <message>
-        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import the file.</source>
         <translation>Le fichier a été écrit par une version plus récente de Tiller. Mettez Tiller à jour pour l’importer.</translation>
     </message>
     <message>
@@ -4677,7 +4677,7 @@ F2 pour renommer, Maj+F2 pour mettre à l’échelle, ou clic droit.</translatio
         <translation>Nom de %1</translation>
     </message>
     <message>
-        <source>Scale of %1</source>
+        <source>Scale %1</source>
         <translation>Échelle de %1</translation>
     </message>
     <message>
@@ -5136,7 +5136,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>Aucune manette ni SpaceMouse trouvée. Branchez-en une ; elle est détectée automatiquement.</translation>
     </message>
     <message>
@@ -5910,8 +5910,8 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Gripper of this robot: %1</source>
-        <translation>Pince de ce robot : %1</translation>
+        <source>Gripper set to %1</source>
+        <translation>Pince réglée : %1</translation>
     </message>
     <message>
         <source>%1 (speed %2, force %3)</source>
@@ -6006,7 +6006,7 @@ Amenez la pointe à un coin du plateau ou de la table. Appuyez sur « Du TCP »,
         <translation>Ouvre la pince et lâche l’objet.</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep your fingers clear of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of the gripper.</source>
         <translation>Ferme la pince. Éloignez vos doigts.</translation>
     </message>
     <message>
@@ -6493,7 +6493,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Axes of the view: X right, Y away from you, Z up</source>
+        <source>View axes: X right, Y away from you, Z up</source>
         <translation>Axes de la vue : X à droite, Y en s’éloignant de vous, Z vers le haut</translation>
     </message>
     <message>
@@ -6758,7 +6758,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>%1 entre en collision avec %2 après %3 de la trajectoire</translation>
     </message>
     <message>
-        <source>The path enters the wrist singularity after %1 of its length</source>
+        <source>The move enters the wrist singularity after %1 of the path</source>
         <translation>La trajectoire entre dans la singularité du poignet après %1 de sa longueur</translation>
     </message>
     <message>
@@ -6766,7 +6766,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Lent près de la singularité du poignet à %1 de la trajectoire</translation>
     </message>
     <message>
-        <source>The path enters the elbow singularity after %1 of its length</source>
+        <source>The move enters the elbow singularity after %1 of the path</source>
         <translation>La trajectoire entre dans la singularité du coude après %1 de sa longueur</translation>
     </message>
     <message>
@@ -6774,7 +6774,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Lent près de la singularité du coude à %1 de la trajectoire</translation>
     </message>
     <message>
-        <source>The path enters the shoulder singularity after %1 of its length</source>
+        <source>The move enters the shoulder singularity after %1 of the path</source>
         <translation>La trajectoire entre dans la singularité de l’épaule après %1 de sa longueur</translation>
     </message>
     <message>
@@ -6790,7 +6790,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>%1 dépasse sa course après %2 de la trajectoire</translation>
     </message>
     <message>
-        <source>The path leaves the reach of the arm after %1 of its length</source>
+        <source>The move leaves the reach of the arm after %1 of the path</source>
         <translation>La trajectoire sort de la portée du bras après %1 de sa longueur</translation>
     </message>
     <message>
@@ -11580,7 +11580,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Aucun</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>Aucune manette ni SpaceMouse trouvée. Branchez-en une ; elle est détectée automatiquement.</translation>
     </message>
     <message>
@@ -11856,7 +11856,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Commandes…</translation>
     </message>
     <message>
-        <source>Finds a command by its name.</source>
+        <source>Finds a command by name.</source>
         <translation>Trouve une commande par son nom.</translation>
     </message>
     <message>
@@ -11944,7 +11944,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Plafond de vitesse réglé à %1</translation>
     </message>
     <message>
-        <source>A recording is running. Stop it first.</source>
+        <source>A recording is running. Stop the recording first.</source>
         <translation>Un enregistrement est en cours. Arrêtez-le d’abord.</translation>
     </message>
     <message>
@@ -12023,7 +12023,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Le programme « %1 » est en cours sur le robot.</translation>
     </message>
     <message>
-        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <source>Taking control stops the program. The program cannot be resumed, only restarted.</source>
         <translation>Prendre le contrôle arrête le programme. Il ne peut pas être repris, seulement redémarré.</translation>
     </message>
     <message>
@@ -12043,7 +12043,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Programme</translation>
     </message>
     <message>
-        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <source>Powering off stops the program. The program cannot be resumed, only restarted.</source>
         <translation>La mise hors tension arrête le programme. Il ne peut pas être repris, seulement redémarré.</translation>
     </message>
     <message>
@@ -12051,7 +12051,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Arrêter le programme et mettre hors tension</translation>
     </message>
     <message>
-        <source>A path is being recorded. Stop it first.</source>
+        <source>A path is being recorded. Stop the path recording first.</source>
         <translation>Une trajectoire est en cours d’enregistrement. Arrêtez-la d’abord.</translation>
     </message>
     <message>
@@ -12397,7 +12397,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Fichiers du rapport</translation>
     </message>
     <message>
-        <source>Content of this file</source>
+        <source>File content</source>
         <translation>Contenu de ce fichier</translation>
     </message>
     <message>
@@ -12432,7 +12432,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
         <translation>Ouvrir un projet d’exemple</translation>
     </message>
     <message>
-        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy. To keep your changes, save the project to a new file.</source>
         <translation>Chaque projet a été appris avec un UR5e et fonctionne sur le robot simulé. Vous travaillez sur une copie : choisissez un nouveau fichier pour l’enregistrer.</translation>
     </message>
     <message>

@@ -412,7 +412,7 @@
         <translation>関節が衝突を検出</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion requires.</source>
+        <source>A joint required more torque than expected for the motion.</source>
         <translation>関節が、動作から説明できる以上のトルクを必要としました。</translation>
     </message>
     <message>
@@ -504,8 +504,8 @@
         <translation>コントローラーのメッセージ C%1</translation>
     </message>
     <message>
-        <source>The controller reported this message code.</source>
-        <translation>コントローラーがこのメッセージコードを報告しました。</translation>
+        <source>Tiller has no description of this message code.</source>
+        <translation>このメッセージコードの説明は Tiller にありません。</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -569,7 +569,7 @@
         <translation>%1 と他 %2</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <source>The robot&apos;s software is too old. Update the software to %1.%2 or newer.</source>
         <translation>ロボットのソフトウェアが古すぎます。%1.%2 以降に更新してください。</translation>
     </message>
     <message>
@@ -577,12 +577,12 @@
         <translation>いくつかの値と制御用レジスターがありません。ロボットを %1.%2 以降に更新してください。</translation>
     </message>
     <message>
-        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the Tiller header, or use the teach pendant.</source>
         <translation>アームを点検して原因を取り除き、復旧してください：ヘッダーの「復旧…」を押すか、ティーチペンダントを使います。</translation>
     </message>
     <message>
-        <source>Power on and release the brakes with the button in the header.</source>
-        <translation>ヘッダーのボタンで電源を入れ、ブレーキを解除してください。</translation>
+        <source>Power on the arm and release the brakes, with the button in the Tiller header or on the teach pendant.</source>
+        <translation>Tiller のヘッダーのボタンまたはティーチペンダントで、アームの電源を入れ、ブレーキを解除してください。</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not respond</source>
@@ -1161,7 +1161,7 @@
         <translation>遅い速度を選ぶ</translation>
     </message>
     <message>
-        <source>move away from it</source>
+        <source>move away</source>
         <translation>離れる方向へ移動</translation>
     </message>
     <message>
@@ -1367,7 +1367,7 @@
         <translation>データ遅延</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>ロボットで制御プログラムを開始します。別のプログラムを停止する前に確認します。</translation>
     </message>
 </context>
@@ -1386,7 +1386,7 @@
         <translation>アーム未接続</translation>
     </message>
     <message>
-        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <source>The controller has no connection to the arm. See the teach pendant for the cause.</source>
         <translation>コントローラーがアームと通信していません。ティーチペンダントを見てください。</translation>
     </message>
     <message>
@@ -1410,7 +1410,7 @@
         <translation>電源オフ</translation>
     </message>
     <message>
-        <source>The arm is powered off. Power it on.</source>
+        <source>The arm is powered off. Power on the arm.</source>
         <translation>アームの電源がオフです。電源を入れてください。</translation>
     </message>
     <message>
@@ -3346,7 +3346,7 @@
         <translation>ロボットのプログラムを停止します。</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>ロボットで制御プログラムを開始します。別のプログラムを停止する前に確認します。</translation>
     </message>
 </context>
@@ -3613,7 +3613,7 @@
         <translation>ファイルに Tiller の設定がありません。</translation>
     </message>
     <message>
-        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import the file.</source>
         <translation>このファイルは新しいバージョンの Tiller で作成されました。Tiller を更新してから取り込んでください。</translation>
     </message>
     <message>
@@ -4675,7 +4675,7 @@ F2 で名前変更、Shift+F2 でスケール、または右クリック。</tra
         <translation>%1 の名前</translation>
     </message>
     <message>
-        <source>Scale of %1</source>
+        <source>Scale %1</source>
         <translation>%1 のスケール</translation>
     </message>
     <message>
@@ -5134,7 +5134,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>ゲームパッドも SpaceMouse も見つかりません。接続すると自動で検出されます。</translation>
     </message>
     <message>
@@ -5902,8 +5902,8 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Gripper of this robot: %1</source>
-        <translation>このロボットのグリッパー：%1</translation>
+        <source>Gripper set to %1</source>
+        <translation>グリッパーの設定：%1</translation>
     </message>
     <message>
         <source>%1 (speed %2, force %3)</source>
@@ -5998,7 +5998,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>グリッパーを開いて物体を放します。</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep your fingers clear of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of the gripper.</source>
         <translation>グリッパーを閉じます。指を近づけないでください。</translation>
     </message>
     <message>
@@ -6485,7 +6485,7 @@ Right-click or press F2 to rename it.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Axes of the view: X right, Y away from you, Z up</source>
+        <source>View axes: X right, Y away from you, Z up</source>
         <translation>画面の軸：X 右、Y 奥、Z 上</translation>
     </message>
     <message>
@@ -6750,7 +6750,7 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 が経路の %3 で %2 に衝突します</translation>
     </message>
     <message>
-        <source>The path enters the wrist singularity after %1 of its length</source>
+        <source>The move enters the wrist singularity after %1 of the path</source>
         <translation>経路の %1 で手首の特異点に入ります</translation>
     </message>
     <message>
@@ -6758,7 +6758,7 @@ Right-click or press F2 to rename it.</source>
         <translation>経路の %1 で手首の特異点近くのため低速</translation>
     </message>
     <message>
-        <source>The path enters the elbow singularity after %1 of its length</source>
+        <source>The move enters the elbow singularity after %1 of the path</source>
         <translation>経路の %1 で肘の特異点に入ります</translation>
     </message>
     <message>
@@ -6766,7 +6766,7 @@ Right-click or press F2 to rename it.</source>
         <translation>経路の %1 で肘の特異点近くのため低速</translation>
     </message>
     <message>
-        <source>The path enters the shoulder singularity after %1 of its length</source>
+        <source>The move enters the shoulder singularity after %1 of the path</source>
         <translation>経路の %1 で肩の特異点に入ります</translation>
     </message>
     <message>
@@ -6782,7 +6782,7 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 が経路の %2 で可動範囲を超えます</translation>
     </message>
     <message>
-        <source>The path leaves the reach of the arm after %1 of its length</source>
+        <source>The move leaves the reach of the arm after %1 of the path</source>
         <translation>直線は経路の %1 でアームの到達範囲を出ます</translation>
     </message>
     <message>
@@ -11541,7 +11541,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>なし</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>ゲームパッドも SpaceMouse も見つかりません。接続すると自動で検出されます。</translation>
     </message>
     <message>
@@ -11817,7 +11817,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>コマンド…</translation>
     </message>
     <message>
-        <source>Finds a command by its name.</source>
+        <source>Finds a command by name.</source>
         <translation>コマンドを名前で探します。</translation>
     </message>
     <message>
@@ -11905,7 +11905,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>速度上限を %1 に設定しました</translation>
     </message>
     <message>
-        <source>A recording is running. Stop it first.</source>
+        <source>A recording is running. Stop the recording first.</source>
         <translation>記録中です。先に停止してください。</translation>
     </message>
     <message>
@@ -11983,7 +11983,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プログラム「%1」がロボットで実行中です。</translation>
     </message>
     <message>
-        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <source>Taking control stops the program. The program cannot be resumed, only restarted.</source>
         <translation>制御を取得するとプログラムは停止します。再開はできず、最初から開始するだけになります。</translation>
     </message>
     <message>
@@ -12003,7 +12003,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プログラム</translation>
     </message>
     <message>
-        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <source>Powering off stops the program. The program cannot be resumed, only restarted.</source>
         <translation>電源を切るとプログラムが停止します。再開はできず、最初からの実行のみ可能です。</translation>
     </message>
     <message>
@@ -12011,7 +12011,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>プログラムを停止して電源を切る</translation>
     </message>
     <message>
-        <source>A path is being recorded. Stop it first.</source>
+        <source>A path is being recorded. Stop the path recording first.</source>
         <translation>経路を記録中です。先に停止してください。</translation>
     </message>
     <message>
@@ -12356,7 +12356,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>レポートのファイル</translation>
     </message>
     <message>
-        <source>Content of this file</source>
+        <source>File content</source>
         <translation>このファイルの内容</translation>
     </message>
     <message>
@@ -12391,7 +12391,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>見本プロジェクトを開く</translation>
     </message>
     <message>
-        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy. To keep your changes, save the project to a new file.</source>
         <translation>いずれも UR5e 用に教示され、シミュレートされたロボットで実行できます。コピーで作業します：保存するには新しいファイルを指定してください。</translation>
     </message>
     <message>

@@ -412,7 +412,7 @@
         <translation>关节检测到碰撞</translation>
     </message>
     <message>
-        <source>A joint needed more torque than the motion requires.</source>
+        <source>A joint required more torque than expected for the motion.</source>
         <translation>某个关节所需的力矩超出运动所需。</translation>
     </message>
     <message>
@@ -504,8 +504,8 @@
         <translation>控制器消息 C%1</translation>
     </message>
     <message>
-        <source>The controller reported this message code.</source>
-        <translation>控制器报告了此消息代码。</translation>
+        <source>Tiller has no description of this message code.</source>
+        <translation>Tiller 没有此消息代码的说明。</translation>
     </message>
     <message>
         <source>Look up C%1 in the manufacturer&apos;s error code directory.</source>
@@ -569,7 +569,7 @@
         <translation>%1 以及另外 %2</translation>
     </message>
     <message>
-        <source>The robot&apos;s software is too old. Update it to %1.%2 or newer.</source>
+        <source>The robot&apos;s software is too old. Update the software to %1.%2 or newer.</source>
         <translation>机器人的软件版本过旧。请更新到 %1.%2 或更高版本。</translation>
     </message>
     <message>
@@ -577,12 +577,12 @@
         <translation>缺少一些数值和用于控制的寄存器。请将机器人更新到 %1.%2 或更新版本。</translation>
     </message>
     <message>
-        <source>Inspect the arm and remove the cause. Then press “Recover…” in the header, or use the teach pendant.</source>
+        <source>Inspect the arm and remove the cause. Then press “Recover…” in the Tiller header, or use the teach pendant.</source>
         <translation>检查机械臂，消除原因，然后恢复：按页眉中的“恢复…”，或使用示教器。</translation>
     </message>
     <message>
-        <source>Power on and release the brakes with the button in the header.</source>
-        <translation>用页眉中的按钮上电并松开制动器。</translation>
+        <source>Power on the arm and release the brakes, with the button in the Tiller header or on the teach pendant.</source>
+        <translation>用 Tiller 页眉中的按钮或在示教器上给机械臂上电并松开制动器。</translation>
     </message>
     <message>
         <source>the RTDE port accepts connections but does not respond</source>
@@ -1161,7 +1161,7 @@
         <translation>选择较慢的速度</translation>
     </message>
     <message>
-        <source>move away from it</source>
+        <source>move away</source>
         <translation>远离它</translation>
     </message>
     <message>
@@ -1367,7 +1367,7 @@
         <translation>数据延迟</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>在机器人上启动控制程序。停止其他程序前会先询问。</translation>
     </message>
 </context>
@@ -1386,7 +1386,7 @@
         <translation>机械臂未连接</translation>
     </message>
     <message>
-        <source>The controller has no connection to the arm. See the teach pendant.</source>
+        <source>The controller has no connection to the arm. See the teach pendant for the cause.</source>
         <translation>控制器与机械臂没有连接。请查看示教器。</translation>
     </message>
     <message>
@@ -1410,7 +1410,7 @@
         <translation>断电</translation>
     </message>
     <message>
-        <source>The arm is powered off. Power it on.</source>
+        <source>The arm is powered off. Power on the arm.</source>
         <translation>机械臂已断电。请上电。</translation>
     </message>
     <message>
@@ -3346,7 +3346,7 @@
         <translation>停止机器人上的程序。</translation>
     </message>
     <message>
-        <source>Starts the control program on the robot. Asks for confirmation before it stops another program.</source>
+        <source>Starts the control program on the robot. Asks for confirmation before stopping another program.</source>
         <translation>在机器人上启动控制程序。停止其他程序前会先询问。</translation>
     </message>
 </context>
@@ -3613,7 +3613,7 @@
         <translation>文件中没有 Tiller 设置。</translation>
     </message>
     <message>
-        <source>The file was written by a newer version of Tiller. Update Tiller to import it.</source>
+        <source>The file was written by a newer version of Tiller. Update Tiller to import the file.</source>
         <translation>文件由更新版本的 Tiller 写入。请更新 Tiller 后再导入。</translation>
     </message>
     <message>
@@ -4675,7 +4675,7 @@ Press F2 to rename it or Shift+F2 to scale it, or right-click.</source>
         <translation>%1 的名称</translation>
     </message>
     <message>
-        <source>Scale of %1</source>
+        <source>Scale %1</source>
         <translation>%1 的比例</translation>
     </message>
     <message>
@@ -5134,7 +5134,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>未找到手柄或 SpaceMouse。连接后会自动检测到。</translation>
     </message>
     <message>
@@ -5902,8 +5902,8 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>Gripper of this robot: %1</source>
-        <translation>此机器人的夹爪：%1</translation>
+        <source>Gripper set to %1</source>
+        <translation>夹爪设为：%1</translation>
     </message>
     <message>
         <source>%1 (speed %2, force %3)</source>
@@ -5998,7 +5998,7 @@ Jog the tip to a corner of the tray or table. Press “From TCP”, or press “
         <translation>打开夹爪；所夹物体会松开。</translation>
     </message>
     <message>
-        <source>Closes the gripper. Keep your fingers clear of it.</source>
+        <source>Closes the gripper. Keep your fingers clear of the gripper.</source>
         <translation>关闭夹爪。手指请勿放入。</translation>
     </message>
     <message>
@@ -6485,7 +6485,7 @@ Right-click or press F2 to rename it.</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>Axes of the view: X right, Y away from you, Z up</source>
+        <source>View axes: X right, Y away from you, Z up</source>
         <translation>画面的轴：X 向右，Y 远离您，Z 向上</translation>
     </message>
     <message>
@@ -6750,7 +6750,7 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 在路径 %3 处与 %2 碰撞</translation>
     </message>
     <message>
-        <source>The path enters the wrist singularity after %1 of its length</source>
+        <source>The move enters the wrist singularity after %1 of the path</source>
         <translation>路径在 %1 处进入手腕奇异点</translation>
     </message>
     <message>
@@ -6758,7 +6758,7 @@ Right-click or press F2 to rename it.</source>
         <translation>在路径 %1 处因接近手腕奇异点而减速</translation>
     </message>
     <message>
-        <source>The path enters the elbow singularity after %1 of its length</source>
+        <source>The move enters the elbow singularity after %1 of the path</source>
         <translation>路径在 %1 处进入肘部奇异点</translation>
     </message>
     <message>
@@ -6766,7 +6766,7 @@ Right-click or press F2 to rename it.</source>
         <translation>在路径 %1 处因接近肘部奇异点而减速</translation>
     </message>
     <message>
-        <source>The path enters the shoulder singularity after %1 of its length</source>
+        <source>The move enters the shoulder singularity after %1 of the path</source>
         <translation>路径在 %1 处进入肩部奇异点</translation>
     </message>
     <message>
@@ -6782,7 +6782,7 @@ Right-click or press F2 to rename it.</source>
         <translation>%1 在路径 %2 处超出范围</translation>
     </message>
     <message>
-        <source>The path leaves the reach of the arm after %1 of its length</source>
+        <source>The move leaves the reach of the arm after %1 of the path</source>
         <translation>路径在 %1 处超出机械臂可达范围</translation>
     </message>
     <message>
@@ -11541,7 +11541,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>无</translation>
     </message>
     <message>
-        <source>No gamepad or SpaceMouse found. Connect one; it is detected automatically.</source>
+        <source>No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically.</source>
         <translation>未找到手柄或 SpaceMouse。连接后会自动检测到。</translation>
     </message>
     <message>
@@ -11817,7 +11817,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>命令…</translation>
     </message>
     <message>
-        <source>Finds a command by its name.</source>
+        <source>Finds a command by name.</source>
         <translation>按名称查找命令。</translation>
     </message>
     <message>
@@ -11905,7 +11905,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>速度上限已设为 %1</translation>
     </message>
     <message>
-        <source>A recording is running. Stop it first.</source>
+        <source>A recording is running. Stop the recording first.</source>
         <translation>正在录制。请先停止。</translation>
     </message>
     <message>
@@ -11983,7 +11983,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>程序“%1”正在机器人上运行。</translation>
     </message>
     <message>
-        <source>Taking control stops the program. It cannot be resumed, only restarted.</source>
+        <source>Taking control stops the program. The program cannot be resumed, only restarted.</source>
         <translation>获取控制会停止程序。程序无法继续，只能重新启动。</translation>
     </message>
     <message>
@@ -12003,7 +12003,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>程序</translation>
     </message>
     <message>
-        <source>Powering off stops the program. It cannot be resumed, only restarted.</source>
+        <source>Powering off stops the program. The program cannot be resumed, only restarted.</source>
         <translation>关闭电源会停止程序。程序无法继续，只能重新启动。</translation>
     </message>
     <message>
@@ -12011,7 +12011,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>停止程序并关闭电源</translation>
     </message>
     <message>
-        <source>A path is being recorded. Stop it first.</source>
+        <source>A path is being recorded. Stop the path recording first.</source>
         <translation>正在录制路径。请先停止录制。</translation>
     </message>
     <message>
@@ -12356,7 +12356,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>报告中的文件</translation>
     </message>
     <message>
-        <source>Content of this file</source>
+        <source>File content</source>
         <translation>此文件的内容</translation>
     </message>
     <message>
@@ -12391,7 +12391,7 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>打开示例项目</translation>
     </message>
     <message>
-        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy: choose a new file to save it.</source>
+        <source>Each project was taught with a UR5e and runs on the simulated robot. You work on a copy. To keep your changes, save the project to a new file.</source>
         <translation>每个项目都是为 UR5e 示教的，可在模拟机器人上运行。您使用的是副本：保存时请选择新文件。</translation>
     </message>
     <message>

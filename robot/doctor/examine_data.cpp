@@ -72,10 +72,11 @@ void judgeSoftware(Examiner& examiner, const SoftwareVersion& version) {
     const SoftwareVersion wanted =
         version.isCb3() ? SoftwareVersion{3, 9, 0, 0} : SoftwareVersion{5, 3, 0, 0};
     if (version < least) {
-        examiner.found(Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
-                       DoctorText::tr("The robot's software is too old. Update it to %1.%2 or newer.")
-                           .arg(wanted.major)
-                           .arg(wanted.minor));
+        examiner.found(
+            Condition::Software, Verdict::Bad, QStringLiteral("software.unsupported"), text,
+            DoctorText::tr("The robot's software is too old. Update the software to %1.%2 or newer.")
+                .arg(wanted.major)
+                .arg(wanted.minor));
     } else if (version < wanted) {
         examiner.found(Condition::Software, Verdict::Attention, QStringLiteral("software.old"), text,
                        DoctorText::tr("Some values and the control registers are missing. Update the robot's "
@@ -94,14 +95,15 @@ void judgeModes(Examiner& examiner, RobotMode mode, SafetyMode safety) {
         examiner.found(Condition::Safety, Verdict::Bad, QStringLiteral("safety.stopped"),
                        safetyModeName(safety),
                        DoctorText::tr("Inspect the arm and remove the cause. Then press “Recover…” in the "
-                                      "header, or use the teach pendant."));
+                                      "Tiller header, or use the teach pendant."));
     }
     if (mode == RobotMode::Running) {
         examiner.good(Condition::Power, robotModeName(mode));
     } else {
         examiner.found(Condition::Power, Verdict::Attention, QStringLiteral("power.not-running"),
                        robotModeName(mode),
-                       DoctorText::tr("Power on and release the brakes with the button in the header."));
+                       DoctorText::tr("Power on the arm and release the brakes, with the button in the "
+                                      "Tiller header or on the teach pendant."));
     }
 }
 

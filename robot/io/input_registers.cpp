@@ -91,8 +91,9 @@ struct InputRegisters::Private {
         }
         if (!connection->inputs()[recipe].isValid()) {
             const bool owned = !connection->session().inUse()[recipe].empty();
-            return Error{owned ? ErrorCode::RegisterInUse : ErrorCode::FieldUnknown, what,
-                         owned ? QStringLiteral("another RTDE client or a fieldbus owns it") : QString()};
+            return Error{
+                owned ? ErrorCode::RegisterInUse : ErrorCode::FieldUnknown, what,
+                owned ? QStringLiteral("another RTDE client or a fieldbus uses this register") : QString()};
         }
         switch (connection->sendInputs(recipe, std::array{value})) {
             case rtde::Connection::Send::Sent:
@@ -122,7 +123,7 @@ struct InputRegisters::Private {
         }
         return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
                      QStringLiteral("set %1").arg(QString::fromStdString(name)),
-                     QStringLiteral("the robot does not report it")};
+                     QStringLiteral("the robot did not confirm the value")};
     }
 };
 

@@ -186,7 +186,7 @@ struct Outputs::Link {
                          {}};
         }
         return Error{ErrorCode::FieldUnknown,
-                     QStringLiteral("%1: this robot cannot set them over RTDE").arg(name),
+                     QStringLiteral("%1: cannot be set over RTDE on this robot").arg(name),
                      {}};
     }
 
@@ -250,7 +250,7 @@ struct Outputs::Link {
         lock.unlock();
         const std::lock_guard guard(mutex);
         drop();
-        return Error{ErrorCode::Timeout, what, QStringLiteral("the robot does not report it")};
+        return Error{ErrorCode::Timeout, what, QStringLiteral("the robot did not confirm the value")};
     }
 };
 

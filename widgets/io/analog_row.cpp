@@ -194,7 +194,7 @@ void AnalogRow::askForScale() {
     auto* dialog = new QDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setObjectName(QStringLiteral("analogScale"));
-    dialog->setWindowTitle(tr("Scale of %1").arg(accessibleName()));
+    dialog->setWindowTitle(tr("Scale %1").arg(accessibleName()));
     auto* low = new DecimalSpinBox;
     auto* high = new DecimalSpinBox;
     for (DecimalSpinBox* box : {low, high}) {

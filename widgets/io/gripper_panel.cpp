@@ -392,7 +392,7 @@ void GripperPanel::chosenByUser() {
     if (!robot_.isEmpty() && memory_.keep && complete) {
         memory_.keep(robot_, choice.toText());
     }
-    Q_EMIT session_.message(Severity::Info, tr("Gripper of this robot: %1").arg(kind_->currentText()),
+    Q_EMIT session_.message(Severity::Info, tr("Gripper set to %1").arg(kind_->currentText()),
                             Origin::Operator);
 }
 
@@ -591,7 +591,7 @@ void GripperPanel::setObstacles(const QString& moving, const QString& activating
                 tr("The fingers open and close once and drop any gripped object. Keep your fingers clear of "
                    "the gripper."));
     setObstacle(open_, moving, tip(tr("Opens the gripper and releases the object.")));
-    setObstacle(close_, moving, tip(tr("Closes the gripper. Keep your fingers clear of it.")));
+    setObstacle(close_, moving, tip(tr("Closes the gripper. Keep your fingers clear of the gripper.")));
     setObstacle(move_, moving, tip(tr("Moves the fingers to this opening.")));
 }
 

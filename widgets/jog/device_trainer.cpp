@@ -213,7 +213,8 @@ void DeviceTrainer::refresh() {
     dominant_->setEnabled(device != nullptr);
     dominant_->setChecked(device != nullptr && devices_.shape(*device).dominantAxis);
     if (device == nullptr) {
-        hint_->setText(tr("No gamepad or SpaceMouse found. Connect one; it is detected automatically."));
+        hint_->setText(
+            tr("No gamepad or SpaceMouse found. Connect a device. Tiller detects the device automatically."));
         deadMan_->setText(QStringLiteral("–"));
         way_ = QStringLiteral("–");
         direction_->setText(way_);

@@ -158,7 +158,7 @@ void JogSelectors::chooseFrame(int segment) {
 void JogSelectors::showFrames() {
     frame_->setSegmentEnabled(
         static_cast<int>(FrameChoice::View), hasView_,
-        hasView_ ? tr("Axes of the view: X right, Y away from you, Z up") : tr("Requires the 3D view"));
+        hasView_ ? tr("View axes: X right, Y away from you, Z up") : tr("Requires the 3D view"));
     const bool any = !frames_.isEmpty();
     const QString name =
         any ? (selection_.taught ? selection_.taught->name : frames_.first().name) : tr("Frame");

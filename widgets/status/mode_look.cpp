@@ -382,7 +382,7 @@ QString nextStepAdvice(NextStep step) {
                 "move.");
         case NextStep::TakeControl:
             return ModeLookText::tr(
-                "Starts the control program on the robot. Asks for confirmation before it stops another "
+                "Starts the control program on the robot. Asks for confirmation before stopping another "
                 "program.");
     }
     return {};

@@ -87,7 +87,7 @@ LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d&
     }
     const collision::Surroundings& around = state.check->surroundings();
     const int key = nearest ? escapeKeyFrom(state, R_base_frame, nearest->pair) : -1;
-    const QString advice = key < 0 ? LimiterAdviceText::tr("move away from it")
+    const QString advice = key < 0 ? LimiterAdviceText::tr("move away")
                                    : LimiterAdviceText::tr("jog %1").arg(travelKeyName(key));
     if (slowed) {
         return {LimiterAdviceText::tr("%1 is %2 from %3: %4 speed")

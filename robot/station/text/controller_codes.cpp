@@ -42,7 +42,7 @@ public:
              "The measured forces do not match the payload, or the arm was pushed when Freedrive started."),
          QT_TR_NOOP("Correct the payload and the mounting, release the arm, and try again.")},
         {157, QT_TR_NOOP("Collision detected by a joint"),
-         QT_TR_NOOP("A joint needed more torque than the motion requires."),
+         QT_TR_NOOP("A joint required more torque than expected for the motion."),
          QT_TR_NOOP("Remove the obstacle. If the arm did not touch anything, check the payload.")},
         {158, QT_TR_NOOP("Collision detected at the tool"),
          QT_TR_NOOP("The force at the tool exceeded the limit."),
@@ -73,7 +73,7 @@ public:
                 return {tr(row.title), tr(row.meaning), tr(row.action), true};
             }
         }
-        return {tr("Controller message C%1").arg(code), tr("The controller reported this message code."),
+        return {tr("Controller message C%1").arg(code), tr("Tiller has no description of this message code."),
                 tr("Look up C%1 in the manufacturer's error code directory.").arg(code), false};
     }
 };

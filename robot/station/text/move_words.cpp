@@ -56,13 +56,13 @@ public:
         const bool ends = limit.ends();
         switch (limit.singular) {
             case Singular::Wrist:
-                return ends ? tr("The path enters the wrist singularity after %1 of its length").arg(share)
+                return ends ? tr("The move enters the wrist singularity after %1 of the path").arg(share)
                             : tr("Slows down near the wrist singularity at %1 of the path").arg(share);
             case Singular::Elbow:
-                return ends ? tr("The path enters the elbow singularity after %1 of its length").arg(share)
+                return ends ? tr("The move enters the elbow singularity after %1 of the path").arg(share)
                             : tr("Slows down near the elbow singularity at %1 of the path").arg(share);
             case Singular::Shoulder:
-                return ends ? tr("The path enters the shoulder singularity after %1 of its length").arg(share)
+                return ends ? tr("The move enters the shoulder singularity after %1 of the path").arg(share)
                             : tr("Slows down near the shoulder singularity at %1 of the path").arg(share);
             case Singular::None:
                 break;
@@ -74,7 +74,7 @@ public:
         const QString share = format::percent(limit.share);
         return limit.kind == collision::MoveLimit::Kind::JointRange
                    ? tr("%1 exceeds its limit after %2 of the path").arg(jointName(limit.joint), share)
-                   : tr("The path leaves the reach of the arm after %1 of its length").arg(share);
+                   : tr("The move leaves the reach of the arm after %1 of the path").arg(share);
     }
 
     static QString link(int link) {
