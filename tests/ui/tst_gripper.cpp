@@ -272,7 +272,7 @@ private Q_SLOTS:
         begin(options);
         QVERIFY2(cell().connect(), qPrintable(cell().what()));
         choose(kHandE);
-        QVERIFY(until([this] { return text("gripper.remedy").contains("Power the arm on"); }));
+        QVERIFY(until([this] { return text("gripper.remedy").contains("Power on the arm"); }));
         QCOMPARE(text("gripper.state"), QString("unknown"));
         QVERIFY(!key("gripper.activate").isEnabled());
     }
@@ -324,7 +324,7 @@ private Q_SLOTS:
         auto& list = bench_->find<QComboBox>("gripper.openOutput");
         list.setFocus();
         QTest::keyClick(&list, Qt::Key_Up);
-        QVERIFY(until([this] { return text("gripper.remedy").contains("two different"); }));
+        QVERIFY(until([this] { return text("gripper.remedy").contains("different outputs"); }));
         QVERIFY(!key("gripper.close").isEnabled());
         QCOMPARE(app::Settings(bench_->file).gripper("simulator"), QString("outputs|16|17"));
     }

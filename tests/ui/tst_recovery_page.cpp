@@ -287,9 +287,9 @@ private Q_SLOTS:
         QVERIFY(bench.until([&] { return bench.state().service == dashboard::ServiceKind::RobotApi; }));
         const QAction* popups = bench.action("power.closePopups");
         QVERIFY(bench.until([&] { return !popups->isEnabled(); }));
-        QVERIFY2(app::ActionTable::obstacleOf(*popups).contains("use the teach pendant"),
+        QVERIFY2(app::ActionTable::obstacleOf(*popups).contains("Use the teach pendant"),
                  qPrintable(app::ActionTable::obstacleOf(*popups)));
-        QVERIFY2(popups->toolTip().contains("use the teach pendant"), qPrintable(popups->toolTip()));
+        QVERIFY2(popups->toolTip().contains("Use the teach pendant"), qPrintable(popups->toolTip()));
         QVERIFY(bench.action("power.on")->isEnabled());
     }
 
@@ -315,7 +315,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(50);
         for (const char* id : {"power.on", "power.brakes", "power.off", "control.load", "control.play"}) {
             QVERIFY2(!bench.action(id)->isEnabled(), id);
-            QVERIFY2(app::ActionTable::obstacleOf(*bench.action(id)).contains("use the teach pendant"), id);
+            QVERIFY2(app::ActionTable::obstacleOf(*bench.action(id)).contains("Use the teach pendant"), id);
         }
         QVERIFY(!bench.window.findChild<QPushButton*>("nextStepButton")->isVisible());
         bench.cell.robot.protectiveStop();
@@ -324,7 +324,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(6000);
         QVERIFY(!bench.key()->isEnabled());
         QVERIFY(
-            bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("use the teach pendant"));
+            bench.page()->findChild<QLabel*>("recoveryWaiting")->text().contains("Use the teach pendant"));
     }
 
     void checksAreClearedOnlyByANewStop() {
