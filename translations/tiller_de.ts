@@ -3572,7 +3572,7 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
         <translation>Der Roboter kann nicht so viele Signale gleichzeitig senden. Nicht aufgezeichnete Signale: %1</translation>
     </message>
     <message>
@@ -6368,7 +6368,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Home</translation>
     </message>
     <message>
-        <source>Moves all joints to the home position while held</source>
+        <source>Moves all joints to the home position while the button is held</source>
         <translation>Bewegt alle Gelenke zur Home-Position, solange gehalten</translation>
     </message>
     <message>
@@ -6376,7 +6376,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Ausrichten</translation>
     </message>
     <message>
-        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <source>Aligns the tool with the nearest axis of the selected frame while the button is held</source>
         <translation>Richtet das Werkzeug an der nächsten Achse des gewählten Koordinatensystems aus, solange gehalten</translation>
     </message>
     <message>
@@ -6384,7 +6384,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Retraces the last motion while held</source>
+        <source>Retraces the last motion while the button is held</source>
         <translation>Fährt die letzte Bewegung zurück, solange gehalten</translation>
     </message>
     <message>
@@ -6517,7 +6517,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <source>Moves slowly while the button is held, until the contact force reaches %1 N. Click again to select a different step.</source>
         <translation>Bewegt langsam, solange gehalten, bis die Kontaktkraft %1 N erreicht. Erneut klicken, um einen anderen Schritt zu wählen.</translation>
     </message>
     <message>
@@ -6762,7 +6762,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Handgelenk-Singularität</translation>
     </message>
     <message>
-        <source>Slows down near the wrist singularity at %1 of the path</source>
+        <source>The move slows down near the wrist singularity at %1 of the path</source>
         <translation>Langsam nahe der Handgelenk-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
@@ -6770,7 +6770,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Ellbogen-Singularität</translation>
     </message>
     <message>
-        <source>Slows down near the elbow singularity at %1 of the path</source>
+        <source>The move slows down near the elbow singularity at %1 of the path</source>
         <translation>Langsam nahe der Ellbogen-Singularität bei %1 der Bahn</translation>
     </message>
     <message>
@@ -6778,7 +6778,7 @@ Zum Umbenennen rechts klicken oder F2 drücken.</translation>
         <translation>Die Bahn erreicht nach %1 ihrer Länge die Schulter-Singularität</translation>
     </message>
     <message>
-        <source>Slows down near the shoulder singularity at %1 of the path</source>
+        <source>The move slows down near the shoulder singularity at %1 of the path</source>
         <translation>Langsam nahe der Schulter-Singularität bei %1 der Bahn</translation>
     </message>
     <message>

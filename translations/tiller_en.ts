@@ -3572,7 +3572,7 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6353,7 +6353,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves all joints to the home position while held</source>
+        <source>Moves all joints to the home position while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6361,7 +6361,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <source>Aligns the tool with the nearest axis of the selected frame while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6369,7 +6369,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Retraces the last motion while held</source>
+        <source>Retraces the last motion while the button is held</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6498,7 +6498,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <source>Moves slowly while the button is held, until the contact force reaches %1 N. Click again to select a different step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6755,7 +6755,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slows down near the wrist singularity at %1 of the path</source>
+        <source>The move slows down near the wrist singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6763,7 +6763,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slows down near the elbow singularity at %1 of the path</source>
+        <source>The move slows down near the elbow singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6771,7 +6771,7 @@ Right-click or press F2 to rename it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Slows down near the shoulder singularity at %1 of the path</source>
+        <source>The move slows down near the shoulder singularity at %1 of the path</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

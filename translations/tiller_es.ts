@@ -3572,7 +3572,7 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
         <translation>El robot no puede enviar tantas señales a la vez. Señales que no se graban: %1</translation>
     </message>
     <message>
@@ -6368,7 +6368,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Inicio</translation>
     </message>
     <message>
-        <source>Moves all joints to the home position while held</source>
+        <source>Moves all joints to the home position while the button is held</source>
         <translation>Mueve todas las articulaciones a la posición inicial mientras se mantiene</translation>
     </message>
     <message>
@@ -6376,7 +6376,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Alinear</translation>
     </message>
     <message>
-        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <source>Aligns the tool with the nearest axis of the selected frame while the button is held</source>
         <translation>Alinea la herramienta con el eje más cercano del sistema elegido mientras se mantiene</translation>
     </message>
     <message>
@@ -6384,7 +6384,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>Atrás</translation>
     </message>
     <message>
-        <source>Retraces the last motion while held</source>
+        <source>Retraces the last motion while the button is held</source>
         <translation>Recorre hacia atrás el último movimiento mientras se mantiene</translation>
     </message>
     <message>
@@ -6517,7 +6517,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <source>Moves slowly while the button is held, until the contact force reaches %1 N. Click again to select a different step.</source>
         <translation>Mueve despacio mientras se mantiene, hasta que la fuerza de contacto llega a %1 N. Haga clic de nuevo para elegir otro paso.</translation>
     </message>
     <message>
@@ -6762,7 +6762,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>La trayectoria entra en la singularidad de muñeca tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slows down near the wrist singularity at %1 of the path</source>
+        <source>The move slows down near the wrist singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de muñeca al %1 de la trayectoria</translation>
     </message>
     <message>
@@ -6770,7 +6770,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>La trayectoria entra en la singularidad de codo tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slows down near the elbow singularity at %1 of the path</source>
+        <source>The move slows down near the elbow singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de codo al %1 de la trayectoria</translation>
     </message>
     <message>
@@ -6778,7 +6778,7 @@ Para renombrar, haga clic derecho o pulse F2.</translation>
         <translation>La trayectoria entra en la singularidad de hombro tras el %1 de su longitud</translation>
     </message>
     <message>
-        <source>Slows down near the shoulder singularity at %1 of the path</source>
+        <source>The move slows down near the shoulder singularity at %1 of the path</source>
         <translation>Lento cerca de la singularidad de hombro al %1 de la trayectoria</translation>
     </message>
     <message>

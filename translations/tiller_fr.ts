@@ -3572,7 +3572,7 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
         <translation>Le robot ne peut pas envoyer autant de signaux à la fois. Signaux non enregistrés : %1</translation>
     </message>
     <message>
@@ -6368,7 +6368,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Origine</translation>
     </message>
     <message>
-        <source>Moves all joints to the home position while held</source>
+        <source>Moves all joints to the home position while the button is held</source>
         <translation>Amène toutes les articulations à la position d’origine tant qu’il est maintenu</translation>
     </message>
     <message>
@@ -6376,7 +6376,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Aligner</translation>
     </message>
     <message>
-        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <source>Aligns the tool with the nearest axis of the selected frame while the button is held</source>
         <translation>Aligne l’outil sur l’axe le plus proche du repère choisi tant qu’il est maintenu</translation>
     </message>
     <message>
@@ -6384,7 +6384,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>Retour</translation>
     </message>
     <message>
-        <source>Retraces the last motion while held</source>
+        <source>Retraces the last motion while the button is held</source>
         <translation>Refait le dernier mouvement en sens inverse, tant que maintenu</translation>
     </message>
     <message>
@@ -6517,7 +6517,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <source>Moves slowly while the button is held, until the contact force reaches %1 N. Click again to select a different step.</source>
         <translation>Déplace lentement tant que le bouton est maintenu, jusqu’à une force de contact de %1 N. Cliquez de nouveau pour choisir un autre pas.</translation>
     </message>
     <message>
@@ -6762,7 +6762,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>La trajectoire entre dans la singularité du poignet après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slows down near the wrist singularity at %1 of the path</source>
+        <source>The move slows down near the wrist singularity at %1 of the path</source>
         <translation>Lent près de la singularité du poignet à %1 de la trajectoire</translation>
     </message>
     <message>
@@ -6770,7 +6770,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>La trajectoire entre dans la singularité du coude après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slows down near the elbow singularity at %1 of the path</source>
+        <source>The move slows down near the elbow singularity at %1 of the path</source>
         <translation>Lent près de la singularité du coude à %1 de la trajectoire</translation>
     </message>
     <message>
@@ -6778,7 +6778,7 @@ Clic droit ou F2 pour renommer.</translation>
         <translation>La trajectoire entre dans la singularité de l’épaule après %1 de sa longueur</translation>
     </message>
     <message>
-        <source>Slows down near the shoulder singularity at %1 of the path</source>
+        <source>The move slows down near the shoulder singularity at %1 of the path</source>
         <translation>Lent près de la singularité de l’épaule à %1 de la trajectoire</translation>
     </message>
     <message>

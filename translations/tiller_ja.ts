@@ -3572,7 +3572,7 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
         <translation>ロボットはこれほど多くの信号を同時に送信できません。記録されない信号：%1</translation>
     </message>
     <message>
@@ -6360,7 +6360,7 @@ Right-click or press F2 to rename it.</source>
         <translation>ホーム</translation>
     </message>
     <message>
-        <source>Moves all joints to the home position while held</source>
+        <source>Moves all joints to the home position while the button is held</source>
         <translation>押している間、全関節をホーム位置へ動かします</translation>
     </message>
     <message>
@@ -6368,7 +6368,7 @@ Right-click or press F2 to rename it.</source>
         <translation>整列</translation>
     </message>
     <message>
-        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <source>Aligns the tool with the nearest axis of the selected frame while the button is held</source>
         <translation>押している間、選んだ座標系の最寄りの軸にツールを揃えます</translation>
     </message>
     <message>
@@ -6376,7 +6376,7 @@ Right-click or press F2 to rename it.</source>
         <translation>戻る</translation>
     </message>
     <message>
-        <source>Retraces the last motion while held</source>
+        <source>Retraces the last motion while the button is held</source>
         <translation>押している間、直前の動作を逆にたどります</translation>
     </message>
     <message>
@@ -6509,7 +6509,7 @@ Right-click or press F2 to rename it.</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <source>Moves slowly while the button is held, until the contact force reaches %1 N. Click again to select a different step.</source>
         <translation>押している間、接触力が %1 N に達するまでゆっくり動きます。もう一度クリックすると別のステップを選べます。</translation>
     </message>
     <message>
@@ -6754,7 +6754,7 @@ Right-click or press F2 to rename it.</source>
         <translation>経路の %1 で手首の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slows down near the wrist singularity at %1 of the path</source>
+        <source>The move slows down near the wrist singularity at %1 of the path</source>
         <translation>経路の %1 で手首の特異点近くのため低速</translation>
     </message>
     <message>
@@ -6762,7 +6762,7 @@ Right-click or press F2 to rename it.</source>
         <translation>経路の %1 で肘の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slows down near the elbow singularity at %1 of the path</source>
+        <source>The move slows down near the elbow singularity at %1 of the path</source>
         <translation>経路の %1 で肘の特異点近くのため低速</translation>
     </message>
     <message>
@@ -6770,7 +6770,7 @@ Right-click or press F2 to rename it.</source>
         <translation>経路の %1 で肩の特異点に入ります</translation>
     </message>
     <message>
-        <source>Slows down near the shoulder singularity at %1 of the path</source>
+        <source>The move slows down near the shoulder singularity at %1 of the path</source>
         <translation>経路の %1 で肩の特異点近くのため低速</translation>
     </message>
     <message>

@@ -3572,7 +3572,7 @@
 <context>
     <name>SessionRecording</name>
     <message>
-        <source>The robot cannot send so many signals at once. Signals that are not recorded: %1</source>
+        <source>The robot cannot send so many signals at once. These signals are not recorded: %1</source>
         <translation>机器人无法同时发送这么多信号。未录制的信号：%1</translation>
     </message>
     <message>
@@ -6360,7 +6360,7 @@ Right-click or press F2 to rename it.</source>
         <translation>原位</translation>
     </message>
     <message>
-        <source>Moves all joints to the home position while held</source>
+        <source>Moves all joints to the home position while the button is held</source>
         <translation>按住时把所有关节移到原位</translation>
     </message>
     <message>
@@ -6368,7 +6368,7 @@ Right-click or press F2 to rename it.</source>
         <translation>对齐</translation>
     </message>
     <message>
-        <source>Aligns the tool with the nearest axis of the selected frame while held</source>
+        <source>Aligns the tool with the nearest axis of the selected frame while the button is held</source>
         <translation>按住时使工具与所选坐标系最近的轴对齐</translation>
     </message>
     <message>
@@ -6376,7 +6376,7 @@ Right-click or press F2 to rename it.</source>
         <translation>返回</translation>
     </message>
     <message>
-        <source>Retraces the last motion while held</source>
+        <source>Retraces the last motion while the button is held</source>
         <translation>按住时沿上一次运动的路径返回</translation>
     </message>
     <message>
@@ -6509,7 +6509,7 @@ Right-click or press F2 to rename it.</source>
         <translation>≤ %1</translation>
     </message>
     <message>
-        <source>Moves slowly while held until the contact force reaches %1 N. Click again to select a different step.</source>
+        <source>Moves slowly while the button is held, until the contact force reaches %1 N. Click again to select a different step.</source>
         <translation>按住时缓慢移动，直到接触力达到 %1 N。再次点击可选择其他步长。</translation>
     </message>
     <message>
@@ -6754,7 +6754,7 @@ Right-click or press F2 to rename it.</source>
         <translation>路径在 %1 处进入手腕奇异点</translation>
     </message>
     <message>
-        <source>Slows down near the wrist singularity at %1 of the path</source>
+        <source>The move slows down near the wrist singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近手腕奇异点而减速</translation>
     </message>
     <message>
@@ -6762,7 +6762,7 @@ Right-click or press F2 to rename it.</source>
         <translation>路径在 %1 处进入肘部奇异点</translation>
     </message>
     <message>
-        <source>Slows down near the elbow singularity at %1 of the path</source>
+        <source>The move slows down near the elbow singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近肘部奇异点而减速</translation>
     </message>
     <message>
@@ -6770,7 +6770,7 @@ Right-click or press F2 to rename it.</source>
         <translation>路径在 %1 处进入肩部奇异点</translation>
     </message>
     <message>
-        <source>Slows down near the shoulder singularity at %1 of the path</source>
+        <source>The move slows down near the shoulder singularity at %1 of the path</source>
         <translation>在路径 %1 处因接近肩部奇异点而减速</translation>
     </message>
     <message>

@@ -513,10 +513,12 @@ void JogColumn::buildBottom(QVBoxLayout* layout, HoldPolicy& policy) {
         return key;
     };
     freedrive_ = make(tr("Freedrive"), "freedriveKey", {});
-    homeKey_ = make(tr("Home"), "homeKey", tr("Moves all joints to the home position while held"));
+    homeKey_ =
+        make(tr("Home"), "homeKey", tr("Moves all joints to the home position while the button is held"));
     align_ = make(tr("Align"), "alignKey",
-                  tr("Aligns the tool with the nearest axis of the selected frame while held"));
-    back_ = make(QStringLiteral("↶ ") + tr("Back"), "backKey", tr("Retraces the last motion while held"));
+                  tr("Aligns the tool with the nearest axis of the selected frame while the button is held"));
+    back_ = make(QStringLiteral("↶ ") + tr("Back"), "backKey",
+                 tr("Retraces the last motion while the button is held"));
     back_->setAccessibleName(tr("Back"));
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kSideMargin, kAboveKeys, kSideMargin, 0);

@@ -329,8 +329,8 @@ void JogSelectors::refreshTexts() {
                                         ? tr("≤ %1").arg(format::number(selection_.contactForce, 0) + " N")
                                         : format::shortLength(other_.length));
     motion_->segment(kOtherSegment)
-        ->setToolTip(contact ? tr("Moves slowly while held until the contact force reaches %1 N. Click again "
-                                  "to select a different step.")
+        ->setToolTip(contact ? tr("Moves slowly while the button is held, until the contact force reaches %1 "
+                                  "N. Click again to select a different step.")
                                    .arg(selection_.contactForce, 0, 'f', 0)
                              : tr("Moves by %1 per press. Click again to select a different step.")
                                        .arg(format::shortLength(other_.length)) +

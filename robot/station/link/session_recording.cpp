@@ -77,7 +77,7 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
     if (!missing.isEmpty()) {
         Q_EMIT session_.message(
             Severity::Warning,
-            tr("The robot cannot send so many signals at once. Signals that are not recorded: %1")
+            tr("The robot cannot send so many signals at once. These signals are not recorded: %1")
                 .arg(missing.join(QStringLiteral(", "))));
     }
     auto another = std::make_shared<receive::Receiver>(options);

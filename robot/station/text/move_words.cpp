@@ -57,13 +57,16 @@ public:
         switch (limit.singular) {
             case Singular::Wrist:
                 return ends ? tr("The move enters the wrist singularity after %1 of the path").arg(share)
-                            : tr("Slows down near the wrist singularity at %1 of the path").arg(share);
+                            : tr("The move slows down near the wrist singularity at %1 of the path")
+                                  .arg(share);
             case Singular::Elbow:
                 return ends ? tr("The move enters the elbow singularity after %1 of the path").arg(share)
-                            : tr("Slows down near the elbow singularity at %1 of the path").arg(share);
+                            : tr("The move slows down near the elbow singularity at %1 of the path")
+                                  .arg(share);
             case Singular::Shoulder:
                 return ends ? tr("The move enters the shoulder singularity after %1 of the path").arg(share)
-                            : tr("Slows down near the shoulder singularity at %1 of the path").arg(share);
+                            : tr("The move slows down near the shoulder singularity at %1 of the path")
+                                  .arg(share);
             case Singular::None:
                 break;
         }
