@@ -11524,10 +11524,6 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
         <translation>Zeigt die aktuellen Werte jedes Geräts und die Richtung, in die sich der Arm bewegen würde.</translation>
     </message>
     <message>
-        <source>Jog device</source>
-        <translation>Verfahrgerät</translation>
-    </message>
-    <message>
         <source>Gamepad</source>
         <translation>Gamepad</translation>
     </message>

@@ -11508,10 +11508,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Jog device</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Gamepad</source>
         <translation type="unfinished"></translation>
     </message>

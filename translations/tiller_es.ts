@@ -11513,7 +11513,7 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <name>tiller::app::DeviceSettings</name>
     <message>
         <source>Jog device</source>
-        <translation>Dispositivo de movimiento</translation>
+        <translation>Dispositivo</translation>
     </message>
     <message>
         <source>Test device…</source>
@@ -11522,10 +11522,6 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>Muestra los valores actuales de cada dispositivo y la dirección en que se movería el brazo.</translation>
-    </message>
-    <message>
-        <source>Jog device</source>
-        <translation>Dispositivo</translation>
     </message>
     <message>
         <source>Gamepad</source>

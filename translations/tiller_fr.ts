@@ -11513,7 +11513,7 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <name>tiller::app::DeviceSettings</name>
     <message>
         <source>Jog device</source>
-        <translation>Appareil de déplacement</translation>
+        <translation>Appareil</translation>
     </message>
     <message>
         <source>Test device…</source>
@@ -11522,10 +11522,6 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Shows the live values of each device and the direction in which the arm would move.</source>
         <translation>Affiche les valeurs actuelles de chaque appareil et la direction dans laquelle le bras irait.</translation>
-    </message>
-    <message>
-        <source>Jog device</source>
-        <translation>Appareil</translation>
     </message>
     <message>
         <source>Gamepad</source>

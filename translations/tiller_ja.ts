@@ -11485,10 +11485,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>各デバイスの現在の値と、アームが動く方向を表示します。</translation>
     </message>
     <message>
-        <source>Jog device</source>
-        <translation>ジョグ装置</translation>
-    </message>
-    <message>
         <source>Gamepad</source>
         <translation>ゲームパッド</translation>
     </message>

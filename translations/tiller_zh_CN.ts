@@ -11485,10 +11485,6 @@ Jog the arm to a position and press “Teach here” (T).</source>
         <translation>显示各设备的当前数值，以及机械臂将移动的方向。</translation>
     </message>
     <message>
-        <source>Jog device</source>
-        <translation>点动设备</translation>
-    </message>
-    <message>
         <source>Gamepad</source>
         <translation>手柄</translation>
     </message>
