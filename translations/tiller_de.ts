@@ -2173,16 +2173,16 @@
         <translation>Diese Version von Tiller unterstützt den Schritt „%1“ nicht.</translation>
     </message>
     <message>
-        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
-        <translation>Ein Programm kann nur an einem Schritt der obersten Ebene beginnen, nicht zwischen Teilen wie „Wenn“ und „Sonst“.</translation>
+        <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
+        <translation>Ein Programm kann nur an einem Schritt der obersten Ebene beginnen, nicht an einem Zweig wie „Sonst“. Wählen Sie einen anderen Schritt.</translation>
     </message>
     <message>
         <source>The project does not contain this program.</source>
         <translation>Das Projekt enthält dieses Programm nicht.</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, but the robot is a %2.</source>
-        <translation>Das Projekt wurde mit einem %1 geteacht, aber der Roboter ist ein %2.</translation>
+        <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
+        <translation>Das Projekt wurde mit einem %1 geteacht, aber der Roboter ist ein %2. Verwenden Sie zuerst „Projekt an diesen Roboter anpassen…“.</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2393,8 +2393,8 @@
         <translation>Name</translation>
     </message>
     <message>
-        <source>For each pallet position</source>
-        <translation>Für jeden Palettenplatz</translation>
+        <source>For each pattern cell</source>
+        <translation>Für jeden Musterplatz</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2585,8 +2585,8 @@
         <translation>Gruppe durchfahren</translation>
     </message>
     <message>
-        <source>Actions of the waypoints</source>
-        <translation>Aktionen der Wegpunkte</translation>
+        <source>Run waypoint actions</source>
+        <translation>Wegpunktaktionen ausführen</translation>
     </message>
     <message>
         <source>MoveJ</source>
@@ -2621,8 +2621,8 @@
         <translation>Die Strecke ist null.</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
-        <translation>Der Wegpunkt „%1“ bewegt den Greifer. Verwenden Sie im Programm den Schritt „Greifer“ und schalten Sie die Aktionen des Wegpunkts aus.</translation>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
+        <translation>Der Wegpunkt „%1“ bewegt den Greifer. Verwenden Sie im Programm den Schritt „Greifer“ und schalten Sie „Wegpunktaktionen ausführen“ aus.</translation>
     </message>
     <message>
         <source>Waypoint</source>
@@ -2633,8 +2633,8 @@
         <translation>Anfahrabstand</translation>
     </message>
     <message>
-        <source>Actions of the waypoint</source>
-        <translation>Aktionen des Wegpunkts</translation>
+        <source>Run waypoint actions</source>
+        <translation>Wegpunktaktionen ausführen</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -2685,12 +2685,12 @@
         <translation>Wählen Sie einen Eingang.</translation>
     </message>
     <message>
-        <source>The input did not switch on.</source>
-        <translation>Der Eingang wurde nicht eingeschaltet.</translation>
+        <source>The input did not turn on within the maximum distance. Check the sensor and its wiring.</source>
+        <translation>Der Eingang wurde innerhalb des maximalen Wegs nicht eingeschaltet. Prüfen Sie den Sensor und seine Verdrahtung.</translation>
     </message>
     <message>
-        <source>No contact was detected.</source>
-        <translation>Es wurde kein Kontakt erkannt.</translation>
+        <source>No contact was detected within the maximum distance.</source>
+        <translation>Innerhalb des maximalen Wegs wurde kein Kontakt erkannt.</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2835,10 +2835,6 @@
     <message>
         <source>While</source>
         <translation>Solange</translation>
-    </message>
-    <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
-        <translation>Die Position von „%1“ ist unbekannt, weil ihr Koordinatensystem %2 nicht im Projekt ist.</translation>
     </message>
     <message>
         <source>At %1 s: %2</source>
@@ -3031,6 +3027,10 @@
     <message>
         <source>The URScript text is partly done.</source>
         <translation>Der URScript-Text ist teilweise ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Schweregrad</translation>
     </message>
 </context>
 <context>
@@ -8593,8 +8593,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Werte</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Prüfung</translation>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>%1, running</source>
@@ -8640,7 +8640,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Schritte hinzufügen oder den gewählten Schritt bearbeiten</translation>
     </message>
     <message>
-        <source>Fields of the step</source>
+        <source>Step fields</source>
         <translation>Felder des Schritts</translation>
     </message>
     <message>
@@ -9598,7 +9598,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Programm ausführen, halten</translation>
     </message>
     <message>
-        <source>To start (hold)</source>
+        <source>Move to start (hold)</source>
         <translation>Zum Start (halten)</translation>
     </message>
     <message>
@@ -9622,8 +9622,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Hält das Programm an</translation>
     </message>
     <message>
-        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
-        <translation>Führt das Programm mit seiner eigenen Geschwindigkeit aus, bis es endet oder angehalten wird. Der Arm stoppt auch, wenn Tiller geschlossen wird oder die Verbindung abbricht.</translation>
+        <source>Runs the program at the programmed speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>Führt das Programm mit der programmierten Geschwindigkeit aus, bis es endet oder angehalten wird. Der Arm stoppt auch, wenn Tiller geschlossen wird oder die Verbindung abbricht.</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -9670,11 +9670,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Beendet das Programm vor dem nächsten Durchlauf seiner Endlosschleife</translation>
     </message>
     <message>
-        <source>From here</source>
+        <source>Start from here</source>
         <translation>Ab hier</translation>
     </message>
     <message>
-        <source>From step %1</source>
+        <source>Start at step %1</source>
         <translation>Ab %1</translation>
     </message>
     <message>
@@ -9946,7 +9946,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
 <context>
     <name>tiller::StepTree</name>
     <message>
-        <source>Steps of the program</source>
+        <source>Program steps</source>
         <translation>Schritte des Programms</translation>
     </message>
 </context>

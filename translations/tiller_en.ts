@@ -2173,7 +2173,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
+        <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2181,7 +2181,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project was taught with a %1, but the robot is a %2.</source>
+        <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2393,7 +2393,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>For each pallet position</source>
+        <source>For each pattern cell</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2585,7 +2585,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Actions of the waypoints</source>
+        <source>Run waypoint actions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2621,7 +2621,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2633,7 +2633,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Actions of the waypoint</source>
+        <source>Run waypoint actions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2685,11 +2685,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The input did not switch on.</source>
+        <source>The input did not turn on within the maximum distance. Check the sensor and its wiring.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No contact was detected.</source>
+        <source>No contact was detected within the maximum distance.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2834,10 +2834,6 @@
     </message>
     <message>
         <source>While</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3030,6 +3026,10 @@
     </message>
     <message>
         <source>The URScript text is partly done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Severity</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8580,7 +8580,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check</source>
+        <source>Result</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8627,7 +8627,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fields of the step</source>
+        <source>Step fields</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9585,7 +9585,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>To start (hold)</source>
+        <source>Move to start (hold)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9609,7 +9609,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <source>Runs the program at the programmed speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9657,11 +9657,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From here</source>
+        <source>Start from here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From step %1</source>
+        <source>Start at step %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9933,7 +9933,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::StepTree</name>
     <message>
-        <source>Steps of the program</source>
+        <source>Program steps</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

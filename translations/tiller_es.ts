@@ -2173,16 +2173,16 @@
         <translation>Esta versión de Tiller no admite el paso «%1».</translation>
     </message>
     <message>
-        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
-        <translation>Un programa solo puede empezar en un paso de nivel superior, y no entre partes como Si y Si no.</translation>
+        <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
+        <translation>Un programa solo puede empezar en un paso de nivel superior, y no en una rama como Si no. Seleccione otro paso.</translation>
     </message>
     <message>
         <source>The project does not contain this program.</source>
         <translation>El proyecto no contiene este programa.</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, but the robot is a %2.</source>
-        <translation>El proyecto se enseñó con un %1, pero el robot es un %2.</translation>
+        <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
+        <translation>El proyecto se enseñó con un %1, pero el robot es un %2. Use primero «Adaptar el proyecto a este robot…».</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2393,8 +2393,8 @@
         <translation>Nombre</translation>
     </message>
     <message>
-        <source>For each pallet position</source>
-        <translation>Para cada posición del palé</translation>
+        <source>For each pattern cell</source>
+        <translation>Para cada celda del patrón</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2585,8 +2585,8 @@
         <translation>Recorrer un grupo</translation>
     </message>
     <message>
-        <source>Actions of the waypoints</source>
-        <translation>Acciones de los puntos de paso</translation>
+        <source>Run waypoint actions</source>
+        <translation>Ejecutar acciones de los puntos</translation>
     </message>
     <message>
         <source>MoveJ</source>
@@ -2621,8 +2621,8 @@
         <translation>La distancia es cero.</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
-        <translation>El punto de paso «%1» mueve la pinza. En un programa, use el paso Pinza y desactive las acciones del punto.</translation>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
+        <translation>El punto de paso «%1» mueve la pinza. En un programa, use el paso Pinza y desactive «Ejecutar acciones de los puntos».</translation>
     </message>
     <message>
         <source>Waypoint</source>
@@ -2633,8 +2633,8 @@
         <translation>Distancia de aproximación</translation>
     </message>
     <message>
-        <source>Actions of the waypoint</source>
-        <translation>Acciones del punto de paso</translation>
+        <source>Run waypoint actions</source>
+        <translation>Ejecutar acciones de los puntos</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -2685,12 +2685,12 @@
         <translation>Seleccione una entrada.</translation>
     </message>
     <message>
-        <source>The input did not switch on.</source>
-        <translation>La entrada no se activó.</translation>
+        <source>The input did not turn on within the maximum distance. Check the sensor and its wiring.</source>
+        <translation>La entrada no se activó dentro de la distancia máxima. Compruebe el sensor y su cableado.</translation>
     </message>
     <message>
-        <source>No contact was detected.</source>
-        <translation>No se detectó contacto.</translation>
+        <source>No contact was detected within the maximum distance.</source>
+        <translation>No se detectó contacto dentro de la distancia máxima.</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2835,10 +2835,6 @@
     <message>
         <source>While</source>
         <translation>Mientras</translation>
-    </message>
-    <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
-        <translation>La posición de «%1» es desconocida porque su sistema de coordenadas %2 no está en el proyecto.</translation>
     </message>
     <message>
         <source>At %1 s: %2</source>
@@ -3031,6 +3027,10 @@
     <message>
         <source>The URScript text is partly done.</source>
         <translation>El texto URScript se ha ejecutado en parte.</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravedad</translation>
     </message>
 </context>
 <context>
@@ -8593,8 +8593,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Valores</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Comprobación</translation>
+        <source>Result</source>
+        <translation>Resultado</translation>
     </message>
     <message>
         <source>%1, running</source>
@@ -8640,7 +8640,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Añadir pasos o editar el paso seleccionado</translation>
     </message>
     <message>
-        <source>Fields of the step</source>
+        <source>Step fields</source>
         <translation>Campos del paso</translation>
     </message>
     <message>
@@ -9598,7 +9598,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Ejecutar el programa, mantener</translation>
     </message>
     <message>
-        <source>To start (hold)</source>
+        <source>Move to start (hold)</source>
         <translation>Al inicio (mantener)</translation>
     </message>
     <message>
@@ -9622,8 +9622,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Para el programa</translation>
     </message>
     <message>
-        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
-        <translation>Ejecuta el programa a su velocidad hasta que termine o se pare. El brazo también se para si se cierra Tiller o se pierde la conexión.</translation>
+        <source>Runs the program at the programmed speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>Ejecuta el programa a la velocidad programada hasta que termine o se pare. El brazo también se para si se cierra Tiller o se pierde la conexión.</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -9670,11 +9670,11 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Termina el programa antes del siguiente ciclo de su bucle sin fin</translation>
     </message>
     <message>
-        <source>From here</source>
+        <source>Start from here</source>
         <translation>Desde aquí</translation>
     </message>
     <message>
-        <source>From step %1</source>
+        <source>Start at step %1</source>
         <translation>Desde %1</translation>
     </message>
     <message>
@@ -9946,7 +9946,7 @@ Suelte el botón para detener el brazo.</translation>
 <context>
     <name>tiller::StepTree</name>
     <message>
-        <source>Steps of the program</source>
+        <source>Program steps</source>
         <translation>Pasos del programa</translation>
     </message>
 </context>

@@ -2173,16 +2173,16 @@
         <translation>Cette version de Tiller ne prend pas en charge l’étape « %1 ».</translation>
     </message>
     <message>
-        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
-        <translation>Un programme ne peut commencer qu’à une étape de niveau supérieur, et pas entre des parties comme Si et Sinon.</translation>
+        <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
+        <translation>Un programme ne peut commencer qu’à une étape de niveau supérieur, et pas à une branche comme Sinon. Sélectionnez une autre étape.</translation>
     </message>
     <message>
         <source>The project does not contain this program.</source>
         <translation>Le projet ne contient pas ce programme.</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, but the robot is a %2.</source>
-        <translation>Le projet a été appris avec un %1, mais le robot est un %2.</translation>
+        <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
+        <translation>Le projet a été appris avec un %1, mais le robot est un %2. Utilisez d’abord « Adapter le projet à ce robot… ».</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2393,8 +2393,8 @@
         <translation>Nom</translation>
     </message>
     <message>
-        <source>For each pallet position</source>
-        <translation>Pour chaque emplacement de palette</translation>
+        <source>For each pattern cell</source>
+        <translation>Pour chaque emplacement du motif</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2585,8 +2585,8 @@
         <translation>Parcourir un groupe</translation>
     </message>
     <message>
-        <source>Actions of the waypoints</source>
-        <translation>Actions des points de passage</translation>
+        <source>Run waypoint actions</source>
+        <translation>Exécuter les actions des points</translation>
     </message>
     <message>
         <source>MoveJ</source>
@@ -2621,8 +2621,8 @@
         <translation>La distance est nulle.</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
-        <translation>Le point « %1 » déplace la pince. Dans un programme, utilisez l’étape Pince et désactivez les actions du point.</translation>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
+        <translation>Le point « %1 » déplace la pince. Dans un programme, utilisez l’étape Pince et désactivez « Exécuter les actions des points ».</translation>
     </message>
     <message>
         <source>Waypoint</source>
@@ -2633,8 +2633,8 @@
         <translation>Distance d’approche</translation>
     </message>
     <message>
-        <source>Actions of the waypoint</source>
-        <translation>Actions du point de passage</translation>
+        <source>Run waypoint actions</source>
+        <translation>Exécuter les actions des points</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -2685,12 +2685,12 @@
         <translation>Sélectionnez une entrée.</translation>
     </message>
     <message>
-        <source>The input did not switch on.</source>
-        <translation>L’entrée ne s’est pas activée.</translation>
+        <source>The input did not turn on within the maximum distance. Check the sensor and its wiring.</source>
+        <translation>L’entrée ne s’est pas activée dans la distance maximale. Vérifiez le capteur et son câblage.</translation>
     </message>
     <message>
-        <source>No contact was detected.</source>
-        <translation>Aucun contact n’a été détecté.</translation>
+        <source>No contact was detected within the maximum distance.</source>
+        <translation>Aucun contact n’a été détecté dans la distance maximale.</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2835,10 +2835,6 @@
     <message>
         <source>While</source>
         <translation>Tant que</translation>
-    </message>
-    <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
-        <translation>La position de « %1 » est inconnue car son repère %2 n’est pas dans le projet.</translation>
     </message>
     <message>
         <source>At %1 s: %2</source>
@@ -3031,6 +3027,10 @@
     <message>
         <source>The URScript text is partly done.</source>
         <translation>Le texte URScript est exécuté en partie.</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravité</translation>
     </message>
 </context>
 <context>
@@ -8593,8 +8593,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Contrôle</translation>
+        <source>Result</source>
+        <translation>Résultat</translation>
     </message>
     <message>
         <source>%1, running</source>
@@ -8640,7 +8640,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Ajouter des étapes ou modifier l’étape sélectionnée</translation>
     </message>
     <message>
-        <source>Fields of the step</source>
+        <source>Step fields</source>
         <translation>Champs de l’étape</translation>
     </message>
     <message>
@@ -9598,7 +9598,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Exécuter le programme, maintenir</translation>
     </message>
     <message>
-        <source>To start (hold)</source>
+        <source>Move to start (hold)</source>
         <translation>Au départ (maintenir)</translation>
     </message>
     <message>
@@ -9622,8 +9622,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Arrête le programme</translation>
     </message>
     <message>
-        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
-        <translation>Exécute le programme à sa propre vitesse jusqu&apos;à sa fin ou son arrêt. Le bras s&apos;arrête aussi si Tiller se ferme ou si la connexion est perdue.</translation>
+        <source>Runs the program at the programmed speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>Exécute le programme à la vitesse programmée jusqu&apos;à sa fin ou son arrêt. Le bras s&apos;arrête aussi si Tiller se ferme ou si la connexion est perdue.</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -9670,11 +9670,11 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Termine le programme avant le prochain cycle de sa boucle sans fin</translation>
     </message>
     <message>
-        <source>From here</source>
+        <source>Start from here</source>
         <translation>D&apos;ici</translation>
     </message>
     <message>
-        <source>From step %1</source>
+        <source>Start at step %1</source>
         <translation>Dès %1</translation>
     </message>
     <message>
@@ -9946,7 +9946,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
 <context>
     <name>tiller::StepTree</name>
     <message>
-        <source>Steps of the program</source>
+        <source>Program steps</source>
         <translation>Étapes du programme</translation>
     </message>
 </context>

@@ -2173,16 +2173,16 @@
         <translation>このバージョンの Tiller はステップ「%1」に対応していません。</translation>
     </message>
     <message>
-        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
-        <translation>プログラムは最上位のステップからのみ開始でき、If と Else のような部分の間からは開始できません。</translation>
+        <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
+        <translation>プログラムは最上位のステップからのみ開始でき、Else のような分岐からは開始できません。別のステップを選んでください。</translation>
     </message>
     <message>
         <source>The project does not contain this program.</source>
         <translation>プロジェクトにそのプログラムはありません。</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, but the robot is a %2.</source>
-        <translation>プロジェクトは %1 で教示されましたが、ロボットは %2 です。</translation>
+        <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
+        <translation>プロジェクトは %1 で教示されましたが、ロボットは %2 です。先に「プロジェクトをこのロボットに合わせる…」を使ってください。</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2393,8 +2393,8 @@
         <translation>名前</translation>
     </message>
     <message>
-        <source>For each pallet position</source>
-        <translation>パレットの各位置</translation>
+        <source>For each pattern cell</source>
+        <translation>パターンの各セル</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2585,8 +2585,8 @@
         <translation>グループを通る</translation>
     </message>
     <message>
-        <source>Actions of the waypoints</source>
-        <translation>ウェイポイントの動作</translation>
+        <source>Run waypoint actions</source>
+        <translation>ウェイポイントの動作を実行</translation>
     </message>
     <message>
         <source>MoveJ</source>
@@ -2621,8 +2621,8 @@
         <translation>距離がゼロです。</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
-        <translation>ウェイポイント「%1」はグリッパーを動かします。プログラムでは「グリッパー」ステップを使い、ウェイポイントの動作をオフにしてください。</translation>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
+        <translation>ウェイポイント「%1」はグリッパーを動かします。プログラムでは「グリッパー」ステップを使い、「ウェイポイントの動作を実行」をオフにしてください。</translation>
     </message>
     <message>
         <source>Waypoint</source>
@@ -2633,8 +2633,8 @@
         <translation>アプローチ距離</translation>
     </message>
     <message>
-        <source>Actions of the waypoint</source>
-        <translation>ウェイポイントの動作</translation>
+        <source>Run waypoint actions</source>
+        <translation>ウェイポイントの動作を実行</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -2685,12 +2685,12 @@
         <translation>入力を選択してください。</translation>
     </message>
     <message>
-        <source>The input did not switch on.</source>
-        <translation>入力がオンになりませんでした。</translation>
+        <source>The input did not turn on within the maximum distance. Check the sensor and its wiring.</source>
+        <translation>最大距離内で入力がオンになりませんでした。センサーと配線を確認してください。</translation>
     </message>
     <message>
-        <source>No contact was detected.</source>
-        <translation>接触が検出されませんでした。</translation>
+        <source>No contact was detected within the maximum distance.</source>
+        <translation>最大距離内で接触が検出されませんでした。</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2835,10 +2835,6 @@
     <message>
         <source>While</source>
         <translation>条件が真の間</translation>
-    </message>
-    <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
-        <translation>「%1」の座標系 %2 がプロジェクトにないため、位置が不明です。</translation>
     </message>
     <message>
         <source>At %1 s: %2</source>
@@ -3031,6 +3027,10 @@
     <message>
         <source>The URScript text is partly done.</source>
         <translation>URScriptテキストは途中まで実行されています。</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>重大度</translation>
     </message>
 </context>
 <context>
@@ -8575,8 +8575,8 @@ Release the button to stop the arm.</source>
         <translation>値</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>チェック</translation>
+        <source>Result</source>
+        <translation>結果</translation>
     </message>
     <message>
         <source>%1, running</source>
@@ -8622,7 +8622,7 @@ Release the button to stop the arm.</source>
         <translation>ステップの追加、または選択したステップの編集</translation>
     </message>
     <message>
-        <source>Fields of the step</source>
+        <source>Step fields</source>
         <translation>ステップの項目</translation>
     </message>
     <message>
@@ -9574,7 +9574,7 @@ Release the button to stop the arm.</source>
         <translation>プログラムを実行、長押し</translation>
     </message>
     <message>
-        <source>To start (hold)</source>
+        <source>Move to start (hold)</source>
         <translation>開始位置へ (長押し)</translation>
     </message>
     <message>
@@ -9598,7 +9598,7 @@ Release the button to stop the arm.</source>
         <translation>プログラムを停止します</translation>
     </message>
     <message>
-        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <source>Runs the program at the programmed speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
         <translation>プログラムを設定された速度で、終了または停止まで実行します。Tiller を閉じるか接続が切れた場合もアームは停止します。</translation>
     </message>
     <message>
@@ -9646,11 +9646,11 @@ Release the button to stop the arm.</source>
         <translation>無限ループの次のサイクルの前にプログラムを終了します</translation>
     </message>
     <message>
-        <source>From here</source>
+        <source>Start from here</source>
         <translation>ここから</translation>
     </message>
     <message>
-        <source>From step %1</source>
+        <source>Start at step %1</source>
         <translation>%1 から</translation>
     </message>
     <message>
@@ -9921,7 +9921,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::StepTree</name>
     <message>
-        <source>Steps of the program</source>
+        <source>Program steps</source>
         <translation>プログラムのステップ</translation>
     </message>
 </context>

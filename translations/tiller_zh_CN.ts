@@ -2173,16 +2173,16 @@
         <translation>此版本的 Tiller 不支持步骤“%1”。</translation>
     </message>
     <message>
-        <source>A program can start only at a top-level step, and not between parts such as If and Else.</source>
-        <translation>程序只能从顶层步骤开始，不能从“如果”与“否则”等部分之间开始。</translation>
+        <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
+        <translation>程序只能从顶层步骤开始，不能从“否则”等分支开始。请选择其他步骤。</translation>
     </message>
     <message>
         <source>The project does not contain this program.</source>
         <translation>项目中没有此程序。</translation>
     </message>
     <message>
-        <source>The project was taught with a %1, but the robot is a %2.</source>
-        <translation>项目用 %1 示教，而机器人是 %2。</translation>
+        <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
+        <translation>项目用 %1 示教，而机器人是 %2。请先使用“使项目适应此机器人…”。</translation>
     </message>
     <message>
         <source>A program with parameters can only be called by another program.</source>
@@ -2393,8 +2393,8 @@
         <translation>名称</translation>
     </message>
     <message>
-        <source>For each pallet position</source>
-        <translation>对每个托盘位置</translation>
+        <source>For each pattern cell</source>
+        <translation>对每个阵列格位</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2585,8 +2585,8 @@
         <translation>通过一组路点</translation>
     </message>
     <message>
-        <source>Actions of the waypoints</source>
-        <translation>路点的动作</translation>
+        <source>Run waypoint actions</source>
+        <translation>执行路点动作</translation>
     </message>
     <message>
         <source>MoveJ</source>
@@ -2621,8 +2621,8 @@
         <translation>距离为零。</translation>
     </message>
     <message>
-        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off the actions of the waypoint.</source>
-        <translation>路点“%1”会移动夹爪。在程序中请使用“夹爪”步骤，并关闭路点的动作。</translation>
+        <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
+        <translation>路点“%1”会移动夹爪。在程序中请使用“夹爪”步骤，并关闭“执行路点动作”。</translation>
     </message>
     <message>
         <source>Waypoint</source>
@@ -2633,8 +2633,8 @@
         <translation>接近距离</translation>
     </message>
     <message>
-        <source>Actions of the waypoint</source>
-        <translation>路点的动作</translation>
+        <source>Run waypoint actions</source>
+        <translation>执行路点动作</translation>
     </message>
     <message>
         <source>The arm cannot reach “%1”.</source>
@@ -2685,12 +2685,12 @@
         <translation>请选择一个输入。</translation>
     </message>
     <message>
-        <source>The input did not switch on.</source>
-        <translation>输入未接通。</translation>
+        <source>The input did not turn on within the maximum distance. Check the sensor and its wiring.</source>
+        <translation>输入未在最大距离内接通。请检查传感器及其接线。</translation>
     </message>
     <message>
-        <source>No contact was detected.</source>
-        <translation>未检测到接触。</translation>
+        <source>No contact was detected within the maximum distance.</source>
+        <translation>在最大距离内未检测到接触。</translation>
     </message>
     <message>
         <source>Write to the log</source>
@@ -2835,10 +2835,6 @@
     <message>
         <source>While</source>
         <translation>当</translation>
-    </message>
-    <message>
-        <source>The position of “%1” is unknown because its frame %2 is not in the project.</source>
-        <translation>“%1”的位置未知，因为其坐标系 %2 不在项目中。</translation>
     </message>
     <message>
         <source>At %1 s: %2</source>
@@ -3031,6 +3027,10 @@
     <message>
         <source>The URScript text is partly done.</source>
         <translation>URScript文本只执行了一部分。</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>严重程度</translation>
     </message>
 </context>
 <context>
@@ -8575,8 +8575,8 @@ Release the button to stop the arm.</source>
         <translation>数值</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>检查</translation>
+        <source>Result</source>
+        <translation>结果</translation>
     </message>
     <message>
         <source>%1, running</source>
@@ -8622,7 +8622,7 @@ Release the button to stop the arm.</source>
         <translation>添加步骤，或编辑所选步骤</translation>
     </message>
     <message>
-        <source>Fields of the step</source>
+        <source>Step fields</source>
         <translation>步骤的字段</translation>
     </message>
     <message>
@@ -9574,7 +9574,7 @@ Release the button to stop the arm.</source>
         <translation>运行程序，按住</translation>
     </message>
     <message>
-        <source>To start (hold)</source>
+        <source>Move to start (hold)</source>
         <translation>到起点（按住）</translation>
     </message>
     <message>
@@ -9598,8 +9598,8 @@ Release the button to stop the arm.</source>
         <translation>停止程序</translation>
     </message>
     <message>
-        <source>Runs the program at its own speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
-        <translation>以程序自身的速度运行，直到结束或被停止。关闭 Tiller 或连接中断时机械臂也会停止。</translation>
+        <source>Runs the program at the programmed speed until it ends or is stopped. The arm also stops when Tiller closes or the connection is lost.</source>
+        <translation>以程序设定的速度运行，直到结束或被停止。关闭 Tiller 或连接中断时机械臂也会停止。</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -9646,11 +9646,11 @@ Release the button to stop the arm.</source>
         <translation>在无限循环的下一周期之前结束程序</translation>
     </message>
     <message>
-        <source>From here</source>
+        <source>Start from here</source>
         <translation>从此处</translation>
     </message>
     <message>
-        <source>From step %1</source>
+        <source>Start at step %1</source>
         <translation>从步骤 %1</translation>
     </message>
     <message>
@@ -9921,7 +9921,7 @@ Release the button to stop the arm.</source>
 <context>
     <name>tiller::StepTree</name>
     <message>
-        <source>Steps of the program</source>
+        <source>Program steps</source>
         <translation>程序的步骤</translation>
     </message>
 </context>

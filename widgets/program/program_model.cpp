@@ -272,7 +272,7 @@ QVariant ProgramModel::headerData(int section, Qt::Orientation orientation, int 
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
         return {};
     }
-    return section == Step ? tr("Step") : section == Values ? tr("Values") : tr("Check");
+    return section == Step ? tr("Step") : section == Values ? tr("Values") : tr("Result");
 }
 
 Qt::ItemFlags ProgramModel::flags(const QModelIndex& index) const {

@@ -120,7 +120,7 @@ void ProgramTab::buildLayout() {
     area->setObjectName("program.fields");
     area->setWidgetResizable(true);
     area->setFocusPolicy(Qt::NoFocus);
-    area->setAccessibleName(tr("Fields of the step"));
+    area->setAccessibleName(tr("Step fields"));
     area->setFrameShape(QFrame::NoFrame);
     area->setMinimumWidth(170);
     area->setWidget(form_);

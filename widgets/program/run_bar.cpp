@@ -74,13 +74,14 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
           tr("Runs the program while the button is held, no faster than the jog speed. The program ends "
              "when you release the button."),
           policy))
-    , start_(holdKey("program.moveToStart", tr("To start (hold)"), tr("Move to the start position, hold"),
+    , start_(holdKey("program.moveToStart", tr("Move to start (hold)"),
+                     tr("Move to the start position, hold"),
                      tr("Moves all joints to the start position while the button is held"), policy))
     , run_(keyNamed("program.run", tr("Run")))
     , pause_(keyNamed("program.pause", tr("Pause")))
     , step_(keyNamed("program.step", tr("Step")))
     , finish_(keyNamed("program.finishCycle", tr("Finish cycle")))
-    , from_(keyNamed("program.fromHere", tr("From here"))) {
+    , from_(keyNamed("program.fromHere", tr("Start from here"))) {
     setObjectName("program.runBar");
     auto* begin = new QHBoxLayout;
     begin->setSpacing(8);
@@ -100,7 +101,7 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     reserveWidth(*run_, tr("Stop"));
     reserveWidth(*pause_, tr("Resume"));
     finish_->setCheckable(true);
-    reserveWidth(*from_, tr("From step %1").arg(999));
+    reserveWidth(*from_, tr("Start at step %1").arg(999));
     reserveWidth(*from_, tr("Continue at %1").arg(999));
     from_->setCheckable(true);
     hold_->setMotion(runner_.motion([this] {
@@ -328,7 +329,7 @@ void RunBar::updateAvailability() {
     run_->setEnabled(stops || why.isEmpty());
     setToolTipOf(*run_, stops ? tr("Stops the program")
                         : why.isEmpty()
-                            ? tr("Runs the program at its own speed until it ends or is stopped. The "
+                            ? tr("Runs the program at the programmed speed until it ends or is stopped. The "
                                  "arm also stops when Tiller closes or the connection is lost.")
                             : why);
     updateGateKeys();
@@ -366,9 +367,9 @@ void RunBar::updateGateKeys() {
               tr("Starts the program at the selected step, or at its beginning again. Move the arm to the "
                  "start position of the step first."));
     from_->setChecked(startStep_.has_value());
-    from_->setText(startStep_    ? tr("From step %1").arg(script_.numberOf(startStep_->step))
+    from_->setText(startStep_    ? tr("Start at step %1").arg(script_.numberOf(startStep_->step))
                    : continues() ? tr("Continue at %1").arg(continuation_.number)
-                                 : tr("From here"));
+                                 : tr("Start from here"));
     const QSignalBlocker blocker(finish_);
     finish_->setChecked(runs && runner_.endsWithCycle());
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The buttons that run the program of the Program tab: "Run (hold)", "Move to start", and "Run", which also
-// stops a program that runs without a held button. "Pause", "Step" and "Finish cycle" control the running
-// program, and "From here" makes the selected step the first one. The rules for held buttons are those of HoldRules.
+// The buttons that run the program of the Program tab: "Run (hold)", "Move to start (hold)", and "Run", which
+// also stops a program that runs without a held button. "Pause", "Step" and "Finish cycle" control the running
+// program, and "Start from here" makes the selected step the first one. The rules for held buttons are those of
+// HoldRules.
 
 #include <QWidget>
 #include <functional>
@@ -37,7 +38,7 @@ public:
     /// Sets the preview of this script; empty: none.
     void setPreview(const program::ProgramScript& script, const std::optional<program::Preview>& preview);
     /// Sets the step at which the stopped program can continue; without a start step: none. While that step is
-    /// selected, "From here" continues there.
+    /// selected, "Start from here" continues there.
     void setContinuation(const program::Continuation& continuation);
     /// The step in which the last run was stopped, with the kind of the stop; step 0: unknown.
     struct StoppedAt {
@@ -104,7 +105,7 @@ private:
     program::Continuation continuation_;
     bool hasLostPower_ = false;  ///< since the end of the last run
     std::optional<program::StartStep> startStep_;
-    MoveRequest startMove_;  ///< of the current "Move to start"
+    MoveRequest startMove_;  ///< request of the current motion to the start position
     HoldToRunButton* hold_;
     HoldToRunButton* start_;
     QPushButton* run_;

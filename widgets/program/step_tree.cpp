@@ -12,7 +12,7 @@ namespace tiller {
 
 StepTree::StepTree(ProgramModel& model, QWidget* parent) : QTreeView(parent), model_(model) {
     setObjectName("program.tree");
-    setAccessibleName(tr("Steps of the program"));
+    setAccessibleName(tr("Program steps"));
     setModel(&model);
     setSelectionMode(ExtendedSelection);
     setSelectionBehavior(SelectRows);

@@ -320,10 +320,8 @@ void StepWriter::Private::writeFrom(const project::Program& owner) {
                                     [&](const ProgramStep& step) { return step.id == options.from; });
     const StepKind* kind = first == owner.steps.end() ? nullptr : findStepKind(first->kind);
     if (kind == nullptr || !kind->follows.empty()) {
-        report(
-            {},
-            ProgramText::tr(
-                "A program can start only at a top-level step, and not between parts such as If and Else."));
+        report({}, ProgramText::tr("A program can start only at a top-level step, and not at a branch such "
+                                   "as Else. Select a different step."));
         return;
     }
     // Write the remaining steps as a separate list, which exists until the call returns.
@@ -413,7 +411,8 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
     result.name =
         QStringLiteral("program_") + scriptName(program->name);  // must not be the name of a function
     if (options.model && project.robot && *options.model != *project.robot) {
-        report({}, ProgramText::tr("The project was taught with a %1, but the robot is a %2.")
+        report({}, ProgramText::tr("The project was taught with a %1, but the robot is a %2. Use “Adapt "
+                                   "project to this robot…” first.")
                        .arg(QLatin1String(robotModel(*project.robot).name), QLatin1String(model.name)));
     }
     numberSteps(*program, program->steps);

@@ -14,6 +14,7 @@
 #include "robot/station/document/cell_surroundings.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
+#include "robot/station/text/move_words.h"
 
 namespace tiller::program {
 namespace {
@@ -84,10 +85,7 @@ public:
         result_.timings.resize(script_.steps.size());
         result_.startJoints.resize(script_.steps.size());
         for (const collision::UnplacedObject& object : cell_.unplaced) {
-            find(
-                Finding::Kind::Collision, 0,
-                ProgramText::tr("The position of “%1” is unknown because its frame %2 is not in the project.")
-                    .arg(object.name, object.frame));
+            find(Finding::Kind::Collision, 0, unplacedText(object) + QLatin1Char('.'));
         }
         applyEvents();
         outputs_ = run_.digitalOutputs();

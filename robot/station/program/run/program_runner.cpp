@@ -105,7 +105,9 @@ RunPlan planRun(const project::Project& project, const QUuid& program, const Ses
     } else if (!state.canMove()) {
         plan.obstacle = cannotMoveReason(state);
     } else if (project.robot && state.modelKnown && *project.robot != state.model) {
-        plan.obstacle = ProgramText::tr("The project was taught with a %1, but the robot is a %2.")
+        plan.obstacle = ProgramText::tr(
+                            "The project was taught with a %1, but the robot is a %2. Use “Adapt project to "
+                            "this robot…” first.")
                             .arg(QLatin1String(robotModel(*project.robot).name),
                                  QLatin1String(robotModel(state.model).name));
     } else if (plan.script.tcp && !isSameTcp(*plan.script.tcp, state.tcpOffset)) {

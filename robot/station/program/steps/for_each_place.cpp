@@ -11,7 +11,7 @@ const StepKind& forEachPlaceStep() {
     static const StepKind kind{
         .id = "forEachPlace",
         .group = StepGroup::Flow,
-        .name = [] { return ProgramText::tr("For each pallet position"); },
+        .name = [] { return ProgramText::tr("For each pattern cell"); },
         .fields =
             [] {
                 return std::vector<StepField>{

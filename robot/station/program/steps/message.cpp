@@ -15,7 +15,7 @@ const StepKind& messageStep() {
             [] {
                 return std::vector<StepField>{
                     plainField("text", ProgramText::tr("Text"), FieldType::Text),
-                    choiceField("level", ProgramText::tr("Level"),
+                    choiceField("level", ProgramText::tr("Severity"),
                                 {{"message", ProgramText::tr("Message")},
                                  {"warning", ProgramText::tr("Warning")},
                                  {"error", ProgramText::tr("Error")}}),

@@ -15,7 +15,7 @@ const StepKind& moveGroupStep() {
             [] {
                 return std::vector<StepField>{
                     plainField("group", ProgramText::tr("Group"), FieldType::Group),
-                    flagField("actions", ProgramText::tr("Actions of the waypoints"), true)};
+                    flagField("actions", ProgramText::tr("Run waypoint actions"), true)};
             },
         .write =
             [](StepWriter& writer) {

@@ -26,10 +26,9 @@ void writeActions(StepWriter& writer, const project::Waypoint& waypoint) {
         const Kind& kind = kindOf(action);
         const int channel = project::channelOf(action.group, action.pin);
         if (kind.grip != Kind::Grip::None) {
-            writer.error("actions",
-                         ProgramText::tr("The waypoint “%1” moves the gripper. In a program, use the "
-                                         "Gripper step and turn off the actions of the waypoint.")
-                             .arg(waypoint.name));
+            writer.error("actions", ProgramText::tr("The waypoint “%1” moves the gripper. In a program, use "
+                                                    "the Gripper step and turn off “Run waypoint actions”.")
+                                        .arg(waypoint.name));
         }
         if (kind.pin == Kind::Pin::Input) {
             writer.waitUntil(QStringLiteral("%1 == %2").arg(inputCall(channel), scriptFlag(action.value)),
@@ -81,7 +80,7 @@ std::vector<StepField> moveFields(MoveCommand command) {
                                kMaxJointAcceleration)
               : optionalNumber("acceleration", acceleration, Unit::Acceleration, 0.001, kMaxToolAcceleration),
         optionalNumber("blend", ProgramText::tr("Blend"), Unit::Length, 0, kMaxBlend),
-        flagField("actions", ProgramText::tr("Actions of the waypoint"), true)};
+        flagField("actions", ProgramText::tr("Run waypoint actions"), true)};
 }
 
 QString MoveTarget::asJoints() const {

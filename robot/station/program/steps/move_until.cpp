@@ -75,10 +75,12 @@ const StepKind& moveUntilStep() {
                 writer.close();
                 writer.line(QStringLiteral("stopl(3)"));
                 if (until != QLatin1String("distance")) {
-                    writer.failIfChosen("otherwise", QStringLiteral("not tiller_reached_%1").arg(n),
-                                        until == QLatin1String("input")
-                                            ? ProgramText::tr("The input did not switch on.")
-                                            : ProgramText::tr("No contact was detected."));
+                    writer.failIfChosen(
+                        "otherwise", QStringLiteral("not tiller_reached_%1").arg(n),
+                        until == QLatin1String("input")
+                            ? ProgramText::tr("The input did not turn on within the maximum distance. Check "
+                                              "the sensor and its wiring.")
+                            : ProgramText::tr("No contact was detected within the maximum distance."));
                 }
                 writer.noteMove(std::nullopt, 0);
             },

@@ -378,7 +378,7 @@ private Q_SLOTS:
         QVERIFY2(bench.from().isEnabled(), qPrintable(bench.from().toolTip()));
         const int width = bench.from().width();
         bench.from().click();
-        QCOMPARE(bench.from().text(), QStringLiteral("From step 2"));
+        QCOMPARE(bench.from().text(), QStringLiteral("Start at step 2"));
         QVERIFY(bench.from().isChecked());
         QCOMPARE(bench.from().width(), width);
         QVERIFY(QTest::qWaitFor([&] { return bench.status().contains("Simulated: "); }, kLongMs));
@@ -402,7 +402,7 @@ private Q_SLOTS:
         QCOMPARE(bench.runner().log().timings()[2].count, 1);
         // The button and every edit return to the beginning.
         bench.from().click();
-        QCOMPARE(bench.from().text(), QStringLiteral("From here"));
+        QCOMPARE(bench.from().text(), QStringLiteral("Start from here"));
         QVERIFY(!bench.from().isChecked());
         QVERIFY(bench.preview());
         bench.tab.tree().selectIds({steps[1].id});
@@ -438,7 +438,7 @@ private Q_SLOTS:
         bench.cell.advanceMs(200);
         QVERIFY2(bench.from().isEnabled(), qPrintable(bench.from().toolTip()));
         bench.from().click();
-        QCOMPARE(bench.from().text(), QStringLiteral("From step 2"));
+        QCOMPARE(bench.from().text(), QStringLiteral("Start at step 2"));
         QVERIFY(
             QTest::qWaitFor([&] { return bench.status().startsWith("Simulated: the program"); }, kLongMs));
         bench.cell.advanceMs(200);

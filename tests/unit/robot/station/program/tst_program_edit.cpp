@@ -218,12 +218,12 @@ private Q_SLOTS:
             summaryOf(
                 project,
                 step("moveL", {{"waypoint", waypointId(project, "pick")}, {"before", 0.05}, {"speed", 0.1}})),
-            QString("pick, 50 mm, 100 mm/s, Actions of the waypoint"));
+            QString("pick, 50 mm, 100 mm/s, Run waypoint actions"));
         QCOMPARE(summaryOf(project, step("setOutput", {{"output", 9}})), QString("CO 1, On"));
         QCOMPARE(summaryOf(project, step("forEachPlace", {{"pattern", idText(project.patterns.at(0).id)}})),
                  QString("tray, place"));
         QCOMPARE(summaryOf(project, step("moveL", {{"waypoint", idText(QUuid::createUuid())}})),
-                 QString("?, Actions of the waypoint"));
+                 QString("?, Run waypoint actions"));
         QCOMPARE(summaryOf(project, step("kind of the future")), QString());
     }
 };
