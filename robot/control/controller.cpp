@@ -52,7 +52,7 @@ Result<void> Controller::joinProgram(const Deadline& deadline) {
     const QString context = QStringLiteral("continue with the control program");
     const std::int32_t session = d_->program.session();
     if (d_->loop.status().runtimeState != RuntimeState::Playing || session == 0) {
-        return Error{ErrorCode::NotInControl, context, QStringLiteral("it is not running")};
+        return Error{ErrorCode::NotInControl, context, QStringLiteral("the control program is not running")};
     }
     d_->loop.expectSession(session);
     return d_->program.awaitControl(deadline, context);

@@ -153,7 +153,7 @@ Result<void> Motion::wait(const Deadline& deadline) const {
     });
     if (!ended) {
         return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout,
-                     QStringLiteral("wait for a motion"), QStringLiteral("it is still running")};
+                     QStringLiteral("wait for a motion"), QStringLiteral("the motion is still running")};
     }
     if (now.cause == StopCause::Completed) {
         return {};

@@ -174,7 +174,7 @@ Result<Motion> Programs::startFunction(const Text& name, const Text& body, const
     static const QRegularExpression kName(QStringLiteral("^[A-Za-z_][A-Za-z0-9_]*$"));
     if (!kName.match(name).hasMatch()) {
         return Error{ErrorCode::InvalidArgument, context,
-                     QStringLiteral("name: letters, digits and _, not beginning with a digit")};
+                     QStringLiteral("name: use letters, digits and _, and do not begin with a digit")};
     }
     if (body.trimmed().isEmpty()) {
         return Error{ErrorCode::InvalidArgument, context, QStringLiteral("body: the body is empty")};

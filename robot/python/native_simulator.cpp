@@ -42,7 +42,7 @@ public:
     virtual_time::LockStep& bench() {
         if (!bench_) {
             raise({ErrorCode::InvalidArgument, QStringLiteral("step the time of a simulator"),
-                   QStringLiteral("it runs in real time: Simulator(virtual=True)")});
+                   QStringLiteral("the simulator runs in real time; use Simulator(virtual=True)")});
         }
         return *bench_;
     }

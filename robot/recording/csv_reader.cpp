@@ -127,7 +127,7 @@ Result<CsvTable> readCsv(const Text& path) {
         }
     }
     if (table.columns.empty() || (table.columns.size() == 1 && table.columns.front().empty())) {
-        return corrupt(1, QStringLiteral("there is no header"));
+        return corrupt(1, QStringLiteral("the file has no header"));
     }
     return table;
 }

@@ -160,7 +160,7 @@ public:
             }
             rest.erase(0, begin);
             if (rest.size() > kMaxLineLength || table_.columns.size() > kMaxColumns || isBinary_) {
-                return failure(QStringLiteral("this is not a table of numbers"));
+                return failure(QStringLiteral("the file is not a table of numbers"));
             }
         }
         if (file.error() != QFileDevice::NoError) {
@@ -171,13 +171,13 @@ public:
             problem(QStringLiteral("The last line is incomplete: its last number may be truncated."));
         }
         if (isBinary_) {
-            return failure(QStringLiteral("this is not a table of numbers"));
+            return failure(QStringLiteral("the file is not a table of numbers"));
         }
         if (table_.columns.empty()) {
-            return failure(QStringLiteral("there is no header"));
+            return failure(QStringLiteral("the file has no header"));
         }
         if (rows_ == 0 && number_ > (isHeaded_ ? 2u : 1u)) {
-            return failure(QStringLiteral("there are no numbers below the header"));
+            return failure(QStringLiteral("the file contains no numbers below the header"));
         }
         finish();
         table_.notes = readCsvNotes(table_.path);

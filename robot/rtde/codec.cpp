@@ -289,7 +289,7 @@ Result<SetupOutputsRequest> readSetupOutputsRequest(ByteView payload, ProtocolVe
         if (payload.size() < 8) {
             return malformed(
                 PackageType::SetupOutputs,
-                QStringLiteral("payload of %1 bytes, the frequency alone has 8").arg(payload.size()));
+                QStringLiteral("payload of %1 bytes; the frequency alone has 8").arg(payload.size()));
         }
         request.frequency = big_endian::readDouble(payload.data());
         payload = payload.subspan(8);

@@ -101,10 +101,11 @@ ArgumentCheck& ArgumentCheck::jointSpeeds(const char* name, const JointVelocitie
             return *this;
         }
         if (std::abs(qd[joint]) > arm.maxSpeed[i] + kRounding) {
-            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 at %3 rad/s; its maximum is %4 rad/s")
-                                                 .arg(text(name), text(kJointNames[i]))
-                                                 .arg(qd[joint])
-                                                 .arg(arm.maxSpeed[i]));
+            refuse(ErrorCode::LimitExceeded,
+                   QStringLiteral("%1: %2 at %3 rad/s is above the maximum of %4 rad/s")
+                       .arg(text(name), text(kJointNames[i]))
+                       .arg(qd[joint])
+                       .arg(arm.maxSpeed[i]));
             return *this;
         }
     }
@@ -118,7 +119,7 @@ ArgumentCheck& ArgumentCheck::torques(const char* name, const JointTorques& torq
             return *this;
         }
         if (std::abs(torques[joint]) > arm.maxTorque[i] + kRounding) {
-            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 with %3 Nm; its maximum is %4 Nm")
+            refuse(ErrorCode::LimitExceeded, QStringLiteral("%1: %2 at %3 Nm is above the maximum of %4 Nm")
                                                  .arg(text(name), text(kJointNames[i]))
                                                  .arg(torques[joint])
                                                  .arg(arm.maxTorque[i]));
@@ -209,8 +210,10 @@ ArgumentCheck& ArgumentCheck::positive(const char* name, double value, double hi
         return *this;
     }
     if (value <= 0) {
-        refuse(ErrorCode::InvalidArgument,
-               QStringLiteral("%1: %2 %3; it must be above 0").arg(text(name)).arg(value).arg(text(unit)));
+        refuse(ErrorCode::InvalidArgument, QStringLiteral("%1: %2 %3; the value must be above 0")
+                                               .arg(text(name))
+                                               .arg(value)
+                                               .arg(text(unit)));
     } else if (value > high + kRounding) {
         constexpr double kFar = 5.0;
         const bool otherUnit = hint != nullptr && value > kFar * high;

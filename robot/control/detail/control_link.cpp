@@ -38,19 +38,19 @@ RegisterRange other(RegisterRange range) {
 Error explainInUse(const Error& error, RegisterRange range) {
     const QString fieldbus =
         range == RegisterRange::Lower
-            ? QStringLiteral("switch the fieldbus (EtherNet/IP, PROFINET) off on the robot, ")
+            ? QStringLiteral("disable the fieldbus (EtherNet/IP, PROFINET) on the robot, ")
             : QString();
     return {ErrorCode::RegisterInUse, QStringLiteral("take the %1 registers").arg(rangeText(range)),
             // The list of registers is long, so it comes last.
             QStringLiteral("Another client controls this robot or uses its registers, for example another "
-                           "window of Tiller. Close it, %2or use the %3 registers. (%1)")
+                           "Tiller window. Close that client, %2or use the %3 registers. (%1)")
                 .arg(error.context, fieldbus, rangeText(other(range)))};
 }
 
 Error explainUnknown(const QString& context, RegisterRange range) {
     const QString advice = range == RegisterRange::Upper
-                               ? QStringLiteral("use the lower (0-23) registers with this software")
-                               : QStringLiteral("this software is too old to be controlled over RTDE");
+                               ? QStringLiteral("use the lower (0-23) registers with this robot software")
+                               : QStringLiteral("this robot software is too old to be controlled over RTDE");
     return {ErrorCode::FieldUnknown, context,
             QStringLiteral("The controller has no %1 registers: %2.").arg(rangeText(range), advice)};
 }
@@ -147,7 +147,7 @@ Result<Feedback> ControlLink::firstData(const Deadline& deadline, const QString&
         return layout_.decode(values, now());
     }
     return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                 QStringLiteral("no data package")};
+                 QStringLiteral("no data package arrived")};
 }
 
 Result<void> ControlLink::checkModes(const Deadline& deadline) {

@@ -83,9 +83,9 @@ Result<void> ControlProgram::needs(const SoftwareVersion& eSeries, const Softwar
     if (least.major > 0 && has >= least) {
         return {};
     }
-    QString since = QStringLiteral("this series does not have it");
+    QString since = QStringLiteral("not available in this series");
     if (least.major > 0) {
-        since = QStringLiteral("it needs %1 or newer").arg(shortly(has.isCb3() ? cb3 : eSeries));
+        since = QStringLiteral("%1 or newer is required").arg(shortly(has.isCb3() ? cb3 : eSeries));
         since += ownOfX ? QStringLiteral(", on PolyScope X %1").arg(shortly(polyScopeX)) : QString();
     }
     return Error{
@@ -197,7 +197,7 @@ Result<void> ControlProgram::end(ControlLoss loss, const Deadline& deadline) {
     });
     if (!ended) {
         return Error{deadline.isCancelled() ? ErrorCode::Cancelled : ErrorCode::Timeout, context,
-                     QStringLiteral("it is still running")};
+                     QStringLiteral("the program is still running")};
     }
     return link_.isRunning() ? Result<void>() : Error{ErrorCode::LinkLost, context, {}};
 }

@@ -24,11 +24,11 @@ def floats(values: Floats, name: str, count: int = 6) -> list[float]:
     try:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
-        raise InvalidArgument(name, "these are not numbers") from None
+        raise InvalidArgument(name, "the values are not numbers") from None
     if array.shape != (count,):
         raise InvalidArgument(name, f"{count} numbers are needed, not {array.size}")
     if not np.isfinite(array).all():
-        raise InvalidArgument(name, "contains NaN; it may come from a sample without data")
+        raise InvalidArgument(name, "contains NaN, possibly from a sample without data")
     return [float(value) for value in array]
 
 

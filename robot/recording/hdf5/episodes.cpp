@@ -218,7 +218,7 @@ Result<EpisodeReport> writeEpisodes(const std::vector<const Recording*>& recordi
     const auto failure = [&] {
         const bool full = errno == ENOSPC || errno == EDQUOT;
         return Error{full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, path,
-                     QStringLiteral("the file cannot be written there")};
+                     QStringLiteral("the file cannot be written to this folder")};
     };
     const auto write = [&]() -> Result<EpisodeReport> {
         Handle file(H5Fcreate(QFile::encodeName(part).constData(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
@@ -259,7 +259,7 @@ Result<EpisodeReport> writeEpisodes(const std::vector<const Recording*>& recordi
         }
         if (report.episodes == 0) {
             return Error{ErrorCode::InvalidArgument, QStringLiteral("write episodes to %1").arg(path),
-                         QStringLiteral("these recordings contain no episode (%1 were too short)")
+                         QStringLiteral("these recordings contain no episodes (%1 were too short)")
                              .arg(report.tooShort)};
         }
         const QJsonObject environment{

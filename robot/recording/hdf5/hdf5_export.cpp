@@ -187,7 +187,7 @@ private:
     Error failure() const {
         const bool full = errno == ENOSPC || errno == EDQUOT;
         return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable, choice_.path,
-                full ? qt_error_string(errno) : QStringLiteral("the file cannot be written there")};
+                full ? qt_error_string(errno) : QStringLiteral("the file cannot be written to this folder")};
     }
 
     bool begin() {

@@ -78,7 +78,8 @@ public:
         const Quiet quiet;
         file_ = Handle(H5Fopen(QFile::encodeName(path_).constData(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
         if (!file_) {
-            return Error{ErrorCode::FileCorrupt, path_, QStringLiteral("this is not a complete HDF5 file")};
+            return Error{ErrorCode::FileCorrupt, path_,
+                         QStringLiteral("the file is not a complete HDF5 file")};
         }
         std::vector<std::string> names;
         H5Literate(file_.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collectName, &names);

@@ -70,7 +70,7 @@ public:
         findChannels();
         if (states_.empty()) {
             return Error{ErrorCode::FileCorrupt, path(),
-                         QStringLiteral("it contains no robot states: it was not recorded by Tiller")};
+                         QStringLiteral("the file contains no robot states and was not recorded by Tiller")};
         }
         findRows();
         findTimes();

@@ -93,7 +93,7 @@ std::string Reader::bytesAt(std::uint64_t offset, std::uint64_t length) const {
 Result<void> Reader::readHeader() {
     const std::string begin = bytesAt(0, kMagic.size() + kRecordHead);
     if (begin.size() < kMagic.size() || !begin.starts_with(kMagic)) {
-        return corrupt(QStringLiteral("this is not an MCAP file"));
+        return corrupt(QStringLiteral("the file is not an MCAP file"));
     }
     ByteReader head(std::string_view(begin).substr(kMagic.size()));
     const auto opcode = head.number<std::uint8_t>();

@@ -477,10 +477,10 @@ private Q_SLOTS:
         QTest::addColumn<int>("bugfix");
         QTest::addColumn<QString>("said");
         QTest::newRow("e-Series") << 5 << 25 << 0
-                                  << "software 5.25.0: it needs 5.25.1 or newer, on PolyScope X 10.12.1";
-        QTest::newRow("older e-Series") << 5 << 22 << 1 << "software 5.22.1: it needs 5.25.1";
-        QTest::newRow("PolyScope X") << 10 << 12 << 0 << "software 10.12.0: it needs";
-        QTest::newRow("CB3") << 3 << 15 << 8 << "software 3.15.8: this series does not have it";
+                                  << "software 5.25.0: 5.25.1 or newer is required, on PolyScope X 10.12.1";
+        QTest::newRow("older e-Series") << 5 << 22 << 1 << "software 5.22.1: 5.25.1 or newer is required";
+        QTest::newRow("PolyScope X") << 10 << 12 << 0 << "software 10.12.0: ";
+        QTest::newRow("CB3") << 3 << 15 << 8 << "software 3.15.8: not available in this series";
     }
     void softwareWithoutTorqueSupportIsReported() {
         QFETCH(int, major);

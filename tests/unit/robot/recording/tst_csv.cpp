@@ -162,8 +162,8 @@ void TestCsv::anUnterminatedLineIsSkipped() {
 void TestCsv::corruptFilesAreExplained_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<QString>("says");
-    QTest::newRow("empty") << QByteArray() << "line 1: there is no header";
-    QTest::newRow("blank header") << QByteArray("\n1\n") << "line 1: there is no header";
+    QTest::newRow("empty") << QByteArray() << "line 1: the file has no header";
+    QTest::newRow("blank header") << QByteArray("\n1\n") << "line 1: the file has no header";
     QTest::newRow("word") << QByteArray("a,b\n1,2\n3,four\n") << "line 3: \"four\" is not a number";
     QTest::newRow("comma number") << QByteArray("a,b\n1,2,3\n")
                                   << "line 2: the row has 3 cells, the header has 2";
