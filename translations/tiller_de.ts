@@ -519,31 +519,31 @@
         <translation>ein Signal berechnen</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. See the signal list for the names.</source>
+        <source>The signal “%1” does not exist. See the signal list for the names.</source>
         <translation>Es gibt kein Signal „%1“. Die Namen stehen in der Signalliste.</translation>
     </message>
     <message>
-        <source>The expression contains no signal.</source>
-        <translation>Der Ausdruck enthält kein Signal.</translation>
+        <source>The expression contains no signal. Add the name of a signal.</source>
+        <translation>Der Ausdruck enthält kein Signal. Fügen Sie den Namen eines Signals hinzu.</translation>
     </message>
     <message>
-        <source>The expression contains too many signals.</source>
-        <translation>Der Ausdruck enthält zu viele Signale.</translation>
+        <source>The expression contains too many signals. Use fewer signals.</source>
+        <translation>Der Ausdruck enthält zu viele Signale. Verwenden Sie weniger Signale.</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
         <translation>Der Ausdruck muss eine Zahl ergeben.</translation>
     </message>
     <message>
-        <source>The text is too long.</source>
-        <translation>Der Text ist zu lang.</translation>
+        <source>The text is too long. Use a shorter name or expression.</source>
+        <translation>Der Text ist zu lang. Verwenden Sie einen kürzeren Namen oder Ausdruck.</translation>
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>Geben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck ein: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>Too many equals signs. For a comparison, use ==</source>
+        <source>Too many equals signs. Use == to compare values.</source>
         <translation>Zu viele Gleichheitszeichen. Verwenden Sie für einen Vergleich ==</translation>
     </message>
     <message>
@@ -2121,8 +2121,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
+        <source>Maximum distance</source>
+        <translation>Maximaler Weg</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2149,8 +2149,8 @@
         <translation>Die Gruppe „%1“ enthält keine Wegpunkte.</translation>
     </message>
     <message>
-        <source>“%1” refers to an item that was deleted from the project.</source>
-        <translation>„%1“ verweist auf ein Element, das aus dem Projekt gelöscht wurde.</translation>
+        <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
+        <translation>„%1“ verweist auf ein Element, das aus dem Projekt gelöscht wurde. Wählen Sie ein anderes Element.</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2161,16 +2161,16 @@
         <translation>„%1“ muss innerhalb von „%2“ stehen.</translation>
     </message>
     <message>
-        <source>A step that runs in parallel cannot move the arm.</source>
-        <translation>Ein parallel laufender Schritt kann den Arm nicht bewegen.</translation>
+        <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
+        <translation>Schritte in „Parallel überwachen“ können den Arm nicht bewegen. Verschieben Sie diesen Schritt aus dem Abschnitt heraus.</translation>
     </message>
     <message>
         <source>“%1” cannot contain steps.</source>
         <translation>„%1“ kann keine Schritte enthalten.</translation>
     </message>
     <message>
-        <source>This version of Tiller does not support the step “%1”.</source>
-        <translation>Diese Version von Tiller unterstützt den Schritt „%1“ nicht.</translation>
+        <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
+        <translation>Diese Version von Tiller unterstützt den Schritt „%1“ nicht. Aktualisieren Sie Tiller oder löschen Sie den Schritt.</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
@@ -2185,32 +2185,32 @@
         <translation>Das Projekt wurde mit einem %1 geteacht, aber der Roboter ist ein %2. Verwenden Sie zuerst „Projekt an diesen Roboter anpassen…“.</translation>
     </message>
     <message>
-        <source>A program with parameters can only be called by another program.</source>
-        <translation>Ein Programm mit Parametern kann nur von einem anderen Programm aufgerufen werden.</translation>
+        <source>A program with parameters cannot be started directly. Use a “Call program” step in another program.</source>
+        <translation>Ein Programm mit Parametern kann nicht direkt gestartet werden. Verwenden Sie in einem anderen Programm einen Schritt, der es aufruft.</translation>
     </message>
     <message>
-        <source>The program has no steps.</source>
-        <translation>Das Programm hat keine Schritte.</translation>
+        <source>The program has no steps. Add steps first.</source>
+        <translation>Das Programm hat keine Schritte. Fügen Sie zuerst Schritte hinzu.</translation>
     </message>
     <message>
-        <source>The variable “%1” has a different type elsewhere in the program.</source>
-        <translation>Die Variable „%1“ hat an anderer Stelle im Programm einen anderen Typ.</translation>
+        <source>The variable “%1” has a different type elsewhere in the program. Use the same type or a different name.</source>
+        <translation>Die Variable „%1“ hat an anderer Stelle im Programm einen anderen Typ. Verwenden Sie denselben Typ oder einen anderen Namen.</translation>
     </message>
     <message>
         <source>A program cannot call itself.</source>
         <translation>Ein Programm kann sich nicht selbst aufrufen.</translation>
     </message>
     <message>
-        <source>The calls are nested too deep.</source>
-        <translation>Die Aufrufe sind zu tief verschachtelt.</translation>
+        <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
+        <translation>Die Programmaufrufe sind zu tief verschachtelt. Verwenden Sie weniger Aufrufebenen.</translation>
     </message>
     <message>
         <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>„%1“ wurde mit einem anderen TCP geteacht als die vorherigen Wegpunkte. Setzen Sie den aktiven TCP, oder setzen Sie den Schritt in einen TCP-Abschnitt.</translation>
     </message>
     <message>
-        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
-        <translation>Die Überschleifradien dieser und der vorherigen Bewegung, %1 und %2, überschreiten den Abstand von %3.</translation>
+        <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
+        <translation>Die Überblendradien dieser und der vorherigen Bewegung (%1 und %2) überschreiten den Abstand von %3 zwischen den beiden Zielen. Verringern Sie einen Radius.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
@@ -2233,12 +2233,12 @@
         <translation>Die Klammern passen nicht zusammen.</translation>
     </message>
     <message>
-        <source>“%1” is not a variable name: use letters, digits and _.</source>
-        <translation>„%1“ ist kein Variablenname: Verwenden Sie Buchstaben, Ziffern und _.</translation>
+        <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
+        <translation>„%1“ ist kein gültiger Variablenname. Verwenden Sie Buchstaben, Ziffern und Unterstriche, und beginnen Sie nicht mit einer Ziffer.</translation>
     </message>
     <message>
-        <source>The name “%1” is reserved.</source>
-        <translation>Der Name „%1“ ist reserviert.</translation>
+        <source>The name “%1” is reserved. Use a different name.</source>
+        <translation>Der Name „%1“ ist reserviert. Verwenden Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>The arm comes too close to itself.</source>
@@ -2345,15 +2345,15 @@
         <translation>Werte</translation>
     </message>
     <message>
-        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
-        <translation>Das Programm „%1“ benötigt %2 durch Kommas getrennte Werte, angegeben sind %3.</translation>
+        <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
+        <translation>Das Programm „%1“ erfordert %2 durch Kommas getrennte Werte, aber der Schritt übergibt %3.</translation>
     </message>
     <message>
         <source>Case</source>
         <translation>Fall</translation>
     </message>
     <message>
-        <source>Default must be the last part of a Switch.</source>
+        <source>“Default” must be the last branch of a Switch.</source>
         <translation>„Standard“ muss der letzte Teil einer Auswahl sein.</translation>
     </message>
     <message>
@@ -2413,8 +2413,8 @@
         <translation>Kraft-Abschnitt</translation>
     </message>
     <message>
-        <source>Along</source>
-        <translation>Entlang</translation>
+        <source>Reference frame</source>
+        <translation>Bezugssystem</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -2501,8 +2501,8 @@
         <translation>Schleife verlassen</translation>
     </message>
     <message>
-        <source>This step is not inside a loop.</source>
-        <translation>Dieser Schritt ist nicht in einer Schleife.</translation>
+        <source>“Exit loop” must be inside a loop.</source>
+        <translation>„Schleife verlassen“ muss in einer Schleife stehen.</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -2617,8 +2617,8 @@
         <translation>Z</translation>
     </message>
     <message>
-        <source>The distance is zero.</source>
-        <translation>Die Strecke ist null.</translation>
+        <source>The distance is zero. Enter a value for X, Y or Z.</source>
+        <translation>Die Strecke ist null. Geben Sie einen Wert für X, Y oder Z ein.</translation>
     </message>
     <message>
         <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
@@ -2633,10 +2633,6 @@
         <translation>Anfahrabstand</translation>
     </message>
     <message>
-        <source>Run waypoint actions</source>
-        <translation>Wegpunktaktionen ausführen</translation>
-    </message>
-    <message>
         <source>The arm cannot reach “%1”.</source>
         <translation>Der Arm kann „%1“ nicht erreichen.</translation>
     </message>
@@ -2645,7 +2641,7 @@
         <translation>Setzen Sie einen Wegpunkt oder eine Pose, nicht beides.</translation>
     </message>
     <message>
-        <source>Set a waypoint, or a pose.</source>
+        <source>Set a waypoint or a pose.</source>
         <translation>Setzen Sie einen Wegpunkt oder eine Pose.</translation>
     </message>
     <message>
@@ -2737,7 +2733,7 @@
         <translation>Namen, die mit „tiller_“ beginnen, sind reserviert.</translation>
     </message>
     <message>
-        <source>Each block of the script needs its own “end”.</source>
+        <source>Each block in the script needs an “end”.</source>
         <translation>Jeder Block des Skripts benötigt ein eigenes „end“.</translation>
     </message>
     <message>
@@ -2769,7 +2765,7 @@
         <translation>Register</translation>
     </message>
     <message>
-        <source>Programs can set registers up to %1.</source>
+        <source>Programs can set registers only up to %1.</source>
         <translation>Programme können Register bis %1 setzen.</translation>
     </message>
     <message>
@@ -2785,7 +2781,7 @@
         <translation>Eine Auswahl muss mindestens einen Fall enthalten.</translation>
     </message>
     <message>
-        <source>A Switch can directly contain only Case and Default.</source>
+        <source>Only Case and Default can be placed directly in a Switch.</source>
         <translation>Eine Auswahl kann direkt nur „Fall“ und „Standard“ enthalten.</translation>
     </message>
     <message>
@@ -2813,7 +2809,7 @@
         <translation>Bei Zeitüberschreitung</translation>
     </message>
     <message>
-        <source>The condition did not become true in time.</source>
+        <source>The condition did not become true before the timeout.</source>
         <translation>Die Bedingung wurde nicht rechtzeitig wahr.</translation>
     </message>
     <message>
@@ -2821,8 +2817,8 @@
         <translation>Auf Eingang warten</translation>
     </message>
     <message>
-        <source>%1 did not switch in time.</source>
-        <translation>%1 wurde nicht rechtzeitig geschaltet.</translation>
+        <source>%1 did not change to the expected state before the timeout.</source>
+        <translation>%1 hat den erwarteten Zustand nicht vor Ablauf der Zeit erreicht.</translation>
     </message>
     <message>
         <source>Watch in parallel</source>
@@ -2861,8 +2857,8 @@
         <translation>Zeigen Sie zuerst die Vorschau des Programms an.</translation>
     </message>
     <message>
-        <source>The preview found problems.</source>
-        <translation>Die Vorschau hat Probleme gefunden.</translation>
+        <source>The preview found problems. Fix them, then preview the program again.</source>
+        <translation>Die Vorschau hat Probleme gefunden. Beheben Sie diese und starten Sie die Vorschau erneut.</translation>
     </message>
     <message>
         <source>Move the arm to the start position first.</source>
@@ -2889,16 +2885,16 @@
         <translation>Vor dem ersten Schritt angehalten: %1</translation>
     </message>
     <message>
-        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <source>Later steps use the variable “%1” from step %2 (%3). Start at that step or earlier.</source>
         <translation>Spätere Schritte verwenden die Variable „%1“ aus Schritt %2 (%3). Beginnen Sie bei diesem Schritt oder davor.</translation>
     </message>
     <message>
-        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <source>Later steps depend on step %1 (%2). Start at that step or earlier.</source>
         <translation>Spätere Schritte benötigen Schritt %1 (%2). Beginnen Sie bei diesem Schritt oder davor.</translation>
     </message>
     <message>
-        <source>The preview does not reach this step.</source>
-        <translation>Die Vorschau erreicht diesen Schritt nicht.</translation>
+        <source>The preview does not reach this step. Select a different step.</source>
+        <translation>Die Vorschau erreicht diesen Schritt nicht. Wählen Sie einen anderen Schritt.</translation>
     </message>
     <message>
         <source>The simulated program does not complete step %1 (%2).</source>
@@ -2917,7 +2913,7 @@
         <translation>Der Greifer hat möglicherweise ein Teil verloren (%1).</translation>
     </message>
     <message>
-        <source>%1 would switch on again.</source>
+        <source>%1 would turn on again.</source>
         <translation>%1 würde erneut eingeschaltet.</translation>
     </message>
     <message>
@@ -2949,11 +2945,11 @@
         <translation>Der Wert der Variablen „%1“ ist nicht gespeichert.</translation>
     </message>
     <message>
-        <source>TCP or payload would differ.</source>
+        <source>The TCP or the payload would differ.</source>
         <translation>TCP oder Nutzlast wären anders.</translation>
     </message>
     <message>
-        <source>The program would run other steps.</source>
+        <source>The program would run different steps.</source>
         <translation>Das Programm würde andere Schritte ausführen.</translation>
     </message>
     <message>
@@ -3017,20 +3013,24 @@
         <translation>Simuliert: Das Programm kann ab Schritt %1 (%2) fortgesetzt werden.</translation>
     </message>
     <message>
-        <source>The force section is open: its contact cannot be restored.</source>
-        <translation>Der Kraftabschnitt ist offen: Sein Kontakt lässt sich nicht wiederherstellen.</translation>
+        <source>The stop was inside a force section, so the contact cannot be restored.</source>
+        <translation>Der Stopp lag in einem Kraftabschnitt, daher kann der Kontakt nicht wiederhergestellt werden.</translation>
     </message>
     <message>
-        <source>The relative move is partly done.</source>
+        <source>The relative move is only partly complete.</source>
         <translation>Die relative Bewegung ist teilweise ausgeführt.</translation>
     </message>
     <message>
-        <source>The URScript text is partly done.</source>
+        <source>The URScript text was only partly executed.</source>
         <translation>Der URScript-Text ist teilweise ausgeführt.</translation>
     </message>
     <message>
         <source>Severity</source>
         <translation>Schweregrad</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Zeitlimit</translation>
     </message>
 </context>
 <context>
@@ -4043,15 +4043,15 @@
         <translation>ein Spektrum berechnen</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: select a longer range.</source>
+        <source>The range contains fewer than %1 samples. Select a longer range.</source>
         <translation>Es sind weniger als %1 Messwerte: Wählen Sie einen längeren Bereich.</translation>
     </message>
     <message>
-        <source>Values are missing in this range: select a range without gaps.</source>
+        <source>Values are missing in this range. Select a range without gaps.</source>
         <translation>In diesem Bereich fehlen Werte: Wählen Sie einen Bereich ohne Lücken.</translation>
     </message>
     <message>
-        <source>Not enough memory: select a shorter range.</source>
+        <source>Not enough memory. Select a shorter range.</source>
         <translation>Nicht genügend Speicher: Wählen Sie einen kürzeren Bereich.</translation>
     </message>
 </context>
@@ -5019,7 +5019,7 @@ Bewegen Sie den TCP zu einer Ecke eines Hindernisses und drücken Sie „Ecke hi
         <translation>Vergleichen…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model using other limits</source>
+        <source>Compare this recording with the arm model using different limits</source>
         <translation>Diese Aufzeichnung mit anderen Grenzen mit dem Modell des Arms vergleichen</translation>
     </message>
     <message>
@@ -7549,11 +7549,11 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Fügen Sie zuerst ein Signal in die Diagramme ein.</translation>
     </message>
     <message>
-        <source>There are no samples in this range.</source>
-        <translation>In diesem Bereich gibt es keine Messwerte.</translation>
+        <source>This range contains no samples. Select a different range.</source>
+        <translation>Dieser Bereich enthält keine Werte. Wählen Sie einen anderen Bereich.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
         <translation>In diesem Bereich fehlen Messwerte: Setzen Sie die Cursor A und B so, dass keine Lücke dazwischenliegt.</translation>
     </message>
     <message>
@@ -7587,7 +7587,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
         <translation>Diese Signale stammen aus verschiedenen Aufzeichnungen: Setzen Sie die Cursor A und B um einen kürzeren Bereich.</translation>
     </message>
     <message>
@@ -7598,7 +7598,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the arm model: the recording does not state the robot model.</source>
+        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
         <translation>Nicht mit dem Armmodell verglichen: Die Aufzeichnung nennt das Robotermodell nicht.</translation>
     </message>
     <message>
@@ -7717,7 +7717,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Freeze the plots; data and recording continue</source>
+        <source>Freeze the plots. Reception and recording of data continue.</source>
         <translation>Diagramme anhalten; Daten und Aufzeichnung laufen weiter</translation>
     </message>
     <message>
@@ -7891,7 +7891,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Layout öffnen…</translation>
     </message>
     <message>
-        <source>Memory for the history</source>
+        <source>History memory</source>
         <translation>Speicher für den Verlauf</translation>
     </message>
     <message>
@@ -7931,8 +7931,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Signale</translation>
     </message>
     <message>
-        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>Alle Signale des Roboters: Ziehen Sie ein Signal in ein Diagramm oder an dessen Rand für ein neues Diagramm, oder doppelklicken Sie darauf</translation>
+        <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
+        <translation>Signale des Roboters. Ziehen Sie ein Signal in einen Plot oder an den Rand eines Plots, um einen neuen Plot zu erstellen. Ein Doppelklick fügt das Signal zu einem Plot hinzu.</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -7943,11 +7943,11 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Werte</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Werte an den Cursorn A und B und Statistik dazwischen: Minimum, Maximum, Mittelwert, RMS, Standardabweichung, Steigung</translation>
     </message>
     <message>
-        <source>Pages and layout of the plots</source>
+        <source>Plot pages and layout</source>
         <translation>Seiten und Layout der Diagramme</translation>
     </message>
     <message>
@@ -8127,8 +8127,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>Klicken Sie in die Diagramme, um A und dann B zu setzen. Die Statistik des Bereichs dazwischen erscheint hier.</translation>
+        <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
+        <translation>Klicken Sie in die Plots, um zuerst Cursor A und dann Cursor B zu setzen. Die Tabelle zeigt dann Statistiken des Bereichs zwischen den Cursorn.</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -8811,7 +8811,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Die Prüfung wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Cancel the check</source>
+        <source>Cancel check</source>
         <translation>Prüfung abbrechen</translation>
     </message>
     <message>
@@ -9614,8 +9614,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>There is no program to run.</source>
-        <translation>Es gibt kein Programm zum Ausführen.</translation>
+        <source>No program is selected. Create or select a program first.</source>
+        <translation>Kein Programm ausgewählt. Erstellen oder wählen Sie zuerst ein Programm.</translation>
     </message>
     <message>
         <source>Stops the program</source>
@@ -9682,8 +9682,8 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Wählen Sie einen Schritt aus.</translation>
     </message>
     <message>
-        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
-        <translation>Startet das Programm beim ausgewählten Schritt oder wieder am Anfang. Fahren Sie den Arm zuerst zur Startposition des Schritts.</translation>
+        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
+        <translation>Startet das Programm beim ausgewählten Schritt. Erneut drücken, um am Anfang zu starten. Fahren Sie den Arm zuerst zur Startposition.</translation>
     </message>
     <message>
         <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
@@ -9825,11 +9825,11 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Abgeleitet</translation>
     </message>
     <message>
-        <source>The robot cannot send this many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once. Remove other signals first.</source>
         <translation>Der Roboter kann nicht so viele Signale auf einmal senden: Entfernen Sie zuerst andere Signale.</translation>
     </message>
     <message>
-        <source>The recording %1 contains no samples. Open another recording.</source>
+        <source>The recording %1 contains no samples. Open a different recording.</source>
         <translation>Die Aufzeichnung %1 enthält keine Messwerte. Öffnen Sie eine andere Aufzeichnung.</translation>
     </message>
     <message>
@@ -9837,7 +9837,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
+        <source>The history memory is too small to show %1. Increase the memory in the “Layout” menu.</source>
         <translation>Der Verlaufsspeicher ist zu klein, um %1 zu zeigen: Vergrößern Sie ihn im Menü Layout.</translation>
     </message>
     <message>

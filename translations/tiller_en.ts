@@ -519,15 +519,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no signal “%1”. See the signal list for the names.</source>
+        <source>The signal “%1” does not exist. See the signal list for the names.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The expression contains no signal.</source>
+        <source>The expression contains no signal. Add the name of a signal.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The expression contains too many signals.</source>
+        <source>The expression contains too many signals. Use fewer signals.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -535,7 +535,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The text is too long.</source>
+        <source>The text is too long. Use a shorter name or expression.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -543,7 +543,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Too many equals signs. For a comparison, use ==</source>
+        <source>Too many equals signs. Use == to compare values.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2121,7 +2121,7 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>Maximum</source>
+        <source>Maximum distance</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2149,7 +2149,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” refers to an item that was deleted from the project.</source>
+        <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2161,7 +2161,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A step that runs in parallel cannot move the arm.</source>
+        <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2169,7 +2169,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This version of Tiller does not support the step “%1”.</source>
+        <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2185,15 +2185,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program with parameters can only be called by another program.</source>
+        <source>A program with parameters cannot be started directly. Use a “Call program” step in another program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program has no steps.</source>
+        <source>The program has no steps. Add steps first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The variable “%1” has a different type elsewhere in the program.</source>
+        <source>The variable “%1” has a different type elsewhere in the program. Use the same type or a different name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2201,7 +2201,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The calls are nested too deep.</source>
+        <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2209,7 +2209,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
+        <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2233,11 +2233,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is not a variable name: use letters, digits and _.</source>
+        <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The name “%1” is reserved.</source>
+        <source>The name “%1” is reserved. Use a different name.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2345,7 +2345,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
+        <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2353,7 +2353,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Default must be the last part of a Switch.</source>
+        <source>“Default” must be the last branch of a Switch.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2413,7 +2413,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Along</source>
+        <source>Reference frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2501,7 +2501,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This step is not inside a loop.</source>
+        <source>“Exit loop” must be inside a loop.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2617,7 +2617,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The distance is zero.</source>
+        <source>The distance is zero. Enter a value for X, Y or Z.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2633,10 +2633,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Run waypoint actions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The arm cannot reach “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2645,7 +2641,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Set a waypoint, or a pose.</source>
+        <source>Set a waypoint or a pose.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2737,7 +2733,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Each block of the script needs its own “end”.</source>
+        <source>Each block in the script needs an “end”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2769,7 +2765,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Programs can set registers up to %1.</source>
+        <source>Programs can set registers only up to %1.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2785,7 +2781,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A Switch can directly contain only Case and Default.</source>
+        <source>Only Case and Default can be placed directly in a Switch.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2813,7 +2809,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The condition did not become true in time.</source>
+        <source>The condition did not become true before the timeout.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2821,7 +2817,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 did not switch in time.</source>
+        <source>%1 did not change to the expected state before the timeout.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2861,7 +2857,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The preview found problems.</source>
+        <source>The preview found problems. Fix them, then preview the program again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2889,15 +2885,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <source>Later steps use the variable “%1” from step %2 (%3). Start at that step or earlier.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <source>Later steps depend on step %1 (%2). Start at that step or earlier.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The preview does not reach this step.</source>
+        <source>The preview does not reach this step. Select a different step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2917,7 +2913,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 would switch on again.</source>
+        <source>%1 would turn on again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2949,11 +2945,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>TCP or payload would differ.</source>
+        <source>The TCP or the payload would differ.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The program would run other steps.</source>
+        <source>The program would run different steps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3017,19 +3013,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The force section is open: its contact cannot be restored.</source>
+        <source>The stop was inside a force section, so the contact cannot be restored.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The relative move is partly done.</source>
+        <source>The relative move is only partly complete.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The URScript text is partly done.</source>
+        <source>The URScript text was only partly executed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Severity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timeout</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4043,15 +4043,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: select a longer range.</source>
+        <source>The range contains fewer than %1 samples. Select a longer range.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Values are missing in this range: select a range without gaps.</source>
+        <source>Values are missing in this range. Select a range without gaps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not enough memory: select a shorter range.</source>
+        <source>Not enough memory. Select a shorter range.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5017,7 +5017,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model using other limits</source>
+        <source>Compare this recording with the arm model using different limits</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7541,11 +7541,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are no samples in this range.</source>
+        <source>This range contains no samples. Select a different range.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7579,7 +7579,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7590,7 +7590,7 @@ Press “Measure…” to measure the payload with the arm.</source>
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the arm model: the recording does not state the robot model.</source>
+        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7693,7 +7693,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Freeze the plots; data and recording continue</source>
+        <source>Freeze the plots. Reception and recording of data continue.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7883,7 +7883,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Memory for the history</source>
+        <source>History memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7923,7 +7923,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
+        <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7935,11 +7935,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pages and layout of the plots</source>
+        <source>Plot pages and layout</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8119,7 +8119,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
+        <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8798,7 +8798,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cancel the check</source>
+        <source>Cancel check</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9601,7 +9601,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no program to run.</source>
+        <source>No program is selected. Create or select a program first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9669,7 +9669,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
+        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9812,11 +9812,11 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The robot cannot send this many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once. Remove other signals first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The recording %1 contains no samples. Open another recording.</source>
+        <source>The recording %1 contains no samples. Open a different recording.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9824,7 +9824,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
+        <source>The history memory is too small to show %1. Increase the memory in the “Layout” menu.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

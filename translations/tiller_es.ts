@@ -519,31 +519,31 @@
         <translation>calcular una señal</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. See the signal list for the names.</source>
+        <source>The signal “%1” does not exist. See the signal list for the names.</source>
         <translation>No existe la señal «%1». Consulte los nombres en la lista de señales.</translation>
     </message>
     <message>
-        <source>The expression contains no signal.</source>
-        <translation>La expresión no contiene ninguna señal.</translation>
+        <source>The expression contains no signal. Add the name of a signal.</source>
+        <translation>La expresión no contiene ninguna señal. Añada el nombre de una señal.</translation>
     </message>
     <message>
-        <source>The expression contains too many signals.</source>
-        <translation>La expresión contiene demasiadas señales.</translation>
+        <source>The expression contains too many signals. Use fewer signals.</source>
+        <translation>La expresión contiene demasiadas señales. Use menos señales.</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
         <translation>El resultado de la expresión debe ser un número.</translation>
     </message>
     <message>
-        <source>The text is too long.</source>
-        <translation>El texto es demasiado largo.</translation>
+        <source>The text is too long. Use a shorter name or expression.</source>
+        <translation>El texto es demasiado largo. Use un nombre o una expresión más cortos.</translation>
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>Introduzca un nombre, un signo igual y una expresión: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>Too many equals signs. For a comparison, use ==</source>
+        <source>Too many equals signs. Use == to compare values.</source>
         <translation>Demasiados signos igual. Para comparar, use ==</translation>
     </message>
     <message>
@@ -2121,8 +2121,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>Maximum</source>
-        <translation>Máximo</translation>
+        <source>Maximum distance</source>
+        <translation>Distancia máxima</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2149,8 +2149,8 @@
         <translation>El grupo «%1» no contiene puntos de paso.</translation>
     </message>
     <message>
-        <source>“%1” refers to an item that was deleted from the project.</source>
-        <translation>«%1» hace referencia a un elemento eliminado del proyecto.</translation>
+        <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
+        <translation>«%1» se refiere a un elemento que se eliminó del proyecto. Seleccione otro elemento.</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2161,16 +2161,16 @@
         <translation>«%1» debe estar dentro de «%2».</translation>
     </message>
     <message>
-        <source>A step that runs in parallel cannot move the arm.</source>
-        <translation>Un paso que se ejecuta en paralelo no puede mover el brazo.</translation>
+        <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
+        <translation>Los pasos en paralelo no pueden mover el brazo. Saque este paso de la sección.</translation>
     </message>
     <message>
         <source>“%1” cannot contain steps.</source>
         <translation>«%1» no puede contener pasos.</translation>
     </message>
     <message>
-        <source>This version of Tiller does not support the step “%1”.</source>
-        <translation>Esta versión de Tiller no admite el paso «%1».</translation>
+        <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
+        <translation>Esta versión de Tiller no admite el paso «%1». Actualice Tiller o elimine el paso.</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
@@ -2185,32 +2185,32 @@
         <translation>El proyecto se enseñó con un %1, pero el robot es un %2. Use primero «Adaptar el proyecto a este robot…».</translation>
     </message>
     <message>
-        <source>A program with parameters can only be called by another program.</source>
-        <translation>Un programa con parámetros solo puede ser llamado por otro programa.</translation>
+        <source>A program with parameters cannot be started directly. Use a “Call program” step in another program.</source>
+        <translation>Un programa con parámetros no puede iniciarse directamente. Llámelo con un paso de otro programa.</translation>
     </message>
     <message>
-        <source>The program has no steps.</source>
-        <translation>El programa no tiene pasos.</translation>
+        <source>The program has no steps. Add steps first.</source>
+        <translation>El programa no tiene pasos. Añada pasos primero.</translation>
     </message>
     <message>
-        <source>The variable “%1” has a different type elsewhere in the program.</source>
-        <translation>La variable «%1» tiene otro tipo en otra parte del programa.</translation>
+        <source>The variable “%1” has a different type elsewhere in the program. Use the same type or a different name.</source>
+        <translation>La variable «%1» tiene otro tipo en otra parte del programa. Use el mismo tipo u otro nombre.</translation>
     </message>
     <message>
         <source>A program cannot call itself.</source>
         <translation>Un programa no puede llamarse a sí mismo.</translation>
     </message>
     <message>
-        <source>The calls are nested too deep.</source>
-        <translation>Las llamadas están anidadas a demasiada profundidad.</translation>
+        <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
+        <translation>Las llamadas a programas están anidadas a demasiada profundidad. Use menos niveles.</translation>
     </message>
     <message>
         <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>«%1» se enseñó con un TCP distinto del de los puntos anteriores. Defina el TCP activo o ponga el paso en una sección TCP.</translation>
     </message>
     <message>
-        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
-        <translation>Las fusiones de este movimiento y del anterior, %1 y %2, superan la distancia de %3 entre ellos.</translation>
+        <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
+        <translation>Los radios de transición de este movimiento y del anterior (%1 y %2) superan la distancia de %3 entre los dos destinos. Reduzca un radio.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
@@ -2233,12 +2233,12 @@
         <translation>Los paréntesis no coinciden.</translation>
     </message>
     <message>
-        <source>“%1” is not a variable name: use letters, digits and _.</source>
-        <translation>«%1» no es un nombre de variable: use letras, cifras y _.</translation>
+        <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
+        <translation>«%1» no es un nombre de variable válido. Use letras, dígitos y guiones bajos, y no empiece por un dígito.</translation>
     </message>
     <message>
-        <source>The name “%1” is reserved.</source>
-        <translation>El nombre «%1» está reservado.</translation>
+        <source>The name “%1” is reserved. Use a different name.</source>
+        <translation>El nombre «%1» está reservado. Use otro nombre.</translation>
     </message>
     <message>
         <source>The arm comes too close to itself.</source>
@@ -2345,15 +2345,15 @@
         <translation>Valores</translation>
     </message>
     <message>
-        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
-        <translation>El programa «%1» necesita %2 valores separados por comas, pero hay %3.</translation>
+        <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
+        <translation>El programa «%1» requiere %2 valores separados por comas, pero el paso pasa %3.</translation>
     </message>
     <message>
         <source>Case</source>
         <translation>Caso</translation>
     </message>
     <message>
-        <source>Default must be the last part of a Switch.</source>
+        <source>“Default” must be the last branch of a Switch.</source>
         <translation>Predeterminado debe ser la última parte de una selección.</translation>
     </message>
     <message>
@@ -2413,8 +2413,8 @@
         <translation>Sección de fuerza</translation>
     </message>
     <message>
-        <source>Along</source>
-        <translation>A lo largo de</translation>
+        <source>Reference frame</source>
+        <translation>Sistema de ref.</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -2501,8 +2501,8 @@
         <translation>Salir del bucle</translation>
     </message>
     <message>
-        <source>This step is not inside a loop.</source>
-        <translation>Este paso no está dentro de un bucle.</translation>
+        <source>“Exit loop” must be inside a loop.</source>
+        <translation>El paso para salir del bucle debe estar dentro de un bucle.</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -2617,8 +2617,8 @@
         <translation>Z</translation>
     </message>
     <message>
-        <source>The distance is zero.</source>
-        <translation>La distancia es cero.</translation>
+        <source>The distance is zero. Enter a value for X, Y or Z.</source>
+        <translation>La distancia es cero. Introduzca un valor para X, Y o Z.</translation>
     </message>
     <message>
         <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
@@ -2633,10 +2633,6 @@
         <translation>Distancia de aproximación</translation>
     </message>
     <message>
-        <source>Run waypoint actions</source>
-        <translation>Ejecutar acciones de los puntos</translation>
-    </message>
-    <message>
         <source>The arm cannot reach “%1”.</source>
         <translation>El brazo no puede alcanzar «%1».</translation>
     </message>
@@ -2645,7 +2641,7 @@
         <translation>Defina un punto de paso o una pose, no ambos.</translation>
     </message>
     <message>
-        <source>Set a waypoint, or a pose.</source>
+        <source>Set a waypoint or a pose.</source>
         <translation>Defina un punto de paso o una pose.</translation>
     </message>
     <message>
@@ -2737,7 +2733,7 @@
         <translation>Los nombres que empiezan por «tiller_» están reservados.</translation>
     </message>
     <message>
-        <source>Each block of the script needs its own “end”.</source>
+        <source>Each block in the script needs an “end”.</source>
         <translation>Cada bloque del script necesita su propio «end».</translation>
     </message>
     <message>
@@ -2769,7 +2765,7 @@
         <translation>Registro</translation>
     </message>
     <message>
-        <source>Programs can set registers up to %1.</source>
+        <source>Programs can set registers only up to %1.</source>
         <translation>Los programas pueden fijar registros hasta %1.</translation>
     </message>
     <message>
@@ -2785,7 +2781,7 @@
         <translation>Una selección debe contener al menos un caso.</translation>
     </message>
     <message>
-        <source>A Switch can directly contain only Case and Default.</source>
+        <source>Only Case and Default can be placed directly in a Switch.</source>
         <translation>Una selección solo puede contener directamente Caso y Predeterminado.</translation>
     </message>
     <message>
@@ -2813,7 +2809,7 @@
         <translation>Al agotarse el tiempo</translation>
     </message>
     <message>
-        <source>The condition did not become true in time.</source>
+        <source>The condition did not become true before the timeout.</source>
         <translation>La condición no se cumplió a tiempo.</translation>
     </message>
     <message>
@@ -2821,8 +2817,8 @@
         <translation>Esperar una entrada</translation>
     </message>
     <message>
-        <source>%1 did not switch in time.</source>
-        <translation>%1 no conmutó a tiempo.</translation>
+        <source>%1 did not change to the expected state before the timeout.</source>
+        <translation>%1 no cambió al estado esperado antes de agotarse el tiempo.</translation>
     </message>
     <message>
         <source>Watch in parallel</source>
@@ -2861,8 +2857,8 @@
         <translation>Obtenga primero una vista previa del programa.</translation>
     </message>
     <message>
-        <source>The preview found problems.</source>
-        <translation>La vista previa encontró problemas.</translation>
+        <source>The preview found problems. Fix them, then preview the program again.</source>
+        <translation>La vista previa encontró problemas. Corríjalos y repita la vista previa.</translation>
     </message>
     <message>
         <source>Move the arm to the start position first.</source>
@@ -2889,16 +2885,16 @@
         <translation>Parada antes del primer paso: %1</translation>
     </message>
     <message>
-        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <source>Later steps use the variable “%1” from step %2 (%3). Start at that step or earlier.</source>
         <translation>Los pasos posteriores usan la variable «%1» del paso %2 (%3). Empiece en ese paso o antes.</translation>
     </message>
     <message>
-        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <source>Later steps depend on step %1 (%2). Start at that step or earlier.</source>
         <translation>Los pasos posteriores necesitan el paso %1 (%2). Empiece en ese paso o antes.</translation>
     </message>
     <message>
-        <source>The preview does not reach this step.</source>
-        <translation>La vista previa no llega a este paso.</translation>
+        <source>The preview does not reach this step. Select a different step.</source>
+        <translation>La vista previa no llega a este paso. Seleccione otro paso.</translation>
     </message>
     <message>
         <source>The simulated program does not complete step %1 (%2).</source>
@@ -2917,7 +2913,7 @@
         <translation>La pinza puede haber perdido una pieza (%1).</translation>
     </message>
     <message>
-        <source>%1 would switch on again.</source>
+        <source>%1 would turn on again.</source>
         <translation>%1 se activaría de nuevo.</translation>
     </message>
     <message>
@@ -2949,11 +2945,11 @@
         <translation>El valor de la variable «%1» no está guardado.</translation>
     </message>
     <message>
-        <source>TCP or payload would differ.</source>
+        <source>The TCP or the payload would differ.</source>
         <translation>El TCP o la carga útil serían diferentes.</translation>
     </message>
     <message>
-        <source>The program would run other steps.</source>
+        <source>The program would run different steps.</source>
         <translation>El programa ejecutaría otros pasos.</translation>
     </message>
     <message>
@@ -3017,20 +3013,24 @@
         <translation>Simulado: el programa puede continuar desde el paso %1 (%2).</translation>
     </message>
     <message>
-        <source>The force section is open: its contact cannot be restored.</source>
-        <translation>La sección de fuerza está abierta: su contacto no se puede restablecer.</translation>
+        <source>The stop was inside a force section, so the contact cannot be restored.</source>
+        <translation>La parada ocurrió dentro de una sección de fuerza, por lo que no se puede restablecer el contacto.</translation>
     </message>
     <message>
-        <source>The relative move is partly done.</source>
+        <source>The relative move is only partly complete.</source>
         <translation>El movimiento relativo se ha ejecutado en parte.</translation>
     </message>
     <message>
-        <source>The URScript text is partly done.</source>
+        <source>The URScript text was only partly executed.</source>
         <translation>El texto URScript se ha ejecutado en parte.</translation>
     </message>
     <message>
         <source>Severity</source>
         <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Tiempo límite</translation>
     </message>
 </context>
 <context>
@@ -4043,15 +4043,15 @@
         <translation>calcular un espectro</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: select a longer range.</source>
+        <source>The range contains fewer than %1 samples. Select a longer range.</source>
         <translation>Hay menos de %1 muestras: elija un intervalo más largo.</translation>
     </message>
     <message>
-        <source>Values are missing in this range: select a range without gaps.</source>
+        <source>Values are missing in this range. Select a range without gaps.</source>
         <translation>Faltan valores en este intervalo: seleccione un intervalo sin huecos.</translation>
     </message>
     <message>
-        <source>Not enough memory: select a shorter range.</source>
+        <source>Not enough memory. Select a shorter range.</source>
         <translation>Memoria insuficiente: seleccione un intervalo más corto.</translation>
     </message>
 </context>
@@ -5019,7 +5019,7 @@ Mueva el TCP a una esquina de un obstáculo y pulse «Esquina aquí».</translat
         <translation>Comparar…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model using other limits</source>
+        <source>Compare this recording with the arm model using different limits</source>
         <translation>Comparar esta grabación con el modelo del brazo usando otros límites</translation>
     </message>
     <message>
@@ -7549,11 +7549,11 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Añada primero una señal a los gráficos.</translation>
     </message>
     <message>
-        <source>There are no samples in this range.</source>
-        <translation>No hay muestras en este intervalo.</translation>
+        <source>This range contains no samples. Select a different range.</source>
+        <translation>Este rango no contiene muestras. Seleccione otro rango.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
         <translation>Faltan muestras en este intervalo: coloque los cursores A y B sin huecos entre ellos.</translation>
     </message>
     <message>
@@ -7587,7 +7587,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
         <translation>Estas señales son de grabaciones distintas: coloque los cursores A y B alrededor de un intervalo más corto.</translation>
     </message>
     <message>
@@ -7598,7 +7598,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the arm model: the recording does not state the robot model.</source>
+        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
         <translation>No comparada con el modelo del brazo: la grabación no indica el modelo de robot.</translation>
     </message>
     <message>
@@ -7717,7 +7717,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Reanudar</translation>
     </message>
     <message>
-        <source>Freeze the plots; data and recording continue</source>
+        <source>Freeze the plots. Reception and recording of data continue.</source>
         <translation>Congelar los gráficos; los datos y la grabación continúan</translation>
     </message>
     <message>
@@ -7891,7 +7891,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Abrir disposición…</translation>
     </message>
     <message>
-        <source>Memory for the history</source>
+        <source>History memory</source>
         <translation>Memoria para el historial</translation>
     </message>
     <message>
@@ -7931,8 +7931,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Señales</translation>
     </message>
     <message>
-        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>Todas las señales del robot: arrastre una señal a un gráfico, o a su borde para crear uno nuevo, o haga doble clic en ella</translation>
+        <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
+        <translation>Señales del robot. Arrastre una señal a un gráfico, o al borde de un gráfico para crear uno nuevo. Haga doble clic en una señal para añadirla a un gráfico.</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -7943,11 +7943,11 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Valores</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Valores en los cursores A y B y estadísticas entre ellos: mínimo, máximo, media, RMS, desviación típica, pendiente</translation>
     </message>
     <message>
-        <source>Pages and layout of the plots</source>
+        <source>Plot pages and layout</source>
         <translation>Páginas y disposición de los gráficos</translation>
     </message>
     <message>
@@ -8127,8 +8127,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>Haga clic en los gráficos para colocar A y después B. Aquí aparecen las estadísticas del intervalo entre ellos.</translation>
+        <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
+        <translation>Haga clic en los gráficos para colocar el cursor A y luego el cursor B. La tabla muestra entonces estadísticas del rango entre los cursores.</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -8811,7 +8811,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>La comprobación se ha cancelado.</translation>
     </message>
     <message>
-        <source>Cancel the check</source>
+        <source>Cancel check</source>
         <translation>Cancelar comprobación</translation>
     </message>
     <message>
@@ -9614,8 +9614,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Parar</translation>
     </message>
     <message>
-        <source>There is no program to run.</source>
-        <translation>No hay ningún programa que ejecutar.</translation>
+        <source>No program is selected. Create or select a program first.</source>
+        <translation>No hay ningún programa seleccionado. Cree o seleccione uno primero.</translation>
     </message>
     <message>
         <source>Stops the program</source>
@@ -9682,8 +9682,8 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Seleccione un paso.</translation>
     </message>
     <message>
-        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
-        <translation>Inicia el programa en el paso seleccionado o de nuevo al principio. Mueva antes el brazo a la posición inicial del paso.</translation>
+        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
+        <translation>Inicia el programa en el paso seleccionado. Pulse de nuevo para iniciarlo desde el principio. Mueva antes el brazo a la posición inicial.</translation>
     </message>
     <message>
         <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
@@ -9825,11 +9825,11 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Derivadas</translation>
     </message>
     <message>
-        <source>The robot cannot send this many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once. Remove other signals first.</source>
         <translation>El robot no puede enviar tantas señales a la vez: quite primero otras señales.</translation>
     </message>
     <message>
-        <source>The recording %1 contains no samples. Open another recording.</source>
+        <source>The recording %1 contains no samples. Open a different recording.</source>
         <translation>La grabación %1 no contiene muestras. Abra otra grabación.</translation>
     </message>
     <message>
@@ -9837,7 +9837,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
+        <source>The history memory is too small to show %1. Increase the memory in the “Layout” menu.</source>
         <translation>La memoria del historial es demasiado pequeña para mostrar %1: auméntela en el menú Layout.</translation>
     </message>
     <message>

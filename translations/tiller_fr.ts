@@ -519,31 +519,31 @@
         <translation>calculer un signal</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. See the signal list for the names.</source>
+        <source>The signal “%1” does not exist. See the signal list for the names.</source>
         <translation>Il n’existe pas de signal « %1 ». Les noms figurent dans la liste des signaux.</translation>
     </message>
     <message>
-        <source>The expression contains no signal.</source>
-        <translation>L’expression ne contient aucun signal.</translation>
+        <source>The expression contains no signal. Add the name of a signal.</source>
+        <translation>L’expression ne contient aucun signal. Ajoutez le nom d’un signal.</translation>
     </message>
     <message>
-        <source>The expression contains too many signals.</source>
-        <translation>L’expression contient trop de signaux.</translation>
+        <source>The expression contains too many signals. Use fewer signals.</source>
+        <translation>L’expression contient trop de signaux. Utilisez moins de signaux.</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
         <translation>Le résultat de l’expression doit être un nombre.</translation>
     </message>
     <message>
-        <source>The text is too long.</source>
-        <translation>Le texte est trop long.</translation>
+        <source>The text is too long. Use a shorter name or expression.</source>
+        <translation>Le texte est trop long. Utilisez un nom ou une expression plus courts.</translation>
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>Saisissez un nom, un signe égal et une expression : |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>Too many equals signs. For a comparison, use ==</source>
+        <source>Too many equals signs. Use == to compare values.</source>
         <translation>Trop de signes égal. Pour une comparaison, utilisez ==</translation>
     </message>
     <message>
@@ -2121,8 +2121,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>Maximum</source>
-        <translation>Maximum</translation>
+        <source>Maximum distance</source>
+        <translation>Distance maximale</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2149,8 +2149,8 @@
         <translation>Le groupe « %1 » ne contient aucun point de passage.</translation>
     </message>
     <message>
-        <source>“%1” refers to an item that was deleted from the project.</source>
-        <translation>« %1 » renvoie à un élément supprimé du projet.</translation>
+        <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
+        <translation>« %1 » désigne un élément supprimé du projet. Sélectionnez un autre élément.</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2161,16 +2161,16 @@
         <translation>« %1 » doit être dans « %2 ».</translation>
     </message>
     <message>
-        <source>A step that runs in parallel cannot move the arm.</source>
-        <translation>Une étape exécutée en parallèle ne peut pas déplacer le bras.</translation>
+        <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
+        <translation>Les étapes en parallèle ne peuvent pas déplacer le bras. Sortez cette étape de la section.</translation>
     </message>
     <message>
         <source>“%1” cannot contain steps.</source>
         <translation>« %1 » ne peut pas contenir d’étapes.</translation>
     </message>
     <message>
-        <source>This version of Tiller does not support the step “%1”.</source>
-        <translation>Cette version de Tiller ne prend pas en charge l’étape « %1 ».</translation>
+        <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
+        <translation>Cette version de Tiller ne prend pas en charge l’étape « %1 ». Mettez Tiller à jour ou supprimez l’étape.</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
@@ -2185,32 +2185,32 @@
         <translation>Le projet a été appris avec un %1, mais le robot est un %2. Utilisez d’abord « Adapter le projet à ce robot… ».</translation>
     </message>
     <message>
-        <source>A program with parameters can only be called by another program.</source>
-        <translation>Un programme avec paramètres ne peut être appelé que par un autre programme.</translation>
+        <source>A program with parameters cannot be started directly. Use a “Call program” step in another program.</source>
+        <translation>Un programme avec paramètres ne peut pas être lancé directement. Appelez-le avec une étape d’un autre programme.</translation>
     </message>
     <message>
-        <source>The program has no steps.</source>
-        <translation>Le programme n’a pas d’étapes.</translation>
+        <source>The program has no steps. Add steps first.</source>
+        <translation>Le programme n’a pas d’étapes. Ajoutez d’abord des étapes.</translation>
     </message>
     <message>
-        <source>The variable “%1” has a different type elsewhere in the program.</source>
-        <translation>La variable « %1 » a un autre type ailleurs dans le programme.</translation>
+        <source>The variable “%1” has a different type elsewhere in the program. Use the same type or a different name.</source>
+        <translation>La variable « %1 » a un autre type ailleurs dans le programme. Utilisez le même type ou un autre nom.</translation>
     </message>
     <message>
         <source>A program cannot call itself.</source>
         <translation>Un programme ne peut pas s’appeler lui-même.</translation>
     </message>
     <message>
-        <source>The calls are nested too deep.</source>
-        <translation>Les appels sont imbriqués trop profondément.</translation>
+        <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
+        <translation>Les appels de programmes sont trop imbriqués. Utilisez moins de niveaux.</translation>
     </message>
     <message>
         <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>« %1 » a été appris avec un TCP différent de celui des points précédents. Définissez le TCP actif ou placez l’étape dans une section TCP.</translation>
     </message>
     <message>
-        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
-        <translation>Les raccordements de ce mouvement et du précédent, %1 et %2, dépassent la distance de %3 qui les sépare.</translation>
+        <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
+        <translation>Les rayons de lissage de ce mouvement et du précédent (%1 et %2) dépassent la distance de %3 entre les deux cibles. Réduisez un rayon.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
@@ -2233,12 +2233,12 @@
         <translation>Les parenthèses ne correspondent pas.</translation>
     </message>
     <message>
-        <source>“%1” is not a variable name: use letters, digits and _.</source>
-        <translation>« %1 » n’est pas un nom de variable : utilisez des lettres, des chiffres et _.</translation>
+        <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
+        <translation>« %1 » n’est pas un nom de variable valide. Utilisez des lettres, des chiffres et des tirets bas, sans chiffre au début.</translation>
     </message>
     <message>
-        <source>The name “%1” is reserved.</source>
-        <translation>Le nom « %1 » est réservé.</translation>
+        <source>The name “%1” is reserved. Use a different name.</source>
+        <translation>Le nom « %1 » est réservé. Utilisez un autre nom.</translation>
     </message>
     <message>
         <source>The arm comes too close to itself.</source>
@@ -2345,15 +2345,15 @@
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
-        <translation>Le programme « %1 » exige %2 valeurs séparées par des virgules, mais il y en a %3.</translation>
+        <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
+        <translation>Le programme « %1 » exige %2 valeurs séparées par des virgules, mais l’étape en transmet %3.</translation>
     </message>
     <message>
         <source>Case</source>
         <translation>Cas</translation>
     </message>
     <message>
-        <source>Default must be the last part of a Switch.</source>
+        <source>“Default” must be the last branch of a Switch.</source>
         <translation>Par défaut doit être la dernière partie d’un choix.</translation>
     </message>
     <message>
@@ -2413,8 +2413,8 @@
         <translation>Section de force</translation>
     </message>
     <message>
-        <source>Along</source>
-        <translation>Selon</translation>
+        <source>Reference frame</source>
+        <translation>Repère de réf.</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -2501,8 +2501,8 @@
         <translation>Quitter la boucle</translation>
     </message>
     <message>
-        <source>This step is not inside a loop.</source>
-        <translation>Cette étape n’est pas dans une boucle.</translation>
+        <source>“Exit loop” must be inside a loop.</source>
+        <translation>L’étape de sortie de boucle doit se trouver dans une boucle.</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -2617,8 +2617,8 @@
         <translation>Z</translation>
     </message>
     <message>
-        <source>The distance is zero.</source>
-        <translation>La distance est nulle.</translation>
+        <source>The distance is zero. Enter a value for X, Y or Z.</source>
+        <translation>La distance est nulle. Saisissez une valeur pour X, Y ou Z.</translation>
     </message>
     <message>
         <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
@@ -2633,10 +2633,6 @@
         <translation>Distance d’approche</translation>
     </message>
     <message>
-        <source>Run waypoint actions</source>
-        <translation>Exécuter les actions des points</translation>
-    </message>
-    <message>
         <source>The arm cannot reach “%1”.</source>
         <translation>Le bras ne peut pas atteindre « %1 ».</translation>
     </message>
@@ -2645,7 +2641,7 @@
         <translation>Définissez un point de passage ou une pose, pas les deux.</translation>
     </message>
     <message>
-        <source>Set a waypoint, or a pose.</source>
+        <source>Set a waypoint or a pose.</source>
         <translation>Définissez un point de passage ou une pose.</translation>
     </message>
     <message>
@@ -2737,7 +2733,7 @@
         <translation>Les noms qui commencent par « tiller_ » sont réservés.</translation>
     </message>
     <message>
-        <source>Each block of the script needs its own “end”.</source>
+        <source>Each block in the script needs an “end”.</source>
         <translation>Chaque bloc du script doit avoir son propre « end ».</translation>
     </message>
     <message>
@@ -2769,7 +2765,7 @@
         <translation>Registre</translation>
     </message>
     <message>
-        <source>Programs can set registers up to %1.</source>
+        <source>Programs can set registers only up to %1.</source>
         <translation>Les programmes peuvent régler les registres jusqu’à %1.</translation>
     </message>
     <message>
@@ -2785,7 +2781,7 @@
         <translation>Un choix doit contenir au moins un cas.</translation>
     </message>
     <message>
-        <source>A Switch can directly contain only Case and Default.</source>
+        <source>Only Case and Default can be placed directly in a Switch.</source>
         <translation>Un choix ne contient directement que Cas et Par défaut.</translation>
     </message>
     <message>
@@ -2813,7 +2809,7 @@
         <translation>En cas de dépassement</translation>
     </message>
     <message>
-        <source>The condition did not become true in time.</source>
+        <source>The condition did not become true before the timeout.</source>
         <translation>La condition n’est pas devenue vraie à temps.</translation>
     </message>
     <message>
@@ -2821,8 +2817,8 @@
         <translation>Attendre une entrée</translation>
     </message>
     <message>
-        <source>%1 did not switch in time.</source>
-        <translation>%1 n’a pas commuté à temps.</translation>
+        <source>%1 did not change to the expected state before the timeout.</source>
+        <translation>%1 n’est pas passé à l’état attendu avant l’expiration du délai.</translation>
     </message>
     <message>
         <source>Watch in parallel</source>
@@ -2861,8 +2857,8 @@
         <translation>Affichez d&apos;abord l&apos;aperçu du programme.</translation>
     </message>
     <message>
-        <source>The preview found problems.</source>
-        <translation>L&apos;aperçu a trouvé des problèmes.</translation>
+        <source>The preview found problems. Fix them, then preview the program again.</source>
+        <translation>L’aperçu a trouvé des problèmes. Corrigez-les, puis relancez l’aperçu.</translation>
     </message>
     <message>
         <source>Move the arm to the start position first.</source>
@@ -2889,16 +2885,16 @@
         <translation>Arrêt avant la première étape : %1</translation>
     </message>
     <message>
-        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <source>Later steps use the variable “%1” from step %2 (%3). Start at that step or earlier.</source>
         <translation>Des étapes suivantes utilisent la variable « %1 » de l&apos;étape %2 (%3). Commencez à cette étape ou avant.</translation>
     </message>
     <message>
-        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <source>Later steps depend on step %1 (%2). Start at that step or earlier.</source>
         <translation>Des étapes suivantes dépendent de l&apos;étape %1 (%2). Commencez à cette étape ou avant.</translation>
     </message>
     <message>
-        <source>The preview does not reach this step.</source>
-        <translation>L&apos;aperçu n&apos;atteint pas cette étape.</translation>
+        <source>The preview does not reach this step. Select a different step.</source>
+        <translation>L’aperçu n’atteint pas cette étape. Sélectionnez une autre étape.</translation>
     </message>
     <message>
         <source>The simulated program does not complete step %1 (%2).</source>
@@ -2917,7 +2913,7 @@
         <translation>Le préhenseur a peut-être perdu une pièce (%1).</translation>
     </message>
     <message>
-        <source>%1 would switch on again.</source>
+        <source>%1 would turn on again.</source>
         <translation>%1 s&apos;activerait à nouveau.</translation>
     </message>
     <message>
@@ -2949,11 +2945,11 @@
         <translation>La valeur de la variable « %1 » n&apos;est pas enregistrée.</translation>
     </message>
     <message>
-        <source>TCP or payload would differ.</source>
+        <source>The TCP or the payload would differ.</source>
         <translation>Le TCP ou la charge utile seraient différents.</translation>
     </message>
     <message>
-        <source>The program would run other steps.</source>
+        <source>The program would run different steps.</source>
         <translation>Le programme exécuterait d&apos;autres étapes.</translation>
     </message>
     <message>
@@ -3017,20 +3013,24 @@
         <translation>Simulé : le programme peut continuer à partir de l&apos;étape %1 (%2).</translation>
     </message>
     <message>
-        <source>The force section is open: its contact cannot be restored.</source>
-        <translation>La section de force est ouverte : son contact ne peut pas être rétabli.</translation>
+        <source>The stop was inside a force section, so the contact cannot be restored.</source>
+        <translation>L’arrêt s’est produit dans une section de force ; le contact ne peut donc pas être rétabli.</translation>
     </message>
     <message>
-        <source>The relative move is partly done.</source>
+        <source>The relative move is only partly complete.</source>
         <translation>Le mouvement relatif est exécuté en partie.</translation>
     </message>
     <message>
-        <source>The URScript text is partly done.</source>
+        <source>The URScript text was only partly executed.</source>
         <translation>Le texte URScript est exécuté en partie.</translation>
     </message>
     <message>
         <source>Severity</source>
         <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>Délai maximal</translation>
     </message>
 </context>
 <context>
@@ -4043,15 +4043,15 @@
         <translation>calculer un spectre</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: select a longer range.</source>
+        <source>The range contains fewer than %1 samples. Select a longer range.</source>
         <translation>Il y a moins de %1 échantillons : choisissez une plage plus longue.</translation>
     </message>
     <message>
-        <source>Values are missing in this range: select a range without gaps.</source>
+        <source>Values are missing in this range. Select a range without gaps.</source>
         <translation>Des valeurs manquent dans cette plage : sélectionnez une plage sans lacunes.</translation>
     </message>
     <message>
-        <source>Not enough memory: select a shorter range.</source>
+        <source>Not enough memory. Select a shorter range.</source>
         <translation>Mémoire insuffisante : sélectionnez une plage plus courte.</translation>
     </message>
 </context>
@@ -5019,7 +5019,7 @@ Amenez le TCP à un coin d’un obstacle et appuyez sur « Coin ici ».</transla
         <translation>Comparer…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model using other limits</source>
+        <source>Compare this recording with the arm model using different limits</source>
         <translation>Comparer cet enregistrement au modèle du bras avec d’autres limites</translation>
     </message>
     <message>
@@ -7549,11 +7549,11 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Ajoutez d’abord un signal aux tracés.</translation>
     </message>
     <message>
-        <source>There are no samples in this range.</source>
-        <translation>Il n’y a pas d’échantillons dans cette plage.</translation>
+        <source>This range contains no samples. Select a different range.</source>
+        <translation>Cette plage ne contient aucun échantillon. Sélectionnez une autre plage.</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
         <translation>Des échantillons manquent dans cette plage : placez les curseurs A et B sans lacune entre eux.</translation>
     </message>
     <message>
@@ -7587,7 +7587,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
         <translation>Ces signaux proviennent d’enregistrements différents : placez les curseurs A et B autour d’une plage plus courte.</translation>
     </message>
     <message>
@@ -7598,7 +7598,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the arm model: the recording does not state the robot model.</source>
+        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
         <translation>Non comparé au modèle du bras : l’enregistrement n’indique pas le modèle de robot.</translation>
     </message>
     <message>
@@ -7717,7 +7717,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Reprendre</translation>
     </message>
     <message>
-        <source>Freeze the plots; data and recording continue</source>
+        <source>Freeze the plots. Reception and recording of data continue.</source>
         <translation>Figer les tracés ; les données et l’enregistrement continuent</translation>
     </message>
     <message>
@@ -7891,7 +7891,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Ouvrir une disposition…</translation>
     </message>
     <message>
-        <source>Memory for the history</source>
+        <source>History memory</source>
         <translation>Mémoire pour l’historique</translation>
     </message>
     <message>
@@ -7931,8 +7931,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Signaux</translation>
     </message>
     <message>
-        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>Tous les signaux du robot : faites glisser un signal sur un tracé, ou sur son bord pour un nouveau tracé, ou double-cliquez dessus</translation>
+        <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
+        <translation>Signaux du robot. Faites glisser un signal vers un graphique, ou vers le bord d’un graphique pour en créer un. Double-cliquez sur un signal pour l’ajouter à un graphique.</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -7943,11 +7943,11 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Valeurs</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>Valeurs aux curseurs A et B et statistiques entre eux : minimum, maximum, moyenne, RMS, écart type, pente</translation>
     </message>
     <message>
-        <source>Pages and layout of the plots</source>
+        <source>Plot pages and layout</source>
         <translation>Pages et disposition des tracés</translation>
     </message>
     <message>
@@ -8127,8 +8127,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>Cliquez dans les tracés pour placer A, puis B. Les statistiques de la plage entre eux s’affichent ici.</translation>
+        <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
+        <translation>Cliquez dans les graphiques pour placer le curseur A, puis le curseur B. Le tableau affiche alors les statistiques de la plage entre les curseurs.</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -8811,7 +8811,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>La vérification a été annulée.</translation>
     </message>
     <message>
-        <source>Cancel the check</source>
+        <source>Cancel check</source>
         <translation>Annuler la vérification</translation>
     </message>
     <message>
@@ -9614,8 +9614,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Arrêter</translation>
     </message>
     <message>
-        <source>There is no program to run.</source>
-        <translation>Il n&apos;y a aucun programme à exécuter.</translation>
+        <source>No program is selected. Create or select a program first.</source>
+        <translation>Aucun programme n’est sélectionné. Créez ou sélectionnez d’abord un programme.</translation>
     </message>
     <message>
         <source>Stops the program</source>
@@ -9682,8 +9682,8 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Sélectionnez une étape.</translation>
     </message>
     <message>
-        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
-        <translation>Démarre le programme à l&apos;étape sélectionnée, ou de nouveau au début. Déplacez d&apos;abord le bras à la position de départ de l&apos;étape.</translation>
+        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
+        <translation>Lance le programme à l’étape sélectionnée. Appuyez de nouveau pour partir du début. Amenez d’abord le bras à la position de départ.</translation>
     </message>
     <message>
         <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
@@ -9825,11 +9825,11 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Dérivés</translation>
     </message>
     <message>
-        <source>The robot cannot send this many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once. Remove other signals first.</source>
         <translation>Le robot ne peut pas envoyer autant de signaux à la fois : retirez d’abord d’autres signaux.</translation>
     </message>
     <message>
-        <source>The recording %1 contains no samples. Open another recording.</source>
+        <source>The recording %1 contains no samples. Open a different recording.</source>
         <translation>L’enregistrement %1 ne contient aucun échantillon. Ouvrez un autre enregistrement.</translation>
     </message>
     <message>
@@ -9837,7 +9837,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
+        <source>The history memory is too small to show %1. Increase the memory in the “Layout” menu.</source>
         <translation>La mémoire d’historique est trop petite pour afficher %1 : augmentez-la dans le menu Layout.</translation>
     </message>
     <message>

@@ -519,31 +519,31 @@
         <translation>信号を計算する</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. See the signal list for the names.</source>
+        <source>The signal “%1” does not exist. See the signal list for the names.</source>
         <translation>信号「%1」はありません。信号の一覧に名前があります。</translation>
     </message>
     <message>
-        <source>The expression contains no signal.</source>
-        <translation>式に信号が含まれていません。</translation>
+        <source>The expression contains no signal. Add the name of a signal.</source>
+        <translation>式に信号がありません。信号の名前を追加してください。</translation>
     </message>
     <message>
-        <source>The expression contains too many signals.</source>
-        <translation>式の信号が多すぎます。</translation>
+        <source>The expression contains too many signals. Use fewer signals.</source>
+        <translation>式の信号が多すぎます。信号を減らしてください。</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
         <translation>一つの数になる必要があります。</translation>
     </message>
     <message>
-        <source>The text is too long.</source>
-        <translation>文が長すぎます。</translation>
+        <source>The text is too long. Use a shorter name or expression.</source>
+        <translation>テキストが長すぎます。名前または式を短くしてください。</translation>
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>名前、等号、式の順に書いてください：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>Too many equals signs. For a comparison, use ==</source>
+        <source>Too many equals signs. Use == to compare values.</source>
         <translation>等号が多すぎます。比較には == を使ってください</translation>
     </message>
     <message>
@@ -2121,8 +2121,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>Maximum</source>
-        <translation>最大</translation>
+        <source>Maximum distance</source>
+        <translation>最大距離</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2149,8 +2149,8 @@
         <translation>グループ「%1」にはウェイポイントがありません。</translation>
     </message>
     <message>
-        <source>“%1” refers to an item that was deleted from the project.</source>
-        <translation>「%1」の参照先はプロジェクトから削除されました。</translation>
+        <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
+        <translation>「%1」はプロジェクトから削除された項目を参照しています。別の項目を選んでください。</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2161,16 +2161,16 @@
         <translation>「%1」は「%2」の中に置いてください。</translation>
     </message>
     <message>
-        <source>A step that runs in parallel cannot move the arm.</source>
-        <translation>並列に実行されるステップはアームを動かせません。</translation>
+        <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
+        <translation>並列のステップはアームを動かせません。このステップをセクションの外に移動してください。</translation>
     </message>
     <message>
         <source>“%1” cannot contain steps.</source>
         <translation>「%1」にはステップを入れられません。</translation>
     </message>
     <message>
-        <source>This version of Tiller does not support the step “%1”.</source>
-        <translation>このバージョンの Tiller はステップ「%1」に対応していません。</translation>
+        <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
+        <translation>このバージョンの Tiller はステップ「%1」に対応していません。Tiller を更新するか、ステップを削除してください。</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
@@ -2185,32 +2185,32 @@
         <translation>プロジェクトは %1 で教示されましたが、ロボットは %2 です。先に「プロジェクトをこのロボットに合わせる…」を使ってください。</translation>
     </message>
     <message>
-        <source>A program with parameters can only be called by another program.</source>
-        <translation>引数のあるプログラムは他のプログラムからのみ呼び出せます。</translation>
+        <source>A program with parameters cannot be started directly. Use a “Call program” step in another program.</source>
+        <translation>パラメーターのあるプログラムは直接開始できません。別のプログラムのステップから呼び出してください。</translation>
     </message>
     <message>
-        <source>The program has no steps.</source>
-        <translation>プログラムにステップがありません。</translation>
+        <source>The program has no steps. Add steps first.</source>
+        <translation>プログラムにステップがありません。先にステップを追加してください。</translation>
     </message>
     <message>
-        <source>The variable “%1” has a different type elsewhere in the program.</source>
-        <translation>変数「%1」はプログラムの他の場所で別の型です。</translation>
+        <source>The variable “%1” has a different type elsewhere in the program. Use the same type or a different name.</source>
+        <translation>変数「%1」はプログラムの別の場所で異なる型です。同じ型か別の名前を使ってください。</translation>
     </message>
     <message>
         <source>A program cannot call itself.</source>
         <translation>プログラムは自分自身を呼び出せません。</translation>
     </message>
     <message>
-        <source>The calls are nested too deep.</source>
-        <translation>呼び出しの入れ子が深すぎます。</translation>
+        <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
+        <translation>プログラムの呼び出しの入れ子が深すぎます。階層を減らしてください。</translation>
     </message>
     <message>
         <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>「%1」は前のウェイポイントと別の TCP で教示されました。有効な TCP を設定するか、ステップを TCP 区間に入れてください。</translation>
     </message>
     <message>
-        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
-        <translation>この動作と前の動作のブレンド %1 と %2 は、間の距離 %3 を超えています。</translation>
+        <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
+        <translation>この動作と前の動作のブレンド半径 (%1 と %2) が、2 つの目標間の距離 %3 を超えています。半径を小さくしてください。</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
@@ -2233,12 +2233,12 @@
         <translation>括弧が対応していません。</translation>
     </message>
     <message>
-        <source>“%1” is not a variable name: use letters, digits and _.</source>
-        <translation>「%1」は変数名にできません。英字、数字、_ を使ってください。</translation>
+        <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
+        <translation>「%1」は有効な変数名ではありません。英数字とアンダースコアを使い、数字で始めないでください。</translation>
     </message>
     <message>
-        <source>The name “%1” is reserved.</source>
-        <translation>名前「%1」は予約されています。</translation>
+        <source>The name “%1” is reserved. Use a different name.</source>
+        <translation>名前「%1」は予約されています。別の名前を使ってください。</translation>
     </message>
     <message>
         <source>The arm comes too close to itself.</source>
@@ -2345,15 +2345,15 @@
         <translation>値</translation>
     </message>
     <message>
-        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
-        <translation>プログラム「%1」にはカンマ区切りの値が %2 個必要ですが、指定は %3 個です。</translation>
+        <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
+        <translation>プログラム「%1」にはコンマ区切りの値が %2 個必要ですが、ステップが渡すのは %3 個です。</translation>
     </message>
     <message>
         <source>Case</source>
         <translation>ケース</translation>
     </message>
     <message>
-        <source>Default must be the last part of a Switch.</source>
+        <source>“Default” must be the last branch of a Switch.</source>
         <translation>既定は分岐の最後に置いてください。</translation>
     </message>
     <message>
@@ -2413,8 +2413,8 @@
         <translation>力区間</translation>
     </message>
     <message>
-        <source>Along</source>
-        <translation>方向</translation>
+        <source>Reference frame</source>
+        <translation>基準座標系</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -2501,8 +2501,8 @@
         <translation>ループを抜ける</translation>
     </message>
     <message>
-        <source>This step is not inside a loop.</source>
-        <translation>このステップはループの中にありません。</translation>
+        <source>“Exit loop” must be inside a loop.</source>
+        <translation>ループを抜けるステップはループの中に置いてください。</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -2617,8 +2617,8 @@
         <translation>Z</translation>
     </message>
     <message>
-        <source>The distance is zero.</source>
-        <translation>距離がゼロです。</translation>
+        <source>The distance is zero. Enter a value for X, Y or Z.</source>
+        <translation>距離がゼロです。X、Y または Z の値を入力してください。</translation>
     </message>
     <message>
         <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
@@ -2633,10 +2633,6 @@
         <translation>アプローチ距離</translation>
     </message>
     <message>
-        <source>Run waypoint actions</source>
-        <translation>ウェイポイントの動作を実行</translation>
-    </message>
-    <message>
         <source>The arm cannot reach “%1”.</source>
         <translation>アームは「%1」に到達できません。</translation>
     </message>
@@ -2645,7 +2641,7 @@
         <translation>ウェイポイントか姿勢のどちらか一方を設定してください。</translation>
     </message>
     <message>
-        <source>Set a waypoint, or a pose.</source>
+        <source>Set a waypoint or a pose.</source>
         <translation>ウェイポイントか姿勢を設定してください。</translation>
     </message>
     <message>
@@ -2737,7 +2733,7 @@
         <translation>「tiller_」で始まる名前は予約されています。</translation>
     </message>
     <message>
-        <source>Each block of the script needs its own “end”.</source>
+        <source>Each block in the script needs an “end”.</source>
         <translation>スクリプトの各ブロックには「end」が必要です。</translation>
     </message>
     <message>
@@ -2769,7 +2765,7 @@
         <translation>レジスター</translation>
     </message>
     <message>
-        <source>Programs can set registers up to %1.</source>
+        <source>Programs can set registers only up to %1.</source>
         <translation>プログラムが設定できるレジスターは %1 までです。</translation>
     </message>
     <message>
@@ -2785,7 +2781,7 @@
         <translation>分岐にはケースが少なくとも 1 つ必要です。</translation>
     </message>
     <message>
-        <source>A Switch can directly contain only Case and Default.</source>
+        <source>Only Case and Default can be placed directly in a Switch.</source>
         <translation>分岐の直下に置けるのはケースと既定だけです。</translation>
     </message>
     <message>
@@ -2813,7 +2809,7 @@
         <translation>タイムアウト時</translation>
     </message>
     <message>
-        <source>The condition did not become true in time.</source>
+        <source>The condition did not become true before the timeout.</source>
         <translation>条件が時間内に真になりませんでした。</translation>
     </message>
     <message>
@@ -2821,8 +2817,8 @@
         <translation>入力を待つ</translation>
     </message>
     <message>
-        <source>%1 did not switch in time.</source>
-        <translation>%1 が時間内に切り替わりませんでした。</translation>
+        <source>%1 did not change to the expected state before the timeout.</source>
+        <translation>%1 は時間内に期待される状態になりませんでした。</translation>
     </message>
     <message>
         <source>Watch in parallel</source>
@@ -2861,8 +2857,8 @@
         <translation>先にプログラムをプレビューしてください。</translation>
     </message>
     <message>
-        <source>The preview found problems.</source>
-        <translation>プレビューで問題が見つかりました。</translation>
+        <source>The preview found problems. Fix them, then preview the program again.</source>
+        <translation>プレビューで問題が見つかりました。修正してから、もう一度プレビューしてください。</translation>
     </message>
     <message>
         <source>Move the arm to the start position first.</source>
@@ -2889,16 +2885,16 @@
         <translation>最初のステップの前に停止: %1</translation>
     </message>
     <message>
-        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <source>Later steps use the variable “%1” from step %2 (%3). Start at that step or earlier.</source>
         <translation>後のステップがステップ %2 (%3) の変数「%1」を使用します。そのステップ以前から開始してください。</translation>
     </message>
     <message>
-        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <source>Later steps depend on step %1 (%2). Start at that step or earlier.</source>
         <translation>後のステップにはステップ %1 (%2) が必要です。そのステップ以前から開始してください。</translation>
     </message>
     <message>
-        <source>The preview does not reach this step.</source>
-        <translation>プレビューはこのステップに到達しません。</translation>
+        <source>The preview does not reach this step. Select a different step.</source>
+        <translation>プレビューはこのステップに到達しません。別のステップを選んでください。</translation>
     </message>
     <message>
         <source>The simulated program does not complete step %1 (%2).</source>
@@ -2917,7 +2913,7 @@
         <translation>グリッパーが部品を落とした可能性があります（%1）。</translation>
     </message>
     <message>
-        <source>%1 would switch on again.</source>
+        <source>%1 would turn on again.</source>
         <translation>%1が再びオンになります。</translation>
     </message>
     <message>
@@ -2949,11 +2945,11 @@
         <translation>変数「%1」の値は保存されていません。</translation>
     </message>
     <message>
-        <source>TCP or payload would differ.</source>
+        <source>The TCP or the payload would differ.</source>
         <translation>TCPまたはペイロードが異なります。</translation>
     </message>
     <message>
-        <source>The program would run other steps.</source>
+        <source>The program would run different steps.</source>
         <translation>プログラムが別のステップを実行します。</translation>
     </message>
     <message>
@@ -3017,20 +3013,24 @@
         <translation>シミュレーション：プログラムはステップ%1（%2）から続行できます。</translation>
     </message>
     <message>
-        <source>The force section is open: its contact cannot be restored.</source>
-        <translation>力制御セクションの実行中です。接触状態は復元できません。</translation>
+        <source>The stop was inside a force section, so the contact cannot be restored.</source>
+        <translation>力制御セクション内で停止したため、接触を復元できません。</translation>
     </message>
     <message>
-        <source>The relative move is partly done.</source>
+        <source>The relative move is only partly complete.</source>
         <translation>相対移動は途中まで実行されています。</translation>
     </message>
     <message>
-        <source>The URScript text is partly done.</source>
+        <source>The URScript text was only partly executed.</source>
         <translation>URScriptテキストは途中まで実行されています。</translation>
     </message>
     <message>
         <source>Severity</source>
         <translation>重大度</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>タイムアウト</translation>
     </message>
 </context>
 <context>
@@ -4042,15 +4042,15 @@
         <translation>スペクトルの計算</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: select a longer range.</source>
+        <source>The range contains fewer than %1 samples. Select a longer range.</source>
         <translation>サンプルが%1個より少なくなっています。範囲を長くしてください。</translation>
     </message>
     <message>
-        <source>Values are missing in this range: select a range without gaps.</source>
+        <source>Values are missing in this range. Select a range without gaps.</source>
         <translation>この範囲には値の欠けがあります。欠けのない範囲を選んでください。</translation>
     </message>
     <message>
-        <source>Not enough memory: select a shorter range.</source>
+        <source>Not enough memory. Select a shorter range.</source>
         <translation>メモリーが足りません：短い範囲を選択してください。</translation>
     </message>
 </context>
@@ -5017,7 +5017,7 @@ TCPを障害物の角に移動し、「角をここに」を押してくださ�
         <translation>比較…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model using other limits</source>
+        <source>Compare this recording with the arm model using different limits</source>
         <translation>この記録をアームのモデルと別の限界値で比較します</translation>
     </message>
     <message>
@@ -7536,11 +7536,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>先にグラフに信号を追加してください。</translation>
     </message>
     <message>
-        <source>There are no samples in this range.</source>
-        <translation>この範囲にサンプルはありません。</translation>
+        <source>This range contains no samples. Select a different range.</source>
+        <translation>この範囲にサンプルがありません。別の範囲を選んでください。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
         <translation>この範囲ではサンプルが欠けています。間に欠けがないようにカーソルAとBを置いてください。</translation>
     </message>
     <message>
@@ -7572,7 +7572,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
         <translation>これらの信号は異なる記録のものです。カーソル A と B をより短い範囲に置いてください。</translation>
     </message>
     <message>
@@ -7583,7 +7583,7 @@ Press “Measure…” to measure the payload with the arm.</source>
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the arm model: the recording does not state the robot model.</source>
+        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
         <translation>アームのモデルとは比較していません：記録にロボットの機種の情報がありません。</translation>
     </message>
     <message>
@@ -7702,7 +7702,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>再開</translation>
     </message>
     <message>
-        <source>Freeze the plots; data and recording continue</source>
+        <source>Freeze the plots. Reception and recording of data continue.</source>
         <translation>グラフを止める。データと記録は続きます</translation>
     </message>
     <message>
@@ -7874,7 +7874,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>配置を開く…</translation>
     </message>
     <message>
-        <source>Memory for the history</source>
+        <source>History memory</source>
         <translation>履歴用メモリー</translation>
     </message>
     <message>
@@ -7914,8 +7914,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>信号</translation>
     </message>
     <message>
-        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>ロボットの全信号：グラフへドラッグするか、グラフの端へドラッグして新しいグラフを作るか、ダブルクリックします</translation>
+        <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
+        <translation>ロボットの信号。信号をプロットにドラッグするか、プロットの端にドラッグして新しいプロットを作成します。ダブルクリックするとプロットに追加されます。</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -7926,11 +7926,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>値</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>カーソル A と B での各信号の値と、その間の最小、最大、平均、RMS、偏差、傾き</translation>
     </message>
     <message>
-        <source>Pages and layout of the plots</source>
+        <source>Plot pages and layout</source>
         <translation>グラフのページと配置</translation>
     </message>
     <message>
@@ -8109,8 +8109,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>グラフをクリックして A、次に B を置きます。その間の統計がここに表示されます。</translation>
+        <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
+        <translation>プロットをクリックしてカーソル A、次にカーソル B を置きます。表にカーソル間の範囲の統計が表示されます。</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -8792,7 +8792,7 @@ Release the button to stop the arm.</source>
         <translation>チェックはキャンセルされました。</translation>
     </message>
     <message>
-        <source>Cancel the check</source>
+        <source>Cancel check</source>
         <translation>チェックをキャンセル</translation>
     </message>
     <message>
@@ -9590,8 +9590,8 @@ Release the button to stop the arm.</source>
         <translation>停止</translation>
     </message>
     <message>
-        <source>There is no program to run.</source>
-        <translation>実行するプログラムがありません。</translation>
+        <source>No program is selected. Create or select a program first.</source>
+        <translation>プログラムが選択されていません。先に作成するか選択してください。</translation>
     </message>
     <message>
         <source>Stops the program</source>
@@ -9658,8 +9658,8 @@ Release the button to stop the arm.</source>
         <translation>ステップを 1 つ選択してください。</translation>
     </message>
     <message>
-        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
-        <translation>選択したステップ、または再び先頭からプログラムを開始します。先にアームをステップの開始位置へ移動してください。</translation>
+        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
+        <translation>選択したステップからプログラムを開始します。もう一度押すと先頭から開始します。先にアームを開始位置へ移動してください。</translation>
     </message>
     <message>
         <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
@@ -9800,11 +9800,11 @@ Release the button to stop the arm.</source>
         <translation>派生</translation>
     </message>
     <message>
-        <source>The robot cannot send this many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once. Remove other signals first.</source>
         <translation>ロボットが一度に送れる信号を超えます：先に他を外してください。</translation>
     </message>
     <message>
-        <source>The recording %1 contains no samples. Open another recording.</source>
+        <source>The recording %1 contains no samples. Open a different recording.</source>
         <translation>記録 %1 にサンプルがありません。別の記録を開いてください。</translation>
     </message>
     <message>
@@ -9812,7 +9812,7 @@ Release the button to stop the arm.</source>
         <translation>%2 の %1</translation>
     </message>
     <message>
-        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
+        <source>The history memory is too small to show %1. Increase the memory in the “Layout” menu.</source>
         <translation>%1 を表示する履歴メモリーが足りません：メニュー「配置」で増やしてください。</translation>
     </message>
     <message>

@@ -519,31 +519,31 @@
         <translation>计算信号</translation>
     </message>
     <message>
-        <source>There is no signal “%1”. See the signal list for the names.</source>
+        <source>The signal “%1” does not exist. See the signal list for the names.</source>
         <translation>没有信号“%1”。名称见信号列表。</translation>
     </message>
     <message>
-        <source>The expression contains no signal.</source>
-        <translation>表达式中没有信号。</translation>
+        <source>The expression contains no signal. Add the name of a signal.</source>
+        <translation>表达式不包含信号。请添加信号名称。</translation>
     </message>
     <message>
-        <source>The expression contains too many signals.</source>
-        <translation>表达式中信号太多。</translation>
+        <source>The expression contains too many signals. Use fewer signals.</source>
+        <translation>表达式包含的信号过多。请减少信号。</translation>
     </message>
     <message>
         <source>The expression must evaluate to one number.</source>
         <translation>表达式的结果必须是一个数。</translation>
     </message>
     <message>
-        <source>The text is too long.</source>
-        <translation>文本太长。</translation>
+        <source>The text is too long. Use a shorter name or expression.</source>
+        <translation>文本过长。请使用更短的名称或表达式。</translation>
     </message>
     <message>
         <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation>请输入名称、等号和表达式：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
-        <source>Too many equals signs. For a comparison, use ==</source>
+        <source>Too many equals signs. Use == to compare values.</source>
         <translation>等号过多。比较请使用 ==</translation>
     </message>
     <message>
@@ -2121,8 +2121,8 @@
 <context>
     <name>ProgramText</name>
     <message>
-        <source>Maximum</source>
-        <translation>最大值</translation>
+        <source>Maximum distance</source>
+        <translation>最大距离</translation>
     </message>
     <message>
         <source>Fail</source>
@@ -2149,8 +2149,8 @@
         <translation>组“%1”不包含路点。</translation>
     </message>
     <message>
-        <source>“%1” refers to an item that was deleted from the project.</source>
-        <translation>“%1”引用的项已从项目中删除。</translation>
+        <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
+        <translation>“%1”引用的项已从项目中删除。请选择其他项。</translation>
     </message>
     <message>
         <source>“%1” must come directly after “%2”.</source>
@@ -2161,16 +2161,16 @@
         <translation>“%1”必须位于“%2”之内。</translation>
     </message>
     <message>
-        <source>A step that runs in parallel cannot move the arm.</source>
-        <translation>并行运行的步骤不能移动机械臂。</translation>
+        <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
+        <translation>并行步骤不能移动机械臂。请将此步骤移出该部分。</translation>
     </message>
     <message>
         <source>“%1” cannot contain steps.</source>
         <translation>“%1”不能包含步骤。</translation>
     </message>
     <message>
-        <source>This version of Tiller does not support the step “%1”.</source>
-        <translation>此版本的 Tiller 不支持步骤“%1”。</translation>
+        <source>This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.</source>
+        <translation>此版本的 Tiller 不支持步骤“%1”。请更新 Tiller 或删除该步骤。</translation>
     </message>
     <message>
         <source>A program can start only at a top-level step, and not at a branch such as Else. Select a different step.</source>
@@ -2185,32 +2185,32 @@
         <translation>项目用 %1 示教，而机器人是 %2。请先使用“使项目适应此机器人…”。</translation>
     </message>
     <message>
-        <source>A program with parameters can only be called by another program.</source>
-        <translation>带参数的程序只能由其他程序调用。</translation>
+        <source>A program with parameters cannot be started directly. Use a “Call program” step in another program.</source>
+        <translation>带参数的程序不能直接启动。请在另一个程序中用步骤调用它。</translation>
     </message>
     <message>
-        <source>The program has no steps.</source>
-        <translation>程序没有步骤。</translation>
+        <source>The program has no steps. Add steps first.</source>
+        <translation>程序没有步骤。请先添加步骤。</translation>
     </message>
     <message>
-        <source>The variable “%1” has a different type elsewhere in the program.</source>
-        <translation>变量“%1”在程序其他位置有不同类型。</translation>
+        <source>The variable “%1” has a different type elsewhere in the program. Use the same type or a different name.</source>
+        <translation>变量“%1”在程序的其他位置类型不同。请使用相同的类型或其他名称。</translation>
     </message>
     <message>
         <source>A program cannot call itself.</source>
         <translation>程序不能调用自身。</translation>
     </message>
     <message>
-        <source>The calls are nested too deep.</source>
-        <translation>调用嵌套过深。</translation>
+        <source>Program calls are nested too deeply. Use fewer levels of calls.</source>
+        <translation>程序调用嵌套过深。请减少调用层数。</translation>
     </message>
     <message>
         <source>“%1” was taught with a different TCP than the waypoints before it. Set the active TCP, or put the step in a TCP section.</source>
         <translation>“%1”与之前路点使用的 TCP 不同。请设置当前 TCP，或将步骤放入 TCP 段。</translation>
     </message>
     <message>
-        <source>The blends of this move and the previous move, %1 and %2, exceed the distance of %3 between them.</source>
-        <translation>此移动与前一移动的交融半径 %1 和 %2 超过两者间距 %3。</translation>
+        <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
+        <translation>此运动与上一运动的交融半径（%1 和 %2）超过两个目标之间的距离 %3。请减小半径。</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
@@ -2233,12 +2233,12 @@
         <translation>括号不匹配。</translation>
     </message>
     <message>
-        <source>“%1” is not a variable name: use letters, digits and _.</source>
-        <translation>“%1”不是变量名：请使用字母、数字和 _。</translation>
+        <source>“%1” is not a valid variable name. Use letters, digits and underscores, and do not start with a digit.</source>
+        <translation>“%1”不是有效的变量名。请使用字母、数字和下划线，且不要以数字开头。</translation>
     </message>
     <message>
-        <source>The name “%1” is reserved.</source>
-        <translation>名称“%1”已保留。</translation>
+        <source>The name “%1” is reserved. Use a different name.</source>
+        <translation>名称“%1”为保留名称。请使用其他名称。</translation>
     </message>
     <message>
         <source>The arm comes too close to itself.</source>
@@ -2345,15 +2345,15 @@
         <translation>值</translation>
     </message>
     <message>
-        <source>The program “%1” requires %2 comma-separated values, but has %3.</source>
-        <translation>程序“%1”需要 %2 个以逗号分隔的值，但只给出 %3 个。</translation>
+        <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
+        <translation>程序“%1”需要 %2 个逗号分隔的值，但该步骤传递了 %3 个。</translation>
     </message>
     <message>
         <source>Case</source>
         <translation>情况</translation>
     </message>
     <message>
-        <source>Default must be the last part of a Switch.</source>
+        <source>“Default” must be the last branch of a Switch.</source>
         <translation>“默认”必须是“选择”的最后一部分。</translation>
     </message>
     <message>
@@ -2413,8 +2413,8 @@
         <translation>力控段</translation>
     </message>
     <message>
-        <source>Along</source>
-        <translation>沿</translation>
+        <source>Reference frame</source>
+        <translation>参考坐标系</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -2501,8 +2501,8 @@
         <translation>退出循环</translation>
     </message>
     <message>
-        <source>This step is not inside a loop.</source>
-        <translation>此步骤不在循环中。</translation>
+        <source>“Exit loop” must be inside a loop.</source>
+        <translation>退出循环的步骤必须位于循环内。</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -2617,8 +2617,8 @@
         <translation>Z</translation>
     </message>
     <message>
-        <source>The distance is zero.</source>
-        <translation>距离为零。</translation>
+        <source>The distance is zero. Enter a value for X, Y or Z.</source>
+        <translation>距离为零。请输入 X、Y 或 Z 的值。</translation>
     </message>
     <message>
         <source>The waypoint “%1” moves the gripper. In a program, use the Gripper step and turn off “Run waypoint actions”.</source>
@@ -2633,10 +2633,6 @@
         <translation>接近距离</translation>
     </message>
     <message>
-        <source>Run waypoint actions</source>
-        <translation>执行路点动作</translation>
-    </message>
-    <message>
         <source>The arm cannot reach “%1”.</source>
         <translation>机械臂无法到达“%1”。</translation>
     </message>
@@ -2645,7 +2641,7 @@
         <translation>请设置路点或位姿之一，不能同时设置。</translation>
     </message>
     <message>
-        <source>Set a waypoint, or a pose.</source>
+        <source>Set a waypoint or a pose.</source>
         <translation>请设置路点或位姿。</translation>
     </message>
     <message>
@@ -2737,7 +2733,7 @@
         <translation>以“tiller_”开头的名称已保留。</translation>
     </message>
     <message>
-        <source>Each block of the script needs its own “end”.</source>
+        <source>Each block in the script needs an “end”.</source>
         <translation>脚本的每个块都需要自己的“end”。</translation>
     </message>
     <message>
@@ -2769,7 +2765,7 @@
         <translation>寄存器</translation>
     </message>
     <message>
-        <source>Programs can set registers up to %1.</source>
+        <source>Programs can set registers only up to %1.</source>
         <translation>程序可设置的寄存器最大编号为 %1。</translation>
     </message>
     <message>
@@ -2785,7 +2781,7 @@
         <translation>“选择”至少需要一个“情况”。</translation>
     </message>
     <message>
-        <source>A Switch can directly contain only Case and Default.</source>
+        <source>Only Case and Default can be placed directly in a Switch.</source>
         <translation>“选择”中只能直接包含“情况”和“默认”。</translation>
     </message>
     <message>
@@ -2813,7 +2809,7 @@
         <translation>超时后</translation>
     </message>
     <message>
-        <source>The condition did not become true in time.</source>
+        <source>The condition did not become true before the timeout.</source>
         <translation>条件未及时变为真。</translation>
     </message>
     <message>
@@ -2821,8 +2817,8 @@
         <translation>等待输入</translation>
     </message>
     <message>
-        <source>%1 did not switch in time.</source>
-        <translation>%1 未及时切换。</translation>
+        <source>%1 did not change to the expected state before the timeout.</source>
+        <translation>%1 未在超时前变为预期状态。</translation>
     </message>
     <message>
         <source>Watch in parallel</source>
@@ -2861,8 +2857,8 @@
         <translation>请先预览程序。</translation>
     </message>
     <message>
-        <source>The preview found problems.</source>
-        <translation>预览发现了问题。</translation>
+        <source>The preview found problems. Fix them, then preview the program again.</source>
+        <translation>预览发现问题。请修正后重新预览程序。</translation>
     </message>
     <message>
         <source>Move the arm to the start position first.</source>
@@ -2889,16 +2885,16 @@
         <translation>在第一步之前停止：%1</translation>
     </message>
     <message>
-        <source>Later steps use the variable “%1” of step %2 (%3). Start at that step or before it.</source>
+        <source>Later steps use the variable “%1” from step %2 (%3). Start at that step or earlier.</source>
         <translation>后续步骤使用步骤 %2（%3）的变量“%1”。请从该步骤或之前开始。</translation>
     </message>
     <message>
-        <source>Later steps need step %1 (%2). Start at that step or before it.</source>
+        <source>Later steps depend on step %1 (%2). Start at that step or earlier.</source>
         <translation>后续步骤需要步骤 %1（%2）。请从该步骤或之前开始。</translation>
     </message>
     <message>
-        <source>The preview does not reach this step.</source>
-        <translation>预览未到达此步骤。</translation>
+        <source>The preview does not reach this step. Select a different step.</source>
+        <translation>预览未到达此步骤。请选择其他步骤。</translation>
     </message>
     <message>
         <source>The simulated program does not complete step %1 (%2).</source>
@@ -2917,7 +2913,7 @@
         <translation>夹爪可能已丢失零件（%1）。</translation>
     </message>
     <message>
-        <source>%1 would switch on again.</source>
+        <source>%1 would turn on again.</source>
         <translation>%1会再次接通。</translation>
     </message>
     <message>
@@ -2949,11 +2945,11 @@
         <translation>变量“%1”的值未保存。</translation>
     </message>
     <message>
-        <source>TCP or payload would differ.</source>
+        <source>The TCP or the payload would differ.</source>
         <translation>TCP或有效负载会不同。</translation>
     </message>
     <message>
-        <source>The program would run other steps.</source>
+        <source>The program would run different steps.</source>
         <translation>程序会执行其他步骤。</translation>
     </message>
     <message>
@@ -3017,20 +3013,24 @@
         <translation>仿真：程序可以从步骤%1（%2）继续。</translation>
     </message>
     <message>
-        <source>The force section is open: its contact cannot be restored.</source>
-        <translation>力控制段正在执行：无法恢复其接触状态。</translation>
+        <source>The stop was inside a force section, so the contact cannot be restored.</source>
+        <translation>停止发生在力控制部分内，因此无法恢复接触。</translation>
     </message>
     <message>
-        <source>The relative move is partly done.</source>
+        <source>The relative move is only partly complete.</source>
         <translation>相对移动只执行了一部分。</translation>
     </message>
     <message>
-        <source>The URScript text is partly done.</source>
+        <source>The URScript text was only partly executed.</source>
         <translation>URScript文本只执行了一部分。</translation>
     </message>
     <message>
         <source>Severity</source>
         <translation>严重程度</translation>
+    </message>
+    <message>
+        <source>Timeout</source>
+        <translation>超时时间</translation>
     </message>
 </context>
 <context>
@@ -4042,15 +4042,15 @@
         <translation>计算频谱</translation>
     </message>
     <message>
-        <source>There are fewer than %1 samples: select a longer range.</source>
+        <source>The range contains fewer than %1 samples. Select a longer range.</source>
         <translation>采样少于 %1 个：请选择更长的范围。</translation>
     </message>
     <message>
-        <source>Values are missing in this range: select a range without gaps.</source>
+        <source>Values are missing in this range. Select a range without gaps.</source>
         <translation>此范围内缺少数值：请选择没有缺口的范围。</translation>
     </message>
     <message>
-        <source>Not enough memory: select a shorter range.</source>
+        <source>Not enough memory. Select a shorter range.</source>
         <translation>内存不足：请选择较短的范围。</translation>
     </message>
 </context>
@@ -5017,7 +5017,7 @@ Move the TCP to a corner of an obstacle and press “Teach corner”.</source>
         <translation>比较…</translation>
     </message>
     <message>
-        <source>Compare this recording with the arm model using other limits</source>
+        <source>Compare this recording with the arm model using different limits</source>
         <translation>用其他限值将此录制与机械臂模型比较</translation>
     </message>
     <message>
@@ -7536,11 +7536,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>请先向曲线图添加信号。</translation>
     </message>
     <message>
-        <source>There are no samples in this range.</source>
-        <translation>此范围内没有采样。</translation>
+        <source>This range contains no samples. Select a different range.</source>
+        <translation>此范围内没有采样。请选择其他范围。</translation>
     </message>
     <message>
-        <source>Samples are missing in this range: place the cursors A and B so that there is no gap between them.</source>
+        <source>Samples are missing in this range. Place the cursors A and B around a range without gaps.</source>
         <translation>此范围内缺少采样：请放置游标 A 和 B，使其间没有缺口。</translation>
     </message>
     <message>
@@ -7572,7 +7572,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1 · %2 … %3 s</translation>
     </message>
     <message>
-        <source>These signals are from different recordings: place the cursors A and B around a shorter range.</source>
+        <source>These signals are from different recordings. Place the cursors A and B around a shorter range.</source>
         <translation>这些信号来自不同的录制：请用游标 A 和 B 选择更短的范围。</translation>
     </message>
     <message>
@@ -7583,7 +7583,7 @@ Press “Measure…” to measure the payload with the arm.</source>
 <context>
     <name>tiller::PlotComparison</name>
     <message>
-        <source>Not compared with the arm model: the recording does not state the robot model.</source>
+        <source>Not compared with the arm model: the recording does not contain the robot model.</source>
         <translation>未与机械臂模型比较：录制中没有机器人型号。</translation>
     </message>
     <message>
@@ -7702,7 +7702,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>继续</translation>
     </message>
     <message>
-        <source>Freeze the plots; data and recording continue</source>
+        <source>Freeze the plots. Reception and recording of data continue.</source>
         <translation>冻结曲线图；数据和录制继续</translation>
     </message>
     <message>
@@ -7874,7 +7874,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>打开布局…</translation>
     </message>
     <message>
-        <source>Memory for the history</source>
+        <source>History memory</source>
         <translation>历史内存</translation>
     </message>
     <message>
@@ -7914,8 +7914,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>信号</translation>
     </message>
     <message>
-        <source>All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new plot, or double-click it</source>
-        <translation>机器人的所有信号：拖到图上，拖到图的边缘以创建新图，或双击</translation>
+        <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
+        <translation>机器人信号。将信号拖到绘图中，或拖到绘图边缘以新建绘图。双击信号可将其添加到绘图。</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -7926,11 +7926,11 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>值</translation>
     </message>
     <message>
-        <source>Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard deviation, slope</source>
+        <source>Values at the cursors A and B, and statistics of the range between the cursors: minimum, maximum, mean, RMS, standard deviation, slope</source>
         <translation>每个信号在游标 A 和 B 处的值，以及其间的最小、最大、平均、RMS、偏差、斜率</translation>
     </message>
     <message>
-        <source>Pages and layout of the plots</source>
+        <source>Plot pages and layout</source>
         <translation>曲线图的页与布局</translation>
     </message>
     <message>
@@ -8109,8 +8109,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>Δt %1 s · 1/Δt %2 Hz</translation>
     </message>
     <message>
-        <source>Click in the plots to place A, then B. Statistics of the range between them appear here.</source>
-        <translation>在曲线图中点击放置 A，然后 B。两者之间范围的统计显示在此。</translation>
+        <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
+        <translation>在绘图中单击以放置光标 A，然后放置光标 B。表格随后显示光标之间范围的统计值。</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -8792,7 +8792,7 @@ Release the button to stop the arm.</source>
         <translation>检查已取消。</translation>
     </message>
     <message>
-        <source>Cancel the check</source>
+        <source>Cancel check</source>
         <translation>取消检查</translation>
     </message>
     <message>
@@ -9590,8 +9590,8 @@ Release the button to stop the arm.</source>
         <translation>停止</translation>
     </message>
     <message>
-        <source>There is no program to run.</source>
-        <translation>没有可运行的程序。</translation>
+        <source>No program is selected. Create or select a program first.</source>
+        <translation>未选择程序。请先创建或选择程序。</translation>
     </message>
     <message>
         <source>Stops the program</source>
@@ -9658,8 +9658,8 @@ Release the button to stop the arm.</source>
         <translation>请选择一个步骤。</translation>
     </message>
     <message>
-        <source>Starts the program at the selected step, or at its beginning again. Move the arm to the start position of the step first.</source>
-        <translation>从所选步骤或重新从头启动程序。请先将机械臂移动到该步骤的起始位置。</translation>
+        <source>Starts the program at the selected step. Press again to start at the beginning. Move the arm to the start position first.</source>
+        <translation>从所选步骤启动程序。再次按下则从头开始。请先将机械臂移到起始位置。</translation>
     </message>
     <message>
         <source>Runs the program while the button is held, no faster than the jog speed. The program ends when you release the button.</source>
@@ -9800,11 +9800,11 @@ Release the button to stop the arm.</source>
         <translation>派生</translation>
     </message>
     <message>
-        <source>The robot cannot send this many signals at once: remove other signals first.</source>
+        <source>The robot cannot send this many signals at once. Remove other signals first.</source>
         <translation>这些信号超过机器人一次发送的数量：请先去除其他信号。</translation>
     </message>
     <message>
-        <source>The recording %1 contains no samples. Open another recording.</source>
+        <source>The recording %1 contains no samples. Open a different recording.</source>
         <translation>录制 %1 不包含样本。请打开其他录制。</translation>
     </message>
     <message>
@@ -9812,7 +9812,7 @@ Release the button to stop the arm.</source>
         <translation>%2 的 %1</translation>
     </message>
     <message>
-        <source>The history memory is too small to show %1: increase it in the Layout menu.</source>
+        <source>The history memory is too small to show %1. Increase the memory in the “Layout” menu.</source>
         <translation>历史内存不足以显示 %1：请在“布局”菜单中增加。</translation>
     </message>
     <message>

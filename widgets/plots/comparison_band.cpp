@@ -29,7 +29,7 @@ ComparisonBand::ComparisonBand(QWidget* parent)
     compare_->setObjectName(QStringLiteral("plots.comparison.compare"));
     compare_->setText(tr("Compare…"));
     compare_->setAccessibleName(compare_->text());
-    compare_->setToolTip(tr("Compare this recording with the arm model using other limits"));
+    compare_->setToolTip(tr("Compare this recording with the arm model using different limits"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(kFlagRoom, 4, 8, 4);
     layout->setSpacing(8);

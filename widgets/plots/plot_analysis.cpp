@@ -199,14 +199,14 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     }
     const std::int64_t least = kind == Kind::Spectrum ? 2 : 1;
     if (task.end - task.begin < least) {
-        explainMissingResult(tr("There are no samples in this range."));
+        explainMissingResult(tr("This range contains no samples. Select a different range."));
         return std::nullopt;
     }
     if (kind == Kind::Xy) {
         task.every = (task.end - task.begin + kMaxPoints - 1) / kMaxPoints;
         if (isFar(task) && !store_.stretchOf(task.wanted, task.begin, task.end)) {
             explainMissingResult(
-                tr("These signals are from different recordings: place the cursors A and B around a shorter "
+                tr("These signals are from different recordings. Place the cursors A and B around a shorter "
                    "range."));
             return std::nullopt;
         }
@@ -215,8 +215,7 @@ std::optional<PlotAnalysis::Task> PlotAnalysis::taskFor(Kind kind, const std::ve
     task.end = std::min(task.end, task.begin + kMaxAnalysisSamples);
     if (history->hasGap(task.begin + 1, task.end)) {
         explainMissingResult(
-            tr("Samples are missing in this range: place the cursors A and B so that there is no gap between "
-               "them."));
+            tr("Samples are missing in this range. Place the cursors A and B around a range without gaps."));
         return std::nullopt;
     }
     task.period = (history->time(task.end - 1) - history->time(task.begin)) /
@@ -345,7 +344,7 @@ PlotAnalysis::Outcome PlotAnalysis::compute(const Task& task, const Columns& col
                 outcome.points.append({columns.front()[i], columns.back()[i]});
             }
         }
-        outcome.message = tr("There are no samples in this range.");
+        outcome.message = tr("This range contains no samples. Select a different range.");
         return outcome;
     }
     const Result<Spectrum> spectrum = spectrumOf(columns.front(), task.period);

@@ -80,7 +80,8 @@ void PlotComparison::run(const QString& recording, std::optional<RobotModelId> m
     entry.model = model;
     if (!model) {
         entry.state = State::Failed;
-        entry.problem = tr("Not compared with the arm model: the recording does not state the robot model.");
+        entry.problem =
+            tr("Not compared with the arm model: the recording does not contain the robot model.");
     }
     const CancelToken cancel = entry.cancel;
     entries_.insert(recording, entry);

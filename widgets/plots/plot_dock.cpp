@@ -436,7 +436,7 @@ void PlotDock::buildPagesMenu() {
     add(menu, "plots.layout.save", tr("Save layout…"), [this] { askToSaveArrangement(); });
     add(menu, "plots.layout.open", tr("Open layout…"), [this] { askToOpenArrangement(); });
     menu->addSeparator();
-    QMenu* budgets = menu->addMenu(tr("Memory for the history"));
+    QMenu* budgets = menu->addMenu(tr("History memory"));
     budgets->setObjectName(QStringLiteral("plots.layout.budget"));
     for (const int megabytes : {256, 512, 1024, 2048, 4096}) {
         const std::size_t bytes = static_cast<std::size_t>(megabytes) << 20;
@@ -711,18 +711,18 @@ void PlotDock::buildHeader() {
     signalsKey_ = quietButton(QStringLiteral("plots.signals"), tr("Signal list"), this);
     signalsKey_->setText(tr("Signals"));
     signalsKey_->setToolTip(
-        tr("All signals of the robot: drag a signal to a plot, or to the edge of a plot to create a new "
-           "plot, or double-click it"));
+        tr("Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. "
+           "Double-click a signal to add it to a plot."));
     signalsKey_->setCheckable(true);
     connect(signalsKey_, &QToolButton::clicked, this, &PlotDock::setSignalsShown);
     valuesKey_ = quietButton(QStringLiteral("plots.valuesKey"), tr("Values at the cursors"), this);
     valuesKey_->setText(tr("Values"));
     valuesKey_->setToolTip(
-        tr("Values at the cursors A and B and statistics between them: minimum, maximum, mean, RMS, standard "
-           "deviation, slope"));
+        tr("Values at the cursors A and B, and statistics of the range between the cursors: minimum, "
+           "maximum, mean, RMS, standard deviation, slope"));
     valuesKey_->setCheckable(true);
     connect(valuesKey_, &QToolButton::clicked, this, &PlotDock::setValuesShown);
-    pagesKey_ = quietButton(QStringLiteral("plots.layout"), tr("Pages and layout of the plots"), this);
+    pagesKey_ = quietButton(QStringLiteral("plots.layout"), tr("Plot pages and layout"), this);
     pagesKey_->setText(tr("Layout ▾"));
     pagesKey_->setPopupMode(QToolButton::InstantPopup);
     auto* pagesMenu = new QMenu(pagesKey_);
@@ -890,7 +890,7 @@ void PlotDock::updateHeader() {
     }
     setTextIfNew(span_, spanText + QStringLiteral(" ▾"));
     setTextIfNew(pause_, window.follows() ? tr("Pause") : tr("Resume"));
-    pause_->setToolTip(window.follows() ? tr("Freeze the plots; data and recording continue")
+    pause_->setToolTip(window.follows() ? tr("Freeze the plots. Reception and recording of data continue.")
                                         : tr("Back to the newest samples"));
     zero_->setChecked(view().isForceZeroed());
     zero_->setToolTip(view().isForceZeroed()

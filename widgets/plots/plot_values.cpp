@@ -94,7 +94,8 @@ void PlotValues::fill() {
                                .arg(format::number(between, 4), format::number(1 / std::abs(between), 3)));
     } else {
         between_->setText(
-            tr("Click in the plots to place A, then B. Statistics of the range between them appear here."));
+            tr("Click in the plots to place cursor A, then cursor B. The table then shows statistics of the "
+               "range between the cursors."));
     }
     std::vector<int> shown;
     for (const auto& pane : view_->panes()) {

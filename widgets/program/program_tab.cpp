@@ -613,7 +613,7 @@ void ProgramTab::checkRecovery() {
     clearRecovery();
     recovered_ = script;
     recoveredProject_ = document_.project();
-    recoverAction_->setText(tr("Cancel the check"));
+    recoverAction_->setText(tr("Cancel check"));
     showStatus(tr("Simulating stops…"));
     program::ScriptOptions options = scriptOptions();
     options.from = {};

@@ -303,7 +303,8 @@ QString RunBar::programObstacle() const {
     if (script_.ok()) {
         return {};
     }
-    return script_.problems.empty() ? tr("There is no program to run.") : script_.problems.front().text;
+    return script_.problems.empty() ? tr("No program is selected. Create or select a program first.")
+                                    : script_.problems.front().text;
 }
 
 QString RunBar::runObstacle() const {
@@ -364,8 +365,8 @@ void RunBar::updateGateKeys() {
               : !preview_                 ? runObstacle()
               : selected_.isNull()        ? tr("Select one step.")
                                           : QString(),
-              tr("Starts the program at the selected step, or at its beginning again. Move the arm to the "
-                 "start position of the step first."));
+              tr("Starts the program at the selected step. Press again to start at the beginning. Move the "
+                 "arm to the start position first."));
     from_->setChecked(startStep_.has_value());
     from_->setText(startStep_    ? tr("Start at step %1").arg(script_.numberOf(startStep_->step))
                    : continues() ? tr("Continue at %1").arg(continuation_.number)

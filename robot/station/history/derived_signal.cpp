@@ -97,14 +97,18 @@ public:
                 words.append(fromParser(name));
                 const QString key = plain.nameOf(words.back());
                 if (!exists(key)) {
-                    return DerivationText::tr("There is no signal “%1”. See the signal list for the names.")
+                    return DerivationText::tr(
+                               "The signal “%1” does not exist. See the signal list for the names.")
                         .arg(key);
                 }
                 inputs_.append(key);
             }
             if (inputs_.isEmpty() || inputs_.size() > kMaxInputs) {
-                return inputs_.isEmpty() ? DerivationText::tr("The expression contains no signal.")
-                                         : DerivationText::tr("The expression contains too many signals.");
+                return inputs_.isEmpty()
+                           ? DerivationText::tr(
+                                 "The expression contains no signal. Add the name of a signal.")
+                           : DerivationText::tr(
+                                 "The expression contains too many signals. Use fewer signals.");
             }
             values_.resize(static_cast<std::size_t>(inputs_.size()));
             for (qsizetype i = 0; i < inputs_.size(); ++i) {
@@ -211,7 +215,9 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
         QRegularExpression::DotMatchesEverythingOption);
     static const QRegularExpression kStretch(
         QStringLiteral("^(deriv|mean)\\(\\s*([A-Za-z_][\\w.]*)\\s*,\\s*([0-9.]+)\\s*\\)$"));
-    const auto tooLong = [] { return wrong(DerivationText::tr("The text is too long.")); };
+    const auto tooLong = [] {
+        return wrong(DerivationText::tr("The text is too long. Use a shorter name or expression."));
+    };
     if (text.size() > kMaxTextLength) {
         return tooLong();
     }
@@ -226,7 +232,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {
-        return wrong(DerivationText::tr("Too many equals signs. For a comparison, use =="));
+        return wrong(DerivationText::tr("Too many equals signs. Use == to compare values."));
     }
     std::shared_ptr<DerivedSignal> made;
     if (const QRegularExpressionMatch stretch = kStretch.match(plain.expression); stretch.hasMatch()) {
@@ -235,7 +241,8 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
         const QString input = plain.nameOf(stretch.captured(2));
         if (!exists(input)) {
             return wrong(
-                DerivationText::tr("There is no signal “%1”. See the signal list for the names.").arg(input));
+                DerivationText::tr("The signal “%1” does not exist. See the signal list for the names.")
+                    .arg(input));
         }
         if (!isNumber || seconds < kShortestStretch || seconds > kMaxStretch) {
             return wrong(DerivationText::tr("The time window must be between 0.001 and 60 seconds."));

@@ -397,7 +397,7 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
     constexpr qsizetype kTimestamp = 10;  // length of "timestamp" including its comma
     if (static_cast<std::size_t>(fields.join(QLatin1Char(',')).size() + kTimestamp) >
         receive::longestFieldList()) {
-        problem_ = tr("The robot cannot send this many signals at once: remove other signals first.");
+        problem_ = tr("The robot cannot send this many signals at once. Remove other signals first.");
         return false;
     }
     for (const QString& field : std::as_const(fields)) {
@@ -411,9 +411,10 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
 }
 
 Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, double begin) {
-    const Error empty{ErrorCode::InvalidArgument,
-                      tr("The recording %1 contains no samples. Open another recording.").arg(file->path()),
-                      {}};
+    const Error empty{
+        ErrorCode::InvalidArgument,
+        tr("The recording %1 contains no samples. Open a different recording.").arg(file->path()),
+        {}};
     if (file->rows() == 0) {
         return empty;
     }
@@ -495,7 +496,7 @@ bool SignalStore::hasCapacityFor(int signal, std::size_t bytes) {
     if (memoryBytes() + bytes <= limits_.bytes) {
         return true;
     }
-    problem_ = tr("The history memory is too small to show %1: increase it in the Layout menu.")
+    problem_ = tr("The history memory is too small to show %1. Increase the memory in the “Layout” menu.")
                    .arg(info(signal).longLabel);
     return false;
 }

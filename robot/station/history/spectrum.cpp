@@ -33,11 +33,11 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
         return Error{ErrorCode::InvalidArgument, SpectrumText::tr("compute a spectrum"), why};
     };
     if (values.size() < kMinSpectrumSamples || !(period > 0)) {
-        return refuse(SpectrumText::tr("There are fewer than %1 samples: select a longer range.")
+        return refuse(SpectrumText::tr("The range contains fewer than %1 samples. Select a longer range.")
                           .arg(kMinSpectrumSamples));
     }
     if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
-        return refuse(SpectrumText::tr("Values are missing in this range: select a range without gaps."));
+        return refuse(SpectrumText::tr("Values are missing in this range. Select a range without gaps."));
     }
     const std::size_t length = std::min(std::bit_floor(values.size()), kMaxSegment);
     std::vector<double> window(length);
@@ -50,7 +50,7 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
     const std::unique_ptr<kiss_fftr_state, FreePlan> plan(
         kiss_fftr_alloc(static_cast<int>(length), 0, nullptr, nullptr));
     if (!plan) {
-        return refuse(SpectrumText::tr("Not enough memory: select a shorter range."));
+        return refuse(SpectrumText::tr("Not enough memory. Select a shorter range."));
     }
     double mean = 0;
     for (const double value : values) {

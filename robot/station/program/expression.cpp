@@ -130,10 +130,13 @@ bool isVariableName(const QString& name, QString* why) {
     static const QRegularExpression identifier(QStringLiteral("^[A-Za-z_][A-Za-z0-9_]*\\z"));
     QString reason;
     if (!identifier.match(name).hasMatch()) {
-        reason = ProgramText::tr("“%1” is not a variable name: use letters, digits and _.").arg(name);
+        reason = ProgramText::tr(
+                     "“%1” is not a valid variable name. Use letters, digits and underscores, and do not "
+                     "start with a digit.")
+                     .arg(name);
     } else if (name.startsWith(QLatin1String("tiller_")) || statementWords().contains(name) ||
                valueWords().contains(name) || !terminalCall(name).isEmpty()) {
-        reason = ProgramText::tr("The name “%1” is reserved.").arg(name);
+        reason = ProgramText::tr("The name “%1” is reserved. Use a different name.").arg(name);
     }
     if (why != nullptr) {
         *why = reason;

@@ -45,7 +45,7 @@ inline StepField optionalField(const char* key, const QString& label, FieldType 
     return plainField(key, label, type, {}, true);
 }
 inline StepField timeLimitField() {
-    return optionalNumber("timeLimit", ProgramText::tr("Maximum"), Unit::Time, 0.01, kMaxStepTime);
+    return optionalNumber("timeLimit", ProgramText::tr("Timeout"), Unit::Time, 0.01, kMaxStepTime);
 }
 /// Choice of the reaction when the step fails.
 inline StepField otherwiseField(const QString& label) {

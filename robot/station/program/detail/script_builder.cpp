@@ -217,7 +217,9 @@ QString StepWriter::Private::fieldError(const StepField& checked) const {
         case FieldType::Program:
             return isInProject(project, checked.type, QUuid(text))
                        ? QString()
-                       : ProgramText::tr("“%1” refers to an item that was deleted from the project.")
+                       : ProgramText::tr(
+                             "“%1” refers to an item that was deleted from the project. Select a different "
+                             "item.")
                              .arg(checked.label);
     }
     return wrong;
@@ -263,7 +265,9 @@ void StepWriter::Private::checkPosition() {
                        .arg(kind.name(), findStepKind(QLatin1String(kind.inside))->name()));
     }
     if (kind.moves && scope.isParallel) {
-        report({}, ProgramText::tr("A step that runs in parallel cannot move the arm."));
+        report({},
+               ProgramText::tr(
+                   "Steps in “Watch in parallel” cannot move the arm. Move this step out of the section."));
     }
     if (!kind.isSection && !place.step->steps.empty()) {
         report({}, ProgramText::tr("“%1” cannot contain steps.").arg(kind.name()));
@@ -275,7 +279,9 @@ void StepWriter::Private::writeStep() {
     if (place.kind == nullptr) {
         report(
             {},
-            ProgramText::tr("This version of Tiller does not support the step “%1”.").arg(place.step->kind));
+            ProgramText::tr(
+                "This version of Tiller does not support the step “%1”. Update Tiller, or delete the step.")
+                .arg(place.step->kind));
         return;
     }
     place.fields = place.kind->fields();
@@ -388,14 +394,16 @@ void StepWriter::Private::checkSkipped(const Steps& skipped, const Steps& rest) 
         const QString name = findStepKind(step->kind)->name();
         if (!effect.variable.isEmpty()) {
             if (usesBeforeSetting(effect.variable)) {
-                report({}, ProgramText::tr("Later steps use the variable “%1” of step %2 (%3). Start at that "
-                                           "step or before it.")
-                               .arg(effect.variable)
-                               .arg(effect.step)
-                               .arg(name));
+                report(
+                    {},
+                    ProgramText::tr(
+                        "Later steps use the variable “%1” from step %2 (%3). Start at that step or earlier.")
+                        .arg(effect.variable)
+                        .arg(effect.step)
+                        .arg(name));
             }
         } else if (!setsPayload || step->kind == QLatin1String("watch")) {
-            report({}, ProgramText::tr("Later steps need step %1 (%2). Start at that step or before it.")
+            report({}, ProgramText::tr("Later steps depend on step %1 (%2). Start at that step or earlier.")
                            .arg(effect.step)
                            .arg(name));
         }
@@ -424,11 +432,12 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
         add(QStringLiteral("set_tcp(%1)").arg(scriptPose(tool->tcpOffset)));
     }
     if (!program->parameters.isEmpty()) {
-        report({}, ProgramText::tr("A program with parameters can only be called by another program."));
+        report({}, ProgramText::tr("A program with parameters cannot be started directly. Use a “Call "
+                                   "program” step in another program."));
     }
     writeFrom(*program);
     if (result.steps.empty()) {
-        report({}, ProgramText::tr("The program has no steps."));
+        report({}, ProgramText::tr("The program has no steps. Add steps first."));
     }
     if (!result.problems.empty()) {
         return result;
@@ -634,7 +643,8 @@ void StepWriter::declare(const QString& variable, VariableType type) {
     if (known == d_.variables.end()) {
         d_.variables.emplace_back(variable, type);
     } else if (known->second != type) {
-        error("variable", ProgramText::tr("The variable “%1” has a different type elsewhere in the program.")
+        error("variable", ProgramText::tr("The variable “%1” has a different type elsewhere in the program. "
+                                          "Use the same type or a different name.")
                               .arg(variable));
     }
 }
@@ -647,7 +657,7 @@ QString StepWriter::programFunction(const QUuid& id) {
         return {};
     }
     if (d_.calls.size() > kMaxCallDepth) {
-        error("program", ProgramText::tr("The calls are nested too deep."));
+        error("program", ProgramText::tr("Program calls are nested too deeply. Use fewer levels of calls."));
         return {};
     }
     const QString variant = key + scriptNumber(d_.scope.speedFactor) + scriptPose(d_.scope.T_base_frame) +
@@ -723,10 +733,11 @@ void StepWriter::noteMove(const std::optional<Pose>& target, double blend) {
     }
     const double distance = (last.target->position - target->position).norm();
     if (last.blend > 0 && last.blend + blend > distance) {
-        error("blend", ProgramText::tr("The blends of this move and the previous move, %1 and %2, exceed the "
-                                       "distance of %3 between them.")
-                           .arg(numberText(blend, Unit::Length), numberText(last.blend, Unit::Length),
-                                numberText(distance, Unit::Length)));
+        error("blend",
+              ProgramText::tr("The blend radii of this move and the previous move (%1 and %2) exceed the "
+                              "distance of %3 between the two targets. Reduce a blend radius.")
+                  .arg(numberText(blend, Unit::Length), numberText(last.blend, Unit::Length),
+                       numberText(distance, Unit::Length)));
     }
 }
 

@@ -601,7 +601,7 @@ private:
                        ? ProgramText::tr("The gripper may hold a part and would close again (%1).").arg(name)
                        : ProgramText::tr("The gripper may have lost a part (%1).").arg(name);
         }
-        return repeats ? ProgramText::tr("%1 would switch on again.").arg(name)
+        return repeats ? ProgramText::tr("%1 would turn on again.").arg(name)
                        : ProgramText::tr("%1 would have a different value.").arg(name);
     }
 
@@ -650,10 +650,10 @@ private:
         }
         if (!(state.tcp.transform().isApprox(end.state.tcp.transform(), 1e-6)) ||
             state.payload != end.state.payload || state.payloadCentre != end.state.payloadCentre) {
-            return ProgramText::tr("TCP or payload would differ.");
+            return ProgramText::tr("The TCP or the payload would differ.");
         }
         if (!isSameOrder(begin, end, again.order)) {
-            return ProgramText::tr("The program would run other steps.");
+            return ProgramText::tr("The program would run different steps.");
         }
         if (end.isStandstill &&
             (again.boundary.q.values - end.q.values).cwiseAbs().maxCoeff() > kSamePosition) {

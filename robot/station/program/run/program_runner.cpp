@@ -98,7 +98,7 @@ RunPlan planRun(const project::Project& project, const QUuid& program, const Ses
     if (!plan.script.ok()) {
         const std::vector<ProgramProblem>& problems = plan.script.problems;
         plan.obstacle =
-            problems.empty() ? ProgramText::tr("The program has no steps.")
+            problems.empty() ? ProgramText::tr("The program has no steps. Add steps first.")
             : problems.front().number > 0
                 ? ProgramText::tr("Step %1: %2").arg(problems.front().number).arg(problems.front().text)
                 : problems.front().text;
@@ -145,7 +145,7 @@ QString obstacleWithoutHold(const QString& obstacle, const QString& script, cons
         return ProgramText::tr("Preview the program first.");
     }
     if (!preview->isGood()) {
-        return ProgramText::tr("The preview found problems.");
+        return ProgramText::tr("The preview found problems. Fix them, then preview the program again.");
     }
     return isAtStart(*preview, state) ? QString() : notAtStart();
 }

@@ -20,7 +20,7 @@ StartStepChoice chooseStartStep(const project::Project& project, const QUuid& pr
                                   ? preview->timings[static_cast<std::size_t>(number - 1)]
                                   : StepTiming();
     if (timing.count == 0) {
-        return {{}, ProgramText::tr("The preview does not reach this step.")};
+        return {{}, ProgramText::tr("The preview does not reach this step. Select a different step.")};
     }
     return {StartStep{step, preview->startJoints[static_cast<std::size_t>(number - 1)]}, {}};
 }

@@ -45,7 +45,8 @@ const StepKind& callStep() {
                 if (const qsizetype values = argumentCount(arguments); values != called.parameters.size()) {
                     writer.error(
                         "arguments",
-                        ProgramText::tr("The program “%1” requires %2 comma-separated values, but has %3.")
+                        ProgramText::tr(
+                            "The program “%1” requires %2 comma-separated values, but the step passes %3.")
                             .arg(called.name)
                             .arg(called.parameters.size())
                             .arg(values));

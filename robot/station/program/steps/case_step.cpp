@@ -20,7 +20,7 @@ const StepKind& caseStep() {
             [](StepWriter& writer) {
                 const bool first = writer.previous() == nullptr;
                 if (!first && QLatin1String(writer.previous()->id) == QLatin1String("default")) {
-                    writer.error("", ProgramText::tr("Default must be the last part of a Switch."));
+                    writer.error("", ProgramText::tr("“Default” must be the last branch of a Switch."));
                     return;
                 }
                 writer.open(QStringLiteral("%1 tiller_switch_%2 == %3:")

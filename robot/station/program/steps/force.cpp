@@ -15,7 +15,7 @@ const StepKind& forceStep() {
         .fields =
             [] {
                 return std::vector<StepField>{
-                    choiceField("axes", ProgramText::tr("Along"),
+                    choiceField("axes", ProgramText::tr("Reference frame"),
                                 {{"tool", ProgramText::tr("Tool")},
                                  {"base", ProgramText::tr("Base")},
                                  {"frame", ProgramText::tr("Section frame")}}),
@@ -59,7 +59,10 @@ const StepKind& forceStep() {
             },
         .isSection = true,
         .cannotContinue =
-            [] { return ProgramText::tr("The force section is open: its contact cannot be restored."); },
+            [] {
+                return ProgramText::tr(
+                    "The stop was inside a force section, so the contact cannot be restored.");
+            },
     };
     return kind;
 }

@@ -14,7 +14,7 @@ const StepKind& leaveLoopStep() {
         .write =
             [](StepWriter& writer) {
                 if (writer.scope().loops == 0) {
-                    writer.error("", ProgramText::tr("This step is not inside a loop."));
+                    writer.error("", ProgramText::tr("“Exit loop” must be inside a loop."));
                 }
                 writer.line(QStringLiteral("break"));
             },

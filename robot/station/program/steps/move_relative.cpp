@@ -13,7 +13,7 @@ const StepKind& moveRelativeStep() {
         .fields =
             [] {
                 return std::vector<StepField>{
-                    choiceField("axes", ProgramText::tr("Along"),
+                    choiceField("axes", ProgramText::tr("Reference frame"),
                                 {{"tool", ProgramText::tr("Tool")},
                                  {"base", ProgramText::tr("Base")},
                                  {"frame", ProgramText::tr("Section frame")}}),
@@ -28,7 +28,7 @@ const StepKind& moveRelativeStep() {
             [](StepWriter& writer) {
                 const Eigen::Vector3d offset(writer.number("x"), writer.number("y"), writer.number("z"));
                 if (offset.isZero()) {
-                    writer.error("z", ProgramText::tr("The distance is zero."));
+                    writer.error("z", ProgramText::tr("The distance is zero. Enter a value for X, Y or Z."));
                 }
                 const QString axes = writer.text("axes");
                 QString target = QStringLiteral("pose_trans(get_target_tcp_pose(), %1)")
@@ -48,7 +48,7 @@ const StepKind& moveRelativeStep() {
             },
         .moves = true,
         .takesTime = true,
-        .partlyDone = [] { return ProgramText::tr("The relative move is partly done."); },
+        .partlyDone = [] { return ProgramText::tr("The relative move is only partly complete."); },
     };
     return kind;
 }

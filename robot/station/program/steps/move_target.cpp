@@ -153,7 +153,7 @@ void writeMove(StepWriter& writer, MoveCommand command) {
     if (writer.has("waypoint") == writer.has("pose")) {
         writer.error("waypoint", writer.has("pose")
                                      ? ProgramText::tr("Set either a waypoint or a pose, not both.")
-                                     : ProgramText::tr("Set a waypoint, or a pose."));
+                                     : ProgramText::tr("Set a waypoint or a pose."));
         return;
     }
     if (writer.has("waypoint")) {

@@ -19,7 +19,7 @@ const StepKind& moveUntilStep() {
                                  {"input", ProgramText::tr("Input is on")},
                                  {"distance", ProgramText::tr("Distance")}}),
                     optionalField("input", ProgramText::tr("Input"), FieldType::DigitalInput),
-                    choiceField("axes", ProgramText::tr("Along"),
+                    choiceField("axes", ProgramText::tr("Reference frame"),
                                 {{"tool", ProgramText::tr("Tool")},
                                  {"base", ProgramText::tr("Base")},
                                  {"frame", ProgramText::tr("Section frame")}}),
@@ -30,7 +30,8 @@ const StepKind& moveUntilStep() {
                                  {"-x", QStringLiteral("-X")},
                                  {"+y", QStringLiteral("+Y")},
                                  {"-y", QStringLiteral("-Y")}}),
-                    numberField("distance", ProgramText::tr("Maximum"), Unit::Length, 0.0001, 2, 0.1),
+                    numberField("distance", ProgramText::tr("Maximum distance"), Unit::Length, 0.0001, 2,
+                                0.1),
                     numberField("speed", ProgramText::tr("Speed"), Unit::Speed, 0.0001, 0.5, 0.02),
                     otherwiseField(ProgramText::tr("If not reached"))};
             },
@@ -86,7 +87,7 @@ const StepKind& moveUntilStep() {
             },
         .moves = true,
         .takesTime = true,
-        .partlyDone = [] { return ProgramText::tr("The relative move is partly done."); },
+        .partlyDone = [] { return ProgramText::tr("The relative move is only partly complete."); },
     };
     return kind;
 }

@@ -22,14 +22,14 @@ const StepKind& scriptTextStep() {
                     writer.error("text", ProgramText::tr("Names that begin with “tiller_” are reserved."));
                 }
                 if (!hasWholeBlocks(text)) {
-                    writer.error("text", ProgramText::tr("Each block of the script needs its own “end”."));
+                    writer.error("text", ProgramText::tr("Each block in the script needs an “end”."));
                 }
                 for (const QString& line : text.split(QLatin1Char('\n'))) {
                     writer.line(line);
                 }
                 writer.noteMove(std::nullopt, 0);
             },
-        .cannotContinue = [] { return ProgramText::tr("The URScript text is partly done."); },
+        .cannotContinue = [] { return ProgramText::tr("The URScript text was only partly executed."); },
     };
     return kind;
 }

@@ -26,7 +26,7 @@ const StepKind& setRegisterStep() {
                 const QString type = writer.text("type");
                 const int number = writer.whole("register");
                 if (type != QLatin1String("boolean") && number >= script::kGateRegister) {
-                    writer.error("register", ProgramText::tr("Programs can set registers up to %1.")
+                    writer.error("register", ProgramText::tr("Programs can set registers only up to %1.")
                                                  .arg(script::kGateRegister - 1));
                 }
                 writer.line(QStringLiteral("write_output_%1_register(%2, %3)")

@@ -28,8 +28,8 @@ const StepKind& switchStep() {
                 for (const project::ProgramStep& step : writer.step().steps) {
                     if (!step.disabled && step.kind != QLatin1String("case") &&
                         step.kind != QLatin1String("default") && step.kind != QLatin1String("comment")) {
-                        writer.error("",
-                                     ProgramText::tr("A Switch can directly contain only Case and Default."));
+                        writer.error(
+                            "", ProgramText::tr("Only Case and Default can be placed directly in a Switch."));
                         return;
                     }
                 }

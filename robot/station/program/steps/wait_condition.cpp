@@ -21,8 +21,9 @@ const StepKind& waitConditionStep() {
                 const QString condition = writer.expression("condition");
                 writer.waitUntil(condition, writer.given("timeLimit"));
                 if (writer.has("timeLimit")) {
-                    writer.failIfChosen("otherwise", QStringLiteral("not (%1)").arg(condition),
-                                        ProgramText::tr("The condition did not become true in time."));
+                    writer.failIfChosen(
+                        "otherwise", QStringLiteral("not (%1)").arg(condition),
+                        ProgramText::tr("The condition did not become true before the timeout."));
                 }
             },
         .takesTime = true,

@@ -26,7 +26,8 @@ const StepKind& waitInputStep() {
                 if (writer.has("timeLimit")) {
                     writer.failIfChosen(
                         "otherwise", QStringLiteral("not (%1)").arg(condition),
-                        ProgramText::tr("%1 did not switch in time.").arg(channelName(input, false)));
+                        ProgramText::tr("%1 did not change to the expected state before the timeout.")
+                            .arg(channelName(input, false)));
                 }
             },
         .takesTime = true,
