@@ -2210,7 +2210,7 @@
     </message>
     <message>
         <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
-        <translation>Die Überblendradien dieser und der vorherigen Bewegung (%1 und %2) überschreiten den Abstand von %3 zwischen den beiden Zielen. Verringern Sie einen Radius.</translation>
+        <translation>Die Überschleifradien dieser und der vorherigen Bewegung (%1 und %2) überschreiten den Abstand von %3 zwischen den beiden Zielen. Verringern Sie einen Radius.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
@@ -2341,8 +2341,8 @@
         <translation>Programm</translation>
     </message>
     <message>
-        <source>Values</source>
-        <translation>Werte</translation>
+        <source>Parameter values</source>
+        <translation>Parameterwerte</translation>
     </message>
     <message>
         <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
@@ -2477,7 +2477,7 @@
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Check input</source>
+        <source>Input to check</source>
         <translation>Eingang prüfen</translation>
     </message>
     <message>
@@ -2849,8 +2849,8 @@
         <translation>Schritt %1: %2</translation>
     </message>
     <message>
-        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
-        <translation>Der TCP des Roboters weicht vom TCP der Wegpunkte des Programms ab.</translation>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints. Set the active TCP of the project, or use a TCP section.</source>
+        <translation>Der TCP des Roboters weicht vom TCP der Wegpunkte des Programms ab. Legen Sie den aktiven TCP des Projekts fest oder verwenden Sie einen TCP-Abschnitt.</translation>
     </message>
     <message>
         <source>Preview the program first.</source>
@@ -2865,8 +2865,8 @@
         <translation>Fahren Sie den Arm zuerst zur Startposition.</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>Ein Programm läuft.</translation>
+        <source>A program is running. Stop the program first.</source>
+        <translation>Ein Programm läuft. Halten Sie zuerst das Programm an.</translation>
     </message>
     <message>
         <source>The program ended after %1 s.</source>
@@ -3014,7 +3014,7 @@
     </message>
     <message>
         <source>The stop was inside a force section, so the contact cannot be restored.</source>
-        <translation>Der Stopp lag in einem Kraftabschnitt, daher kann der Kontakt nicht wiederhergestellt werden.</translation>
+        <translation>Der Stopp lag in einem Kraft-Abschnitt, daher kann der Kontakt nicht wiederhergestellt werden.</translation>
     </message>
     <message>
         <source>The relative move is only partly complete.</source>
@@ -7533,7 +7533,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Spektrum und XY</translation>
     </message>
     <message>
-        <source>Type of analysis</source>
+        <source>Analysis type</source>
         <translation>Art der Auswertung</translation>
     </message>
     <message>
@@ -7677,8 +7677,8 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
-        <translation>Sichtbaren Bereich als Bild (PNG) oder Werte (CSV) speichern</translation>
+        <source>Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)</source>
+        <translation>Sichtbaren Bereich als Bild (z. B. PNG) oder als Werte (z. B. CSV) speichern</translation>
     </message>
     <message>
         <source>Record to a CSV file</source>
@@ -7827,7 +7827,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
         <translation>nach %1 exportieren</translation>
     </message>
     <message>
-        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>In diesem Bereich gibt es keine Messwerte. Wählen Sie einen anderen Bereich und exportieren Sie dann erneut.</translation>
     </message>
     <message>
@@ -7932,7 +7932,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     </message>
     <message>
         <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
-        <translation>Signale des Roboters. Ziehen Sie ein Signal in einen Plot oder an den Rand eines Plots, um einen neuen Plot zu erstellen. Ein Doppelklick fügt das Signal zu einem Plot hinzu.</translation>
+        <translation>Signale des Roboters. Ziehen Sie ein Signal in ein Diagramm oder an den Rand eines Diagramms, um ein neues Diagramm zu erstellen. Ein Doppelklick fügt das Signal zu einem Diagramm hinzu.</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -8128,7 +8128,7 @@ Drücken Sie „Messen…“, um die Nutzlast mit dem Arm zu messen.</translatio
     </message>
     <message>
         <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
-        <translation>Klicken Sie in die Plots, um zuerst Cursor A und dann Cursor B zu setzen. Die Tabelle zeigt dann Statistiken des Bereichs zwischen den Cursorn.</translation>
+        <translation>Klicken Sie in die Diagramme, um zuerst Cursor A und dann Cursor B zu setzen. Die Tabelle zeigt dann Statistiken des Bereichs zwischen den Cursorn.</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -9594,7 +9594,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Starten (halten)</translation>
     </message>
     <message>
-        <source>Run the program, hold</source>
+        <source>Run the program (hold)</source>
         <translation>Programm ausführen, halten</translation>
     </message>
     <message>
@@ -9602,7 +9602,7 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <translation>Zum Start (halten)</translation>
     </message>
     <message>
-        <source>Move to the start position, hold</source>
+        <source>Move to the start position (hold)</source>
         <translation>Zur Startposition fahren, halten</translation>
     </message>
     <message>

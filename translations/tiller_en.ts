@@ -2341,7 +2341,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Values</source>
+        <source>Parameter values</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2477,7 +2477,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check input</source>
+        <source>Input to check</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2849,7 +2849,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints. Set the active TCP of the project, or use a TCP section.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2865,7 +2865,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A program is running.</source>
+        <source>A program is running. Stop the program first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7525,7 +7525,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Type of analysis</source>
+        <source>Analysis type</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7633,7 +7633,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <source>This range contains no samples. Select a different range, then export again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7661,7 +7661,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
+        <source>Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9581,7 +9581,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Run the program, hold</source>
+        <source>Run the program (hold)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9589,7 +9589,7 @@ Release the button to stop the arm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move to the start position, hold</source>
+        <source>Move to the start position (hold)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

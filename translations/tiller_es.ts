@@ -2210,7 +2210,7 @@
     </message>
     <message>
         <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
-        <translation>Los radios de transición de este movimiento y del anterior (%1 y %2) superan la distancia de %3 entre los dos destinos. Reduzca un radio.</translation>
+        <translation>Los radios de fusión de este movimiento y del anterior (%1 y %2) superan la distancia de %3 entre los dos destinos. Reduzca un radio.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
@@ -2341,8 +2341,8 @@
         <translation>Programa</translation>
     </message>
     <message>
-        <source>Values</source>
-        <translation>Valores</translation>
+        <source>Parameter values</source>
+        <translation>Valores de parám.</translation>
     </message>
     <message>
         <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
@@ -2477,7 +2477,7 @@
         <translation>Tiempo</translation>
     </message>
     <message>
-        <source>Check input</source>
+        <source>Input to check</source>
         <translation>Comprobar entrada</translation>
     </message>
     <message>
@@ -2849,8 +2849,8 @@
         <translation>Paso %1: %2</translation>
     </message>
     <message>
-        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
-        <translation>El TCP del robot difiere del TCP de los puntos de paso del programa.</translation>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints. Set the active TCP of the project, or use a TCP section.</source>
+        <translation>El TCP del robot difiere del TCP de los puntos del programa. Defina el TCP activo del proyecto o use una sección TCP.</translation>
     </message>
     <message>
         <source>Preview the program first.</source>
@@ -2865,8 +2865,8 @@
         <translation>Mueva primero el brazo a la posición inicial.</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>Se está ejecutando un programa.</translation>
+        <source>A program is running. Stop the program first.</source>
+        <translation>Se está ejecutando un programa. Pare primero el programa.</translation>
     </message>
     <message>
         <source>The program ended after %1 s.</source>
@@ -7533,7 +7533,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Espectro y XY</translation>
     </message>
     <message>
-        <source>Type of analysis</source>
+        <source>Analysis type</source>
         <translation>Tipo de análisis</translation>
     </message>
     <message>
@@ -7677,8 +7677,8 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>Exportar…</translation>
     </message>
     <message>
-        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
-        <translation>Guardar el intervalo visible como imagen (PNG) o como valores (CSV)</translation>
+        <source>Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)</source>
+        <translation>Guardar el intervalo visible como imagen (p. ej., PNG) o como valores (p. ej., CSV)</translation>
     </message>
     <message>
         <source>Record to a CSV file</source>
@@ -7827,7 +7827,7 @@ Pulse Medir… para medir la carga con el brazo.</translation>
         <translation>exportar a %1</translation>
     </message>
     <message>
-        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>No hay muestras en este intervalo. Seleccione otro intervalo y exporte de nuevo.</translation>
     </message>
     <message>
@@ -9594,7 +9594,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Ejecutar (mantener)</translation>
     </message>
     <message>
-        <source>Run the program, hold</source>
+        <source>Run the program (hold)</source>
         <translation>Ejecutar el programa, mantener</translation>
     </message>
     <message>
@@ -9602,7 +9602,7 @@ Suelte el botón para detener el brazo.</translation>
         <translation>Al inicio (mantener)</translation>
     </message>
     <message>
-        <source>Move to the start position, hold</source>
+        <source>Move to the start position (hold)</source>
         <translation>Mover a la posición inicial, mantener</translation>
     </message>
     <message>

@@ -2210,7 +2210,7 @@
     </message>
     <message>
         <source>The blend radii of this move and the previous move (%1 and %2) exceed the distance of %3 between the two targets. Reduce a blend radius.</source>
-        <translation>Les rayons de lissage de ce mouvement et du précédent (%1 et %2) dépassent la distance de %3 entre les deux cibles. Réduisez un rayon.</translation>
+        <translation>Les rayons de raccordement de ce mouvement et du précédent (%1 et %2) dépassent la distance de %3 entre les deux cibles. Réduisez un rayon.</translation>
     </message>
     <message>
         <source>The expression is empty.</source>
@@ -2341,8 +2341,8 @@
         <translation>Programme</translation>
     </message>
     <message>
-        <source>Values</source>
-        <translation>Valeurs</translation>
+        <source>Parameter values</source>
+        <translation>Valeurs des param.</translation>
     </message>
     <message>
         <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
@@ -2477,7 +2477,7 @@
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Check input</source>
+        <source>Input to check</source>
         <translation>Vérifier l’entrée</translation>
     </message>
     <message>
@@ -2849,8 +2849,8 @@
         <translation>Étape %1 : %2</translation>
     </message>
     <message>
-        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
-        <translation>Le TCP du robot diffère du TCP des points de passage du programme.</translation>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints. Set the active TCP of the project, or use a TCP section.</source>
+        <translation>Le TCP du robot diffère du TCP des points du programme. Définissez le TCP actif du projet ou utilisez une section TCP.</translation>
     </message>
     <message>
         <source>Preview the program first.</source>
@@ -2865,8 +2865,8 @@
         <translation>Déplacez d&apos;abord le bras à la position de départ.</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>Un programme est en cours d&apos;exécution.</translation>
+        <source>A program is running. Stop the program first.</source>
+        <translation>Un programme est en cours d’exécution. Arrêtez d’abord le programme.</translation>
     </message>
     <message>
         <source>The program ended after %1 s.</source>
@@ -7533,7 +7533,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Spectre et XY</translation>
     </message>
     <message>
-        <source>Type of analysis</source>
+        <source>Analysis type</source>
         <translation>Type d’analyse</translation>
     </message>
     <message>
@@ -7677,8 +7677,8 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>Exporter…</translation>
     </message>
     <message>
-        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
-        <translation>Enregistrer la plage visible comme image (PNG) ou comme valeurs (CSV)</translation>
+        <source>Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)</source>
+        <translation>Enregistrer la plage visible comme image (p. ex. PNG) ou comme valeurs (p. ex. CSV)</translation>
     </message>
     <message>
         <source>Record to a CSV file</source>
@@ -7827,7 +7827,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
         <translation>exporter vers %1</translation>
     </message>
     <message>
-        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>Il n’y a pas d’échantillons dans cette plage. Sélectionnez une autre plage, puis exportez de nouveau.</translation>
     </message>
     <message>
@@ -7932,7 +7932,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     </message>
     <message>
         <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
-        <translation>Signaux du robot. Faites glisser un signal vers un graphique, ou vers le bord d’un graphique pour en créer un. Double-cliquez sur un signal pour l’ajouter à un graphique.</translation>
+        <translation>Signaux du robot. Faites glisser un signal vers un tracé, ou vers le bord d’un tracé pour en créer un. Double-cliquez sur un signal pour l’ajouter à un tracé.</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -8128,7 +8128,7 @@ Appuyez sur Mesurer… pour mesurer la charge avec le bras.</translation>
     </message>
     <message>
         <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
-        <translation>Cliquez dans les graphiques pour placer le curseur A, puis le curseur B. Le tableau affiche alors les statistiques de la plage entre les curseurs.</translation>
+        <translation>Cliquez dans les tracés pour placer le curseur A, puis le curseur B. Le tableau affiche alors les statistiques de la plage entre les curseurs.</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -9594,7 +9594,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Lancer (maintenir)</translation>
     </message>
     <message>
-        <source>Run the program, hold</source>
+        <source>Run the program (hold)</source>
         <translation>Exécuter le programme, maintenir</translation>
     </message>
     <message>
@@ -9602,7 +9602,7 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <translation>Au départ (maintenir)</translation>
     </message>
     <message>
-        <source>Move to the start position, hold</source>
+        <source>Move to the start position (hold)</source>
         <translation>Aller à la position de départ, maintenir</translation>
     </message>
     <message>

@@ -2162,7 +2162,7 @@
     </message>
     <message>
         <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
-        <translation>並列のステップはアームを動かせません。このステップをセクションの外に移動してください。</translation>
+        <translation>並列のステップはアームを動かせません。このステップを区間の外に移動してください。</translation>
     </message>
     <message>
         <source>“%1” cannot contain steps.</source>
@@ -2341,8 +2341,8 @@
         <translation>プログラム</translation>
     </message>
     <message>
-        <source>Values</source>
-        <translation>値</translation>
+        <source>Parameter values</source>
+        <translation>パラメーター値</translation>
     </message>
     <message>
         <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
@@ -2477,7 +2477,7 @@
         <translation>時間</translation>
     </message>
     <message>
-        <source>Check input</source>
+        <source>Input to check</source>
         <translation>入力を確認</translation>
     </message>
     <message>
@@ -2849,8 +2849,8 @@
         <translation>ステップ %1: %2</translation>
     </message>
     <message>
-        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
-        <translation>ロボットの TCP がプログラムのウェイポイントの TCP と異なります。</translation>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints. Set the active TCP of the project, or use a TCP section.</source>
+        <translation>ロボットの TCP がプログラムのウェイポイントの TCP と異なります。プロジェクトのアクティブな TCP を設定するか、TCP 区間を使ってください。</translation>
     </message>
     <message>
         <source>Preview the program first.</source>
@@ -2865,8 +2865,8 @@
         <translation>先にアームを開始位置へ移動してください。</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>プログラムを実行中です。</translation>
+        <source>A program is running. Stop the program first.</source>
+        <translation>プログラムが実行中です。先にプログラムを停止してください。</translation>
     </message>
     <message>
         <source>The program ended after %1 s.</source>
@@ -3014,7 +3014,7 @@
     </message>
     <message>
         <source>The stop was inside a force section, so the contact cannot be restored.</source>
-        <translation>力制御セクション内で停止したため、接触を復元できません。</translation>
+        <translation>力区間内で停止したため、接触を復元できません。</translation>
     </message>
     <message>
         <source>The relative move is only partly complete.</source>
@@ -7520,7 +7520,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>スペクトルとXY</translation>
     </message>
     <message>
-        <source>Type of analysis</source>
+        <source>Analysis type</source>
         <translation>解析の種類</translation>
     </message>
     <message>
@@ -7662,8 +7662,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>エクスポート…</translation>
     </message>
     <message>
-        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
-        <translation>表示中のものを画像 (PNG) か値 (CSV) で保存</translation>
+        <source>Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)</source>
+        <translation>表示範囲を画像 (PNG など) または値 (CSV など) で保存</translation>
     </message>
     <message>
         <source>Record to a CSV file</source>
@@ -7810,7 +7810,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>%1 にエクスポート</translation>
     </message>
     <message>
-        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>この範囲にサンプルがありません。別の範囲を選んでから、もう一度エクスポートしてください。</translation>
     </message>
     <message>
@@ -7915,7 +7915,7 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
-        <translation>ロボットの信号。信号をプロットにドラッグするか、プロットの端にドラッグして新しいプロットを作成します。ダブルクリックするとプロットに追加されます。</translation>
+        <translation>ロボットの信号。信号をグラフにドラッグするか、グラフの端にドラッグして新しいグラフを作成します。ダブルクリックするとグラフに追加されます。</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -8110,7 +8110,7 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
-        <translation>プロットをクリックしてカーソル A、次にカーソル B を置きます。表にカーソル間の範囲の統計が表示されます。</translation>
+        <translation>グラフをクリックしてカーソル A、次にカーソル B を置きます。表にカーソル間の範囲の統計が表示されます。</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -9570,7 +9570,7 @@ Release the button to stop the arm.</source>
         <translation>実行 (長押し)</translation>
     </message>
     <message>
-        <source>Run the program, hold</source>
+        <source>Run the program (hold)</source>
         <translation>プログラムを実行、長押し</translation>
     </message>
     <message>
@@ -9578,7 +9578,7 @@ Release the button to stop the arm.</source>
         <translation>開始位置へ (長押し)</translation>
     </message>
     <message>
-        <source>Move to the start position, hold</source>
+        <source>Move to the start position (hold)</source>
         <translation>開始位置へ移動、長押し</translation>
     </message>
     <message>

@@ -2162,7 +2162,7 @@
     </message>
     <message>
         <source>Steps in “Watch in parallel” cannot move the arm. Move this step out of the section.</source>
-        <translation>并行步骤不能移动机械臂。请将此步骤移出该部分。</translation>
+        <translation>并行步骤不能移动机械臂。请将此步骤移出该段。</translation>
     </message>
     <message>
         <source>“%1” cannot contain steps.</source>
@@ -2341,8 +2341,8 @@
         <translation>程序</translation>
     </message>
     <message>
-        <source>Values</source>
-        <translation>值</translation>
+        <source>Parameter values</source>
+        <translation>参数值</translation>
     </message>
     <message>
         <source>The program “%1” requires %2 comma-separated values, but the step passes %3.</source>
@@ -2477,7 +2477,7 @@
         <translation>时间</translation>
     </message>
     <message>
-        <source>Check input</source>
+        <source>Input to check</source>
         <translation>检查输入</translation>
     </message>
     <message>
@@ -2849,8 +2849,8 @@
         <translation>步骤 %1：%2</translation>
     </message>
     <message>
-        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints.</source>
-        <translation>机器人的 TCP 与程序路点的 TCP 不同。</translation>
+        <source>The TCP of the robot differs from the TCP of the program&apos;s waypoints. Set the active TCP of the project, or use a TCP section.</source>
+        <translation>机器人的 TCP 与程序路点的 TCP 不同。请设置项目的活动 TCP，或使用 TCP 段。</translation>
     </message>
     <message>
         <source>Preview the program first.</source>
@@ -2865,8 +2865,8 @@
         <translation>请先将机械臂移动到起始位置。</translation>
     </message>
     <message>
-        <source>A program is running.</source>
-        <translation>程序正在运行。</translation>
+        <source>A program is running. Stop the program first.</source>
+        <translation>程序正在运行。请先停止程序。</translation>
     </message>
     <message>
         <source>The program ended after %1 s.</source>
@@ -3014,7 +3014,7 @@
     </message>
     <message>
         <source>The stop was inside a force section, so the contact cannot be restored.</source>
-        <translation>停止发生在力控制部分内，因此无法恢复接触。</translation>
+        <translation>停止发生在力控段内，因此无法恢复接触。</translation>
     </message>
     <message>
         <source>The relative move is only partly complete.</source>
@@ -7520,7 +7520,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>频谱和 XY</translation>
     </message>
     <message>
-        <source>Type of analysis</source>
+        <source>Analysis type</source>
         <translation>分析类型</translation>
     </message>
     <message>
@@ -7662,8 +7662,8 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>导出…</translation>
     </message>
     <message>
-        <source>Save the visible range as an image (PNG) or as values (CSV)</source>
-        <translation>将显示内容保存为图片 (PNG) 或数值 (CSV)</translation>
+        <source>Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)</source>
+        <translation>将可见范围保存为图片（如 PNG）或数值（如 CSV）</translation>
     </message>
     <message>
         <source>Record to a CSV file</source>
@@ -7810,7 +7810,7 @@ Press “Measure…” to measure the payload with the arm.</source>
         <translation>导出到 %1</translation>
     </message>
     <message>
-        <source>There are no samples in this range. Select a different range, then export again.</source>
+        <source>This range contains no samples. Select a different range, then export again.</source>
         <translation>此范围内没有样本。请选择其他范围，然后重新导出。</translation>
     </message>
     <message>
@@ -7915,7 +7915,7 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Robot signals. Drag a signal to a plot, or to the edge of a plot to create a new plot. Double-click a signal to add it to a plot.</source>
-        <translation>机器人信号。将信号拖到绘图中，或拖到绘图边缘以新建绘图。双击信号可将其添加到绘图。</translation>
+        <translation>机器人信号。将信号拖到曲线图中，或拖到曲线图边缘以新建曲线图。双击信号可将其添加到曲线图。</translation>
     </message>
     <message>
         <source>Values at the cursors</source>
@@ -8110,7 +8110,7 @@ Press “Measure…” to measure the payload with the arm.</source>
     </message>
     <message>
         <source>Click in the plots to place cursor A, then cursor B. The table then shows statistics of the range between the cursors.</source>
-        <translation>在绘图中单击以放置光标 A，然后放置光标 B。表格随后显示光标之间范围的统计值。</translation>
+        <translation>在曲线图中单击以放置光标 A，然后放置光标 B。表格随后显示光标之间范围的统计值。</translation>
     </message>
     <message>
         <source>%1 · calculating: %2</source>
@@ -9570,7 +9570,7 @@ Release the button to stop the arm.</source>
         <translation>运行（按住）</translation>
     </message>
     <message>
-        <source>Run the program, hold</source>
+        <source>Run the program (hold)</source>
         <translation>运行程序，按住</translation>
     </message>
     <message>
@@ -9578,7 +9578,7 @@ Release the button to stop the arm.</source>
         <translation>到起点（按住）</translation>
     </message>
     <message>
-        <source>Move to the start position, hold</source>
+        <source>Move to the start position (hold)</source>
         <translation>移动到起始位置，按住</translation>
     </message>
     <message>

@@ -97,7 +97,7 @@ Result<std::vector<std::size_t>> chooseColumns(const Recording& recording,
             }
         }
         if (!found) {
-            missing << QStringLiteral("there is no column \"%1\"").arg(Text(name));
+            missing << QStringLiteral("the recording has no column \"%1\"").arg(Text(name));
         }
     }
     if (!missing.isEmpty()) {

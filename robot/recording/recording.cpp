@@ -35,7 +35,7 @@ QStringList Recording::attachments() const {
 
 Result<QByteArray> Recording::attachment(const QString& name) const {
     return Error{ErrorCode::FileNotReadable, QStringLiteral("\"%1\" in %2").arg(name, path()),
-                 QStringLiteral("it contains no such file")};
+                 QStringLiteral("the recording contains no such file")};
 }
 
 Result<std::vector<ColumnSummary>> Recording::summaries(std::span<const std::size_t> wanted, RowRange range,

@@ -43,7 +43,7 @@ PlotAnalysis::PlotAnalysis(const SignalStore& store, QWidget* parent)
     , canvas_(new AnalysisCanvas) {
     setObjectName(QStringLiteral("plots.analysis"));
     setAccessibleName(tr("Spectrum and XY"));
-    kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Type of analysis"));
+    kind_->setNames(QStringLiteral("plots.analysis.kind"), tr("Analysis type"));
     // Fixed size, so that showing or hiding adjacent elements does not move the box away from the pointer.
     kind_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     y_->setObjectName(QStringLiteral("plots.analysis.signal"));

@@ -757,7 +757,7 @@ void PlotDock::buildHeader() {
     connect(zero_, &QToolButton::clicked, this, &PlotDock::setForceZeroed);
     export_ = quietButton(QStringLiteral("plots.export"), tr("Export the visible range"), this);
     export_->setText(tr("Export…"));
-    export_->setToolTip(tr("Save the visible range as an image (PNG) or as values (CSV)"));
+    export_->setToolTip(tr("Save the visible range as an image (e.g. PNG) or as values (e.g. CSV)"));
     connect(export_, &QToolButton::clicked, this, &PlotDock::askExport);
     record_ = quietButton(QStringLiteral("plots.record"), tr("Record to a CSV file"), this);
     connect(record_, &QToolButton::clicked, this, &PlotDock::toggleRecording);

@@ -70,12 +70,12 @@ RunBar::RunBar(RobotSession& session, HoldPolicy& policy, const ProjectDocument&
     , heldSpeed_(std::move(heldSpeed))
     , runner_(session)
     , hold_(holdKey(
-          "program.runHold", tr("Run (hold)"), tr("Run the program, hold"),
+          "program.runHold", tr("Run (hold)"), tr("Run the program (hold)"),
           tr("Runs the program while the button is held, no faster than the jog speed. The program ends "
              "when you release the button."),
           policy))
     , start_(holdKey("program.moveToStart", tr("Move to start (hold)"),
-                     tr("Move to the start position, hold"),
+                     tr("Move to the start position (hold)"),
                      tr("Moves all joints to the start position while the button is held"), policy))
     , run_(keyNamed("program.run", tr("Run")))
     , pause_(keyNamed("program.pause", tr("Pause")))

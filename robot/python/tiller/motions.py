@@ -225,7 +225,7 @@ class Jog:
         return self._native.change(self._frame, floats(velocity, "velocity"), self._custom_frame, self._contact_force)
 
     def stop(self) -> None:
-        """Stops the arm and waits for standstill, as Stream.stop()."""
+        """Stops the arm and waits for standstill, like Stream.stop()."""
         _at_standstill(self._native, self._waiting)
 
     @property
@@ -235,7 +235,7 @@ class Jog:
 
     @property
     def cause(self) -> str:
-        """The cause of the end, as Move.cause; "None" while it is active. "EventLoopStalled": not refreshed in time."""
+        """The cause of the end, like Move.cause; "None" while it is active. "EventLoopStalled": not refreshed in time."""
         return self._native.cause()
 
     def __enter__(self) -> Jog:

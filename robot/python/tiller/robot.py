@@ -331,7 +331,7 @@ class Robot:
 
     @property
     def speed_cap(self) -> float:
-        """Speed limit of TCP and elbow for all commands [m/s]. Changing it ends the active motion."""
+        """Speed limit of the TCP and the elbow for all commands [m/s]. Changing it ends the active motion."""
         return self._controller.speed_cap()
 
     @speed_cap.setter
@@ -374,7 +374,7 @@ class Robot:
 
     def move_l_to_joints(self, q: Floats, speed: float | None = None, acceleration: float = 1.2,
                          silence: float = 0.1) -> Move:
-        """Moves the TCP on a straight line to the pose of these joint positions [rad]; otherwise as move_l()."""
+        """Moves the TCP on a straight line to the pose of these joint positions [rad]; otherwise like move_l()."""
         return self._move(self._controller.move_l_to_joints(joint_positions(q, "q", "move_l()"), speed, acceleration, silence))
 
     def move_path(self, path: Sequence[PathMove], timeout: float | None = 5.0, silence: float = 0.1) -> Move:

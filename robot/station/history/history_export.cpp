@@ -47,9 +47,8 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
     }
     if (rows->count == 0) {
         return refusal(
-            QT_TRANSLATE_NOOP(
-                "tiller::PlotDock",
-                "There are no samples in this range. Select a different range, then export again."),
+            QT_TRANSLATE_NOOP("tiller::PlotDock",
+                              "This range contains no samples. Select a different range, then export again."),
             ErrorCode::InvalidArgument);
     }
     // The export blocks the window, including STOP, so its size is limited.
@@ -75,7 +74,7 @@ Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>&
         return Error{ErrorCode::InvalidArgument,
                      QCoreApplication::translate(
                          "tiller::PlotDock",
-                         "There are no samples in this range. Select a different range, then export again."),
+                         "This range contains no samples. Select a different range, then export again."),
                      {}};
     }
     AtomicFile file(path);

@@ -111,8 +111,9 @@ RunPlan planRun(const project::Project& project, const QUuid& program, const Ses
                             .arg(QLatin1String(robotModel(*project.robot).name),
                                  QLatin1String(robotModel(state.model).name));
     } else if (plan.script.tcp && !isSameTcp(*plan.script.tcp, state.tcpOffset)) {
-        plan.obstacle =
-            ProgramText::tr("The TCP of the robot differs from the TCP of the program's waypoints.");
+        plan.obstacle = ProgramText::tr(
+            "The TCP of the robot differs from the TCP of the program's waypoints. Set the active TCP of the "
+            "project, or use a TCP section.");
     } else if (start && !isAt(start->q, state)) {
         plan.obstacle = notAtStart();
     }
@@ -172,7 +173,9 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
                                                     std::int32_t permitted) {
     if (!plan.obstacle.isEmpty() || isActive()) {
         return Error{ErrorCode::Cancelled,
-                     plan.obstacle.isEmpty() ? ProgramText::tr("A program is running.") : plan.obstacle,
+                     plan.obstacle.isEmpty()
+                         ? ProgramText::tr("A program is running. Stop the program first.")
+                         : plan.obstacle,
                      {}};
     }
     // Set before the session emits the new state.

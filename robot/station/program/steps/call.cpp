@@ -35,7 +35,7 @@ const StepKind& callStep() {
             [] {
                 return std::vector<StepField>{
                     plainField("program", ProgramText::tr("Program"), FieldType::Program),
-                    optionalField("arguments", ProgramText::tr("Values"), FieldType::Expression)};
+                    optionalField("arguments", ProgramText::tr("Parameter values"), FieldType::Expression)};
             },
         .write =
             [](StepWriter& writer) {

@@ -19,7 +19,7 @@ const StepKind& gripperStep() {
                                16),
                     optionalField("openOutput", ProgramText::tr("Opening output"), FieldType::DigitalOutput),
                     numberField("time", ProgramText::tr("Time"), Unit::Time, 0, 60, 0.5),
-                    optionalField("input", ProgramText::tr("Check input"), FieldType::DigitalInput),
+                    optionalField("input", ProgramText::tr("Input to check"), FieldType::DigitalInput),
                     otherwiseField(ProgramText::tr("If the input is off"))};
             },
         .write =

@@ -127,7 +127,7 @@ private:
     QString text(const QString& place, const QJsonValue& value) {
         if (!value.isString() || value.toString().isEmpty()) {
             report(place, value.isUndefined() ? QStringLiteral("is missing")
-                                              : QStringLiteral("must be a text that is not empty"));
+                                              : QStringLiteral("must be a non-empty text"));
         }
         return value.toString();
     }

@@ -188,7 +188,7 @@ private:
             const PreviewEvent& event = test_.options.events[index];
             unused.append(event.step > 0 ? QStringLiteral("%1 did not take place: %2")
                                                .arg(test_.eventPlaces[index], notBegun(event))
-                                         : QStringLiteral("%1 did not take place: the run ended before")
+                                         : QStringLiteral("%1 did not take place: the run ended first")
                                                .arg(test_.eventPlaces[index]));
         }
         const std::size_t count = test_.options.events.size();
@@ -201,7 +201,7 @@ private:
     QString notBegun(const PreviewEvent& event) const {
         const int count = preview_.timings[static_cast<std::size_t>(event.step - 1)].count;
         return count < event.run ? QStringLiteral("%1 began %2 times").arg(stepText(event.step)).arg(count)
-                                 : QStringLiteral("the run ended before");
+                                 : QStringLiteral("the run ended first");
     }
 
     void judgeAnswers() {
@@ -211,7 +211,7 @@ private:
         }
         QString measured = QStringLiteral("%1 questions").arg(preview_.questions);
         for (const int answer : preview_.unfitAnswers) {
-            measured += QStringLiteral("; answers[%1] has another type than the question").arg(answer);
+            measured += QStringLiteral("; answers[%1] has a different type than the question").arg(answer);
         }
         add(QStringLiteral("answers"), QStringLiteral("%1 questions").arg(given), measured,
             preview_.questions == given && preview_.unfitAnswers.empty());

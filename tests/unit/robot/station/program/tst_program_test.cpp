@@ -400,7 +400,7 @@ private Q_SLOTS:
         QJsonObject test = passing();
         test["answers"] = QJsonArray{"four"};
         test["expect"] = QJsonObject();
-        QVERIFY(verdictOf(run(test), "answers")->measured.contains("answers[0] has another type"));
+        QVERIFY(verdictOf(run(test), "answers")->measured.contains("answers[0] has a different type"));
         test["answers"] = QJsonArray{4, 5};
         QVERIFY(!verdictOf(run(test), "answers")->passed);
     }
