@@ -539,8 +539,8 @@
         <translation>Der Text ist zu lang. Verwenden Sie einen kürzeren Namen oder Ausdruck.</translation>
     </message>
     <message>
-        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>Geben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck ein: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <source>Enter a name, an equals sign and an expression, for example |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Geben Sie einen Namen, ein Gleichheitszeichen und einen Ausdruck ein, z. B. |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
         <source>Too many equals signs. Use == to compare values.</source>
@@ -2141,12 +2141,12 @@
         <translation>„%1“ hat einen ungültigen Wert.</translation>
     </message>
     <message>
-        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>„%1“ ist %2; der Wert muss zwischen %3 und %4 liegen.</translation>
     </message>
     <message>
-        <source>The group “%1” contains no waypoints.</source>
-        <translation>Die Gruppe „%1“ enthält keine Wegpunkte.</translation>
+        <source>The group “%1” contains no waypoints. Add waypoints to the group, or select a different group.</source>
+        <translation>Die Gruppe „%1“ enthält keine Wegpunkte. Fügen Sie der Gruppe Wegpunkte hinzu oder wählen Sie eine andere Gruppe.</translation>
     </message>
     <message>
         <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
@@ -2177,8 +2177,8 @@
         <translation>Ein Programm kann nur an einem Schritt der obersten Ebene beginnen, nicht an einem Zweig wie „Sonst“. Wählen Sie einen anderen Schritt.</translation>
     </message>
     <message>
-        <source>The project does not contain this program.</source>
-        <translation>Das Projekt enthält dieses Programm nicht.</translation>
+        <source>The project does not contain this program. Select a different program.</source>
+        <translation>Das Projekt enthält dieses Programm nicht. Wählen Sie ein anderes Programm.</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
@@ -2213,8 +2213,8 @@
         <translation>Die Überschleifradien dieser und der vorherigen Bewegung (%1 und %2) überschreiten den Abstand von %3 zwischen den beiden Zielen. Verringern Sie einen Radius.</translation>
     </message>
     <message>
-        <source>The expression is empty.</source>
-        <translation>Der Ausdruck ist leer.</translation>
+        <source>The expression is empty. Enter an expression.</source>
+        <translation>Der Ausdruck ist leer. Geben Sie einen Ausdruck ein.</translation>
     </message>
     <message>
         <source>An expression must be a single line.</source>

@@ -539,7 +539,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <source>Enter a name, an equals sign and an expression, for example |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2141,11 +2141,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The group “%1” contains no waypoints.</source>
+        <source>The group “%1” contains no waypoints. Add waypoints to the group, or select a different group.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2177,7 +2177,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The project does not contain this program.</source>
+        <source>The project does not contain this program. Select a different program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2213,7 +2213,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The expression is empty.</source>
+        <source>The expression is empty. Enter an expression.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

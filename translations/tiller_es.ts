@@ -539,8 +539,8 @@
         <translation>El texto es demasiado largo. Use un nombre o una expresión más cortos.</translation>
     </message>
     <message>
-        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>Introduzca un nombre, un signo igual y una expresión: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <source>Enter a name, an equals sign and an expression, for example |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Introduzca un nombre, un signo igual y una expresión, p. ej., |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
         <source>Too many equals signs. Use == to compare values.</source>
@@ -2141,12 +2141,12 @@
         <translation>«%1» tiene un valor no válido.</translation>
     </message>
     <message>
-        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>«%1» es %2; debe estar entre %3 y %4.</translation>
     </message>
     <message>
-        <source>The group “%1” contains no waypoints.</source>
-        <translation>El grupo «%1» no contiene puntos de paso.</translation>
+        <source>The group “%1” contains no waypoints. Add waypoints to the group, or select a different group.</source>
+        <translation>El grupo «%1» no contiene puntos de paso. Añada puntos al grupo o seleccione otro grupo.</translation>
     </message>
     <message>
         <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
@@ -2177,8 +2177,8 @@
         <translation>Un programa solo puede empezar en un paso de nivel superior, y no en una rama como Si no. Seleccione otro paso.</translation>
     </message>
     <message>
-        <source>The project does not contain this program.</source>
-        <translation>El proyecto no contiene este programa.</translation>
+        <source>The project does not contain this program. Select a different program.</source>
+        <translation>El proyecto no contiene este programa. Seleccione otro programa.</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
@@ -2213,8 +2213,8 @@
         <translation>Los radios de fusión de este movimiento y del anterior (%1 y %2) superan la distancia de %3 entre los dos destinos. Reduzca un radio.</translation>
     </message>
     <message>
-        <source>The expression is empty.</source>
-        <translation>La expresión está vacía.</translation>
+        <source>The expression is empty. Enter an expression.</source>
+        <translation>La expresión está vacía. Introduzca una expresión.</translation>
     </message>
     <message>
         <source>An expression must be a single line.</source>

@@ -539,8 +539,8 @@
         <translation>Le texte est trop long. Utilisez un nom ou une expression plus courts.</translation>
     </message>
     <message>
-        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>Saisissez un nom, un signe égal et une expression : |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <source>Enter a name, an equals sign and an expression, for example |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>Saisissez un nom, un signe égal et une expression, p. ex. |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
         <source>Too many equals signs. Use == to compare values.</source>
@@ -2141,12 +2141,12 @@
         <translation>« %1 » a une valeur non valide.</translation>
     </message>
     <message>
-        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>« %1 » vaut %2 ; la valeur doit être entre %3 et %4.</translation>
     </message>
     <message>
-        <source>The group “%1” contains no waypoints.</source>
-        <translation>Le groupe « %1 » ne contient aucun point de passage.</translation>
+        <source>The group “%1” contains no waypoints. Add waypoints to the group, or select a different group.</source>
+        <translation>Le groupe « %1 » ne contient aucun point de passage. Ajoutez des points au groupe ou sélectionnez un autre groupe.</translation>
     </message>
     <message>
         <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
@@ -2177,8 +2177,8 @@
         <translation>Un programme ne peut commencer qu’à une étape de niveau supérieur, et pas à une branche comme Sinon. Sélectionnez une autre étape.</translation>
     </message>
     <message>
-        <source>The project does not contain this program.</source>
-        <translation>Le projet ne contient pas ce programme.</translation>
+        <source>The project does not contain this program. Select a different program.</source>
+        <translation>Le projet ne contient pas ce programme. Sélectionnez un autre programme.</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
@@ -2213,8 +2213,8 @@
         <translation>Les rayons de raccordement de ce mouvement et du précédent (%1 et %2) dépassent la distance de %3 entre les deux cibles. Réduisez un rayon.</translation>
     </message>
     <message>
-        <source>The expression is empty.</source>
-        <translation>L’expression est vide.</translation>
+        <source>The expression is empty. Enter an expression.</source>
+        <translation>L’expression est vide. Saisissez une expression.</translation>
     </message>
     <message>
         <source>An expression must be a single line.</source>

@@ -539,8 +539,8 @@
         <translation>テキストが長すぎます。名前または式を短くしてください。</translation>
     </message>
     <message>
-        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>名前、等号、式の順に書いてください：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <source>Enter a name, an equals sign and an expression, for example |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>名前、等号、式を入力してください。例：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
         <source>Too many equals signs. Use == to compare values.</source>
@@ -2141,12 +2141,12 @@
         <translation>「%1」の値が無効です。</translation>
     </message>
     <message>
-        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>「%1」は %2 です。%3〜%4 にしてください。</translation>
     </message>
     <message>
-        <source>The group “%1” contains no waypoints.</source>
-        <translation>グループ「%1」にはウェイポイントがありません。</translation>
+        <source>The group “%1” contains no waypoints. Add waypoints to the group, or select a different group.</source>
+        <translation>グループ「%1」にウェイポイントがありません。グループにウェイポイントを追加するか、別のグループを選んでください。</translation>
     </message>
     <message>
         <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
@@ -2177,8 +2177,8 @@
         <translation>プログラムは最上位のステップからのみ開始でき、Else のような分岐からは開始できません。別のステップを選んでください。</translation>
     </message>
     <message>
-        <source>The project does not contain this program.</source>
-        <translation>プロジェクトにそのプログラムはありません。</translation>
+        <source>The project does not contain this program. Select a different program.</source>
+        <translation>プロジェクトにこのプログラムはありません。別のプログラムを選んでください。</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
@@ -2213,8 +2213,8 @@
         <translation>この動作と前の動作のブレンド半径 (%1 と %2) が、2 つの目標間の距離 %3 を超えています。半径を小さくしてください。</translation>
     </message>
     <message>
-        <source>The expression is empty.</source>
-        <translation>式が空です。</translation>
+        <source>The expression is empty. Enter an expression.</source>
+        <translation>式が空です。式を入力してください。</translation>
     </message>
     <message>
         <source>An expression must be a single line.</source>

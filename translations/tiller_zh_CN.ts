@@ -539,8 +539,8 @@
         <translation>文本过长。请使用更短的名称或表达式。</translation>
     </message>
     <message>
-        <source>Enter a name, an equals sign and an expression: |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
-        <translation>请输入名称、等号和表达式：|F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
+        <source>Enter a name, an equals sign and an expression, for example |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</source>
+        <translation>请输入名称、等号和表达式，例如 |F| [N] = norm(actual_TCP_force_0, actual_TCP_force_1)</translation>
     </message>
     <message>
         <source>Too many equals signs. Use == to compare values.</source>
@@ -2141,12 +2141,12 @@
         <translation>“%1”的值无效。</translation>
     </message>
     <message>
-        <source>“%1” is %2; it must be between %3 and %4.</source>
+        <source>“%1” is %2. The value must be between %3 and %4.</source>
         <translation>“%1”为 %2；必须在 %3 至 %4 之间。</translation>
     </message>
     <message>
-        <source>The group “%1” contains no waypoints.</source>
-        <translation>组“%1”不包含路点。</translation>
+        <source>The group “%1” contains no waypoints. Add waypoints to the group, or select a different group.</source>
+        <translation>组“%1”中没有路点。请向该组添加路点，或选择其他组。</translation>
     </message>
     <message>
         <source>“%1” refers to an item that was deleted from the project. Select a different item.</source>
@@ -2177,8 +2177,8 @@
         <translation>程序只能从顶层步骤开始，不能从“否则”等分支开始。请选择其他步骤。</translation>
     </message>
     <message>
-        <source>The project does not contain this program.</source>
-        <translation>项目中没有此程序。</translation>
+        <source>The project does not contain this program. Select a different program.</source>
+        <translation>项目不包含此程序。请选择其他程序。</translation>
     </message>
     <message>
         <source>The project was taught with a %1, but the robot is a %2. Use “Adapt project to this robot…” first.</source>
@@ -2213,8 +2213,8 @@
         <translation>此运动与上一运动的交融半径（%1 和 %2）超过两个目标之间的距离 %3。请减小半径。</translation>
     </message>
     <message>
-        <source>The expression is empty.</source>
-        <translation>表达式为空。</translation>
+        <source>The expression is empty. Enter an expression.</source>
+        <translation>表达式为空。请输入表达式。</translation>
     </message>
     <message>
         <source>An expression must be a single line.</source>

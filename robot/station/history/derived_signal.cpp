@@ -224,7 +224,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     const QRegularExpressionMatch form = kForm.match(text);
     if (!form.hasMatch()) {
         return wrong(
-            DerivationText::tr("Enter a name, an equals sign and an expression: |F| [N] = "
+            DerivationText::tr("Enter a name, an equals sign and an expression, for example |F| [N] = "
                                "norm(actual_TCP_force_0, actual_TCP_force_1)"));
     }
     const QString expression = form.captured(3).trimmed();

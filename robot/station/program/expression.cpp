@@ -65,7 +65,7 @@ Expression parseExpression(const QString& text) {
         QStringLiteral("(\\s+)|(\"[^\"\\n]*\")|([A-Za-z_]\\w*)|(\\d+\\.?\\d*(?:[eE][-+]?\\d+)?|\\.\\d+)|"
                        "(==|!=|<=|>=|[-+*/%<>(),.\\[\\]])"));
     if (text.trimmed().isEmpty()) {
-        return failed(ProgramText::tr("The expression is empty."));
+        return failed(ProgramText::tr("The expression is empty. Enter an expression."));
     }
     if (text.contains(QLatin1Char('\n')) || text.contains(QLatin1Char('\r'))) {
         return failed(ProgramText::tr("An expression must be a single line."));

@@ -174,7 +174,7 @@ QString StepWriter::Private::fieldError(const StepField& checked) const {
                 return wrong;
             }
             if (number < checked.minimum || number > checked.maximum) {
-                return ProgramText::tr("“%1” is %2; it must be between %3 and %4.")
+                return ProgramText::tr("“%1” is %2. The value must be between %3 and %4.")
                     .arg(checked.label, numberText(number, checked.unit),
                          numberText(checked.minimum, checked.unit),
                          numberText(checked.maximum, checked.unit));
@@ -208,7 +208,10 @@ QString StepWriter::Private::fieldError(const StepField& checked) const {
             return std::any_of(project.waypoints.begin(), project.waypoints.end(),
                                [&](const project::Waypoint& point) { return point.group == text; })
                        ? QString()
-                       : ProgramText::tr("The group “%1” contains no waypoints.").arg(text);
+                       : ProgramText::tr(
+                             "The group “%1” contains no waypoints. Add waypoints to the group, or select a "
+                             "different group.")
+                             .arg(text);
         case FieldType::Waypoint:
         case FieldType::Pattern:
         case FieldType::Frame:
@@ -413,7 +416,7 @@ void StepWriter::Private::checkSkipped(const Steps& skipped, const Steps& rest) 
 ProgramScript StepWriter::Private::write(const QUuid& id) {
     program = project.programs.find(id);
     if (program == nullptr) {
-        report({}, ProgramText::tr("The project does not contain this program."));
+        report({}, ProgramText::tr("The project does not contain this program. Select a different program."));
         return result;
     }
     result.name =
