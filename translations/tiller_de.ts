@@ -2633,8 +2633,8 @@
         <translation>Anfahrabstand</translation>
     </message>
     <message>
-        <source>The arm cannot reach “%1”.</source>
-        <translation>Der Arm kann „%1“ nicht erreichen.</translation>
+        <source>The arm cannot reach “%1”. Change the waypoint, or select a different waypoint.</source>
+        <translation>Der Arm kann „%1“ nicht erreichen. Ändern Sie den Wegpunkt oder wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>Set either a waypoint or a pose, not both.</source>

@@ -2633,7 +2633,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The arm cannot reach “%1”.</source>
+        <source>The arm cannot reach “%1”. Change the waypoint, or select a different waypoint.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2633,8 +2633,8 @@
         <translation>Distancia de aproximación</translation>
     </message>
     <message>
-        <source>The arm cannot reach “%1”.</source>
-        <translation>El brazo no puede alcanzar «%1».</translation>
+        <source>The arm cannot reach “%1”. Change the waypoint, or select a different waypoint.</source>
+        <translation>El brazo no puede alcanzar «%1». Cambie el punto de paso o seleccione otro.</translation>
     </message>
     <message>
         <source>Set either a waypoint or a pose, not both.</source>

@@ -2633,8 +2633,8 @@
         <translation>Distance d’approche</translation>
     </message>
     <message>
-        <source>The arm cannot reach “%1”.</source>
-        <translation>Le bras ne peut pas atteindre « %1 ».</translation>
+        <source>The arm cannot reach “%1”. Change the waypoint, or select a different waypoint.</source>
+        <translation>Le bras ne peut pas atteindre « %1 ». Modifiez le point de passage ou sélectionnez-en un autre.</translation>
     </message>
     <message>
         <source>Set either a waypoint or a pose, not both.</source>

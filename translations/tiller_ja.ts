@@ -2633,8 +2633,8 @@
         <translation>アプローチ距離</translation>
     </message>
     <message>
-        <source>The arm cannot reach “%1”.</source>
-        <translation>アームは「%1」に到達できません。</translation>
+        <source>The arm cannot reach “%1”. Change the waypoint, or select a different waypoint.</source>
+        <translation>アームは「%1」に到達できません。ウェイポイントを変更するか、別のウェイポイントを選んでください。</translation>
     </message>
     <message>
         <source>Set either a waypoint or a pose, not both.</source>

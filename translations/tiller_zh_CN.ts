@@ -2633,8 +2633,8 @@
         <translation>接近距离</translation>
     </message>
     <message>
-        <source>The arm cannot reach “%1”.</source>
-        <translation>机械臂无法到达“%1”。</translation>
+        <source>The arm cannot reach “%1”. Change the waypoint, or select a different waypoint.</source>
+        <translation>机械臂无法到达“%1”。请修改该路点，或选择其他路点。</translation>
     </message>
     <message>
         <source>Set either a waypoint or a pose, not both.</source>

@@ -107,7 +107,7 @@ RobotCommand commandOf(const std::string& name) {
         }
     }
     raise({ErrorCode::InvalidArgument, QStringLiteral("command"),
-           QStringLiteral("\"%1\" is none").arg(QString::fromStdString(name))});
+           QStringLiteral("\"%1\" is not a command").arg(QString::fromStdString(name))});
 }
 
 void defineDashboard(py::module_& module) {

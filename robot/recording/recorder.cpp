@@ -430,9 +430,10 @@ Result<void> Recorder::start(const RecorderOptions& options, receive::Subscripti
     const QString suffix = QFileInfo(options.path).suffix().toLower();
     if (!options.format && (suffix == QLatin1String("mcap") || suffix == QLatin1String("h5") ||
                             suffix == QLatin1String("hdf5"))) {
-        return Error{ErrorCode::InvalidArgument, QDir::toNativeSeparators(options.path),
-                     QStringLiteral("without RecorderOptions::format the file would be CSV: set it, for "
-                                    "example to formatForPath()")};
+        return Error{
+            ErrorCode::InvalidArgument, QDir::toNativeSeparators(options.path),
+            QStringLiteral("without RecorderOptions::format, the file would be CSV; set the format, for "
+                           "example to formatForPath()")};
     }
     next->options = options;
     next->options.format = options.format ? options.format : csvFormat();

@@ -111,7 +111,10 @@ std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& 
                              : target.known && kinematics::inverseNearest(writer.model().dh, *target.known,
                                                                           *tcp, waypoint.joints);
     if (!reached) {
-        writer.error(key, ProgramText::tr("The arm cannot reach “%1”.").arg(waypoint.name));
+        writer.error(
+            key,
+            ProgramText::tr("The arm cannot reach “%1”. Change the waypoint, or select a different waypoint.")
+                .arg(waypoint.name));
         return std::nullopt;
     }
     if (joints) {
