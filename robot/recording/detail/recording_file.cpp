@@ -12,6 +12,7 @@
 #else
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -21,8 +22,9 @@ namespace {
 
 Error fileError(const QFile& file, int systemError, const QString& words) {
     const bool full = systemError == ENOSPC || systemError == EDQUOT;
+    // QFile reports "Unknown error" for a full disk.
     return {full ? ErrorCode::DiskFull : ErrorCode::FileNotWritable,
-            QDir::toNativeSeparators(file.fileName()), words};
+            QDir::toNativeSeparators(file.fileName()), full ? qt_error_string(systemError) : words};
 }
 
 /// Devices, pipes and some file systems do not support syncing.
@@ -76,7 +78,8 @@ public:
             const int systemError = errno;
             return fileError(file_, systemError, qt_error_string(systemError));
         }
-        return {};
+        return isDeleted() ? fileError(file_, 0, QStringLiteral("the file was deleted during the recording"))
+                           : Result<void>();
     }
 
     void cut(std::int64_t bytes) override { file_.resize(bytes); }
@@ -94,6 +97,16 @@ public:
     }
 
 private:
+    /// Writing to a deleted file succeeds, but its contents are lost when it is closed.
+    bool isDeleted() const {
+#ifdef _WIN32
+        return false;  // an open file cannot be deleted
+#else
+        struct stat status {};
+        return ::fstat(file_.handle(), &status) == 0 && status.st_nlink == 0;
+#endif
+    }
+
     /// Locks the file until it is closed. Returns false if another recording of this or another process uses
     /// the file.
     bool claim() {

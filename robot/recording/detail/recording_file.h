@@ -27,7 +27,7 @@ public:
     /// Appends text.
     /// written  number of bytes written, even on failure
     virtual Result<void> write(std::string_view text, std::size_t& written) = 0;
-    /// Syncs all written data to the disk.
+    /// Syncs all written data to the disk. Also fails if the file was deleted.
     virtual Result<void> sync() = 0;
     /// Truncates the file to this size, if possible.
     virtual void cut(std::int64_t bytes) = 0;

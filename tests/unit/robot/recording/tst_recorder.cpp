@@ -185,6 +185,7 @@ private Q_SLOTS:
     void anErrorOfTheLastWriteBackFailsTheRecording();
     void anErrorWhenClosingFailsTheRecording();
     void aFileThatDisappearsFromItsFolderPreventsTheStart();
+    void aDeletedFileFailsTheRecording();
     void anUnsupportedFlushIsNotAnError();
 };
 
@@ -561,6 +562,7 @@ void TestRecorder::fullDiskKeepsRecordedData() {
     TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
     QCOMPARE(recorder.error().code, ErrorCode::DiskFull);
     QVERIFY2(recorder.error().context.contains(path), qPrintable(recorder.error().context));
+    QCOMPARE(recorder.error().controllerMessage, QStringLiteral("No space left on device"));
 
     const auto table = readCsv(path);
     QVERIFY2(table.ok(), qPrintable(table.error().toString()));
@@ -669,6 +671,23 @@ void TestRecorder::aFileThatDisappearsFromItsFolderPreventsTheStart() {
     Recorder recorder([&] { return std::make_unique<TreacherousFile>(story); });
     QCOMPARE(recorder.start({bench.path(), {}}, bench.receiver).error().code, ErrorCode::FileNotWritable);
     QCOMPARE(recorder.progress().state, RecorderState::Idle);
+}
+
+void TestRecorder::aDeletedFileFailsTheRecording() {
+#ifdef _WIN32
+    QSKIP("an open file cannot be deleted on Windows");
+#endif
+    Bench bench;
+    Recorder recorder;
+    QVERIFY(recorder.start({bench.path(), {}}, bench.receiver).ok());
+    bench.send(1, 3);
+    TRY_COMPARE(recorder.progress().rows, std::uint64_t(3));
+    QVERIFY(QFile::remove(bench.path()));
+    // Without stop(): the user must know while there is still time to record again.
+    TRY_COMPARE(recorder.progress().state, RecorderState::Failed);
+    QCOMPARE(recorder.error().code, ErrorCode::FileNotWritable);
+    QVERIFY2(recorder.error().controllerMessage.contains("deleted"),
+             qPrintable(recorder.error().controllerMessage));
 }
 
 void TestRecorder::anUnsupportedFlushIsNotAnError() {
