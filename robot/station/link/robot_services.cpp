@@ -118,6 +118,12 @@ void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) 
         return;
     }
     const SessionState now = d_.stateNow();
+    if (!now.isFresh()) {
+        Q_EMIT session_.message(
+            Severity::Error,
+            tr("The robot does not respond, so a stop may not reach it. Press the emergency stop if "
+               "the arm must stop."));
+    }
     if (ExternalProgramStopper::isMeant(cause, now)) {
         stopOnEveryRoute(cause);
     } else if (now.control == ControlState::InControl && unconfirmed_) {

@@ -731,6 +731,13 @@ void RobotSession::reportChanges() {
         }
     }
     reportExternalProgram();
+    if (state.isFresh() && d_->readySeen != (state.robotMode == RobotMode::Running)) {
+        d_->readySeen = !d_->readySeen;
+        if (!d_->readySeen) {
+            Q_EMIT message(Severity::Info, tr("Robot mode: %1").arg(robotModeWords(state.robotMode).text),
+                           Origin::Robot);
+        }
+    }
     if (state.hasData() && state.safety() != d_->safetySeen) {
         d_->safetySeen = state.safety();
         const QString obstacle = texts::safetyModeObstacle(state.safety());
@@ -755,7 +762,12 @@ void RobotSession::reportExternalProgram() {
     if (!state.foreignProgramRuns()) {
         d_->changesConfirmed = false;
     }
-    if (!state.isFresh() || runs == d_->externalRunSeen) {
+    if (!state.isFresh()) {
+        return;
+    }
+    reportEndOfExternalProgram(
+        runs || (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl));
+    if (runs == d_->externalRunSeen) {
         return;
     }
     d_->externalRunSeen = runs;
@@ -767,6 +779,24 @@ void RobotSession::reportExternalProgram() {
                        Origin::Robot);
     } else if (state.runtimeState == RuntimeState::Paused && state.control != ControlState::InControl) {
         Q_EMIT message(Severity::Info, tr("The program on the robot is paused."), Origin::Robot);
+    }
+}
+
+void RobotSession::reportEndOfExternalProgram(bool exists) {
+    // A client that sends a program for each cycle would fill the log with the end of each program.
+    constexpr std::int64_t kEndedNs = 2 * kNsPerSecond;
+    const std::int64_t nowNs = d_->clock->nowNs();
+    if (exists) {
+        d_->externalExists = true;
+        d_->externalEndNs.reset();
+    } else if (std::exchange(d_->externalExists, false)) {
+        d_->externalEndNs = nowNs;
+    }
+    if (d_->externalEndNs && nowNs - *d_->externalEndNs >= kEndedNs) {
+        d_->externalEndNs.reset();
+        if (d_->state.control != ControlState::InControl && !d_->takingControl) {
+            Q_EMIT message(Severity::Info, tr("The program of the other client has ended."), Origin::Robot);
+        }
     }
 }
 

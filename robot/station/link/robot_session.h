@@ -246,6 +246,7 @@ private:
     void startPath(MotionId ticket, const Result<control::PreparedPath>& prepared);
     void reportChanges();
     void reportExternalProgram();
+    void reportEndOfExternalProgram(bool exists);
     void reportControllerMessages();
 
     std::unique_ptr<SessionBackend> d_;

@@ -170,6 +170,11 @@ void SessionRecording::stop() {
                 Q_EMIT session_.message(Severity::Info,
                                         tr("Recorded %n rows to %1", nullptr, static_cast<int>(progress.rows))
                                             .arg(d_.recorder.path()));
+                if (progress.lost > 0) {
+                    Q_EMIT session_.message(Severity::Warning,
+                                            tr("The recording has gaps: %n packets were not received.",
+                                               nullptr, static_cast<int>(progress.lost)));
+                }
             } else if (progress.state == recording::RecorderState::Failed) {
                 Q_EMIT session_.message(Severity::Error, texts::errorText(d_.recorder.error()));
             }

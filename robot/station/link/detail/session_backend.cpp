@@ -63,7 +63,8 @@ void SessionBackend::read() {
         state.monitorOnly = monitorOnly;
         state.recording = recordingState;
         movedBefore = false;
-        externalRunSeen = changesConfirmed = false;
+        externalRunSeen = externalExists = changesConfirmed = readySeen = false;
+        externalEndNs.reset();
         state.speedCap = limits.tcpSpeed;
         state.controlReason = RobotSession::tr("Not connected to a robot.");
         readRecording();

@@ -145,8 +145,11 @@ struct SessionBackend {
         freshSinceLossNs;     ///< start of fresh data after a loss of control, on the monotonic host clock
     bool doubtEnded = false;  ///< data have been fresh for long enough
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
-    bool externalRunSeen = false;   ///< the program of another client was reported
-    bool changesConfirmed = false;  ///< the operator agreed to changes while this program runs
+    bool externalRunSeen = false;               ///< the program of another client was reported
+    bool externalExists = false;                ///< that program runs or is paused
+    std::optional<std::int64_t> externalEndNs;  ///< end of that program, until it is reported
+    bool readySeen = false;                     ///< the last reported robot mode was Running
+    bool changesConfirmed = false;              ///< the operator agreed to changes while this program runs
 
     QStringList extraFields;                 ///< requested in addition to the standard fields
     std::vector<receive::Sample> extraRoom;  ///< reused buffer for extra samples

@@ -129,6 +129,7 @@ private Q_SLOTS:
         QVERIFY(bench.cell.robot.inject("link lost").ok());
         QVERIFY(bench.withoutData([&] { return bench.state().link == LinkState::Lost; }));
         bench.session.stop(StopCause::StopButton);
+        QVERIFY2(!messages.filter("may not reach it").isEmpty(), "at once, not after the timeouts");
         QVERIFY(bench.withoutData([&] { return !messages.filter("could not be stopped").isEmpty(); }));
         QVERIFY(bench.runs());
         // The threads that wait for answers reset their connections.
@@ -158,6 +159,29 @@ private Q_SLOTS:
         QVERIFY(bench.within([&] { return messages.filter("taken over").size() == 1; }));
         QVERIFY2(bench.state().controlReason.contains("taken over"), qPrintable(bench.state().controlReason));
         QCOMPARE(messages.filter("another client is running").size(), 1);
+    }
+
+    void theLogNamesTheEndOfProgramsOfOtherClients() {
+        QStringList messages;  // outlives the session, which reports its end
+        ProgramBench bench;
+        QObject::connect(&bench.session, &RobotSession::message, &bench.session,
+                         [&](Severity, const QString& text) { messages << text; });
+        QVERIFY2(bench.cell.connect(), qPrintable(bench.cell.what()));
+        const auto ends = [&] { return messages.filter("other client has ended").size(); };
+        // Short programs, one per cycle.
+        for (int cycle = 0; cycle < 3; ++cycle) {
+            QVERIFY(bench.send(QStringLiteral("def cycle():\nsleep(0.2)\nend\n")));
+            QVERIFY(bench.within([&] { return bench.runs(); }));
+            QVERIFY(bench.within([&] { return !bench.runs(); }));
+        }
+        QCOMPARE(ends(), 0);
+        QVERIFY(bench.within([&] { return ends() == 1; }));
+        QVERIFY(bench.sendMovingProgram() && bench.within([&] { return bench.state().moving; }));
+        QVERIFY(bench.cell.robot.inject("power-loss").ok());
+        QVERIFY(bench.within([&] { return ends() == 2; }));
+        QCOMPARE(messages.filter("Robot mode: ").size(), 1);
+        bench.cell.advanceMs(5000);
+        QCOMPARE(ends(), 2);
     }
 
     // The control program of a killed process continues to run at standstill for five seconds.
