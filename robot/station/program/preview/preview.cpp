@@ -9,9 +9,9 @@
 #include "robot/control/motion_types.h"
 #include "robot/project/reachability.h"
 #include "robot/script/supervised_program.h"
-#include "robot/simulator/script_run.h"
 #include "robot/simulator/simulator_options.h"
 #include "robot/station/document/cell_surroundings.h"
+#include "robot/station/program/preview/simulated_run.h"
 #include "robot/station/program/program_edit.h"
 #include "robot/station/program/program_text.h"
 #include "robot/station/text/move_words.h"
@@ -51,26 +51,20 @@ public:
         : script_(script)
         , options_(options)
         , cell_(surroundingsOf(project))
-        , tcp_(tcpAtStart(project, script))
-        , check_(robotModel(modelFor(project, scriptOptions)), {tcp_, cell_.toolRadius}, cell_.around,
+        , check_(robotModel(modelFor(project, scriptOptions)),
+                 {SimulatedRun::tcpAtStart(project, script), cell_.toolRadius}, cell_.around,
                  cell_.safetyDistance, options.known)
-        , run_(runOptions(project, script, scriptOptions, options))
-        , events_(options.events)
+        , simulated_(project, script, scriptOptions, options)
         , text_(script::unsupervised(script.text)) {
-        for (const InputChange& input : options.inputs) {
-            events_.push_back({.kind = PreviewEvent::Kind::DigitalInput,
-                               .time = input.time,
-                               .channel = input.channel,
-                               .value = input.value ? 1.0 : 0.0});
-        }
-        for (std::size_t i = 0; i < events_.size(); ++i) {
-            if (events_[i].step == 0) {
+        const std::vector<PreviewEvent>& events = options.events;
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            if (events[i].step == 0) {
                 // A stop before the start would have no effect on the program.
-                const double earliest = isStop(events_[i].kind) ? 1.5 * run_.stepTime() : 0;
-                schedule(i, std::max(earliest, events_[i].time));
+                const double earliest = isStop(events[i].kind) ? 1.5 * run_.stepTime() : 0;
+                schedule(i, std::max(earliest, events[i].time));
             }
         }
-        hasHeartbeat_ = std::any_of(events_.begin(), events_.end(), [](const PreviewEvent& event) {
+        hasHeartbeat_ = std::any_of(events.begin(), events.end(), [](const PreviewEvent& event) {
             return event.kind == PreviewEvent::Kind::LinkLoss;
         });
         if (hasHeartbeat_) {
@@ -90,21 +84,20 @@ public:
         applyEvents();
         outputs_ = run_.digitalOutputs();
         result_.analogOutputs = run_.analogOutputs();
-        if (const auto fault = run_.start(text_.text)) {
+        if (const auto fault = simulated_.start(text_.text)) {
             result_.endStep = script_.stepAt(text_.lineOf(fault->line));
             find(Finding::Kind::ScriptError, result_.endStep, fault->text);
             return std::move(result_);
         }
         sample();
         JointPositions before = run_.q();
-        while (run_.step() && !isOver()) {
+        while (simulated_.step() && !isOver()) {
             followMarks(before);
             before = run_.q();
             followOutputs();
             followForce();
             applyEvents();
             sendHeartbeat();
-            answerOperator();
             if (run_.time() >= nextSample_) {
                 sample();
             }
@@ -116,26 +109,6 @@ public:
     }
 
 private:
-    static Pose tcpAtStart(const project::Project& project, const ProgramScript& script) {
-        const project::Tool* active = project.tooling.tools.find(project.tooling.activeTool);
-        return active != nullptr ? active->tcpOffset : script.tcp.value_or(Pose());
-    }
-
-    static simulator::ScriptRunOptions runOptions(const project::Project& project,
-                                                  const ProgramScript& script,
-                                                  const ScriptOptions& scriptOptions,
-                                                  const PreviewOptions& options) {
-        simulator::ScriptRunOptions run;
-        run.model = modelFor(project, scriptOptions);
-        run.software = scriptOptions.version;
-        run.start = options.start.value_or(startPosition(project, script));
-        run.tcp = tcpAtStart(project, script);
-        run.followedRegister = kStepRegister;
-        run.seed = options.seed;
-        run.followedVariables = options.variables;
-        return run;
-    }
-
     void find(Finding::Kind kind, int step, const QString& text) {
         result_.findings.push_back({kind, step, run_.time(), text});
     }
@@ -201,16 +174,16 @@ private:
 
     /// Schedules the events that follow the n-th beginning of the running step.
     void scheduleAtStep(int run) {
-        for (std::size_t i = 0; i < events_.size(); ++i) {
-            if (events_[i].step == step_ && events_[i].run == run) {
-                schedule(i, run_.time() + events_[i].time);
+        for (std::size_t i = 0; i < options_.events.size(); ++i) {
+            if (options_.events[i].step == step_ && options_.events[i].run == run) {
+                schedule(i, run_.time() + options_.events[i].time);
             }
         }
     }
 
     void applyEvents() {
         while (!due_.empty() && due_.front().time <= run_.time()) {
-            apply(events_[due_.front().event]);
+            apply(options_.events[due_.front().event]);
             applied_.insert(due_.front().event);
             due_.erase(due_.begin());
         }
@@ -274,25 +247,6 @@ private:
     void followForce() {
         if (const double force = run_.tcpForce(); force > result_.force.value) {
             result_.force = {force, run_.time(), step_};
-        }
-    }
-
-    void answerOperator() {
-        if (!run_.waitsForOperator()) {
-            askedAt_.reset();
-        } else if (!askedAt_) {
-            askedAt_ = run_.time();
-        } else if (run_.time() - *askedAt_ >= options_.operatorTime) {
-            const bool isQuestion = run_.waitsForAnswer();
-            // The value is undefined if there are not enough answers.
-            const QJsonValue answer = isQuestion && result_.questions < options_.answers.size()
-                                          ? options_.answers.at(result_.questions)
-                                          : QJsonValue(QJsonValue::Undefined);
-            if (!run_.answerOperator(answer) && isQuestion) {
-                result_.unfitAnswers.push_back(result_.questions);
-            }
-            result_.questions += isQuestion ? 1 : 0;
-            askedAt_.reset();
         }
     }
 
@@ -386,6 +340,8 @@ private:
         result_.endJoints = run_.q();
         result_.endPose = run_.tcpPose();
         result_.outputs = run_.digitalOutputs();
+        result_.questions = simulated_.questions();
+        result_.unfitAnswers = simulated_.unfitAnswers();
         for (const std::string& name : options_.variables) {
             result_.variables[name] = run_.followedVariable(name);
         }
@@ -399,15 +355,14 @@ private:
     const ProgramScript& script_;
     const PreviewOptions& options_;
     collision::CellSurroundings cell_;
-    Pose tcp_;
     collision::CollisionCheck check_;
-    simulator::ScriptRun run_;
+    SimulatedRun simulated_;
+    simulator::ScriptRun& run_ = simulated_.controller();
     struct Due {
         double time = 0;
-        std::size_t event = 0;  ///< index into events_
+        std::size_t event = 0;  ///< index into PreviewOptions::events
     };
-    std::vector<PreviewEvent> events_;  ///< those of the options, then the inputs
-    std::vector<Due> due_;              ///< scheduled, in the order of their times
+    std::vector<Due> due_;  ///< scheduled, in the order of their times
     std::set<std::size_t> applied_;
     script::SupervisedProgram text_;
     Preview result_;
@@ -419,7 +374,6 @@ private:
     int step_ = 0;
     double stepBegan_ = 0;
     double nextSample_ = 0;
-    std::optional<double> askedAt_;
     std::set<std::array<int, 3>> contactSteps_;  ///< each contact is reported once per step
     int steps_ = 0;
     bool failed_ = false;

@@ -15,6 +15,8 @@ simulator::ScriptRunOptions runOptions(const project::Project& project, const Pr
     run.start = options.start.value_or(startPosition(project, script));
     run.tcp = SimulatedRun::tcpAtStart(project, script);
     run.followedRegister = kStepRegister;
+    run.seed = options.seed;
+    run.followedVariables = options.variables;
     return run;
 }
 
@@ -35,9 +37,9 @@ Pose SimulatedRun::tcpAtStart(const project::Project& project, const ProgramScri
     return active != nullptr ? active->tcpOffset : script.tcp.value_or(Pose());
 }
 
-std::optional<simulator::ScriptFault> SimulatedRun::start() {
+std::optional<simulator::ScriptFault> SimulatedRun::start(const QString& text) {
     applyInputs();
-    return run_.start(script_.text);
+    return run_.start(text);
 }
 
 bool SimulatedRun::step() {
@@ -60,7 +62,15 @@ void SimulatedRun::answerOperator() {
     } else if (!askedAt_) {
         askedAt_ = run_.time();
     } else if (run_.time() - *askedAt_ >= options_.operatorTime) {
-        run_.answerOperator();
+        const bool isQuestion = run_.waitsForAnswer();
+        // The value is undefined if there are not enough answers.
+        const QJsonValue answer = isQuestion && questions_ < options_.answers.size()
+                                      ? options_.answers.at(questions_)
+                                      : QJsonValue(QJsonValue::Undefined);
+        if (!run_.answerOperator(answer) && isQuestion) {
+            unfitAnswers_.push_back(questions_);
+        }
+        questions_ += isQuestion ? 1 : 0;
         askedAt_.reset();
     }
 }

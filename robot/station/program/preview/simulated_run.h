@@ -22,7 +22,9 @@ public:
     static Pose tcpAtStart(const project::Project& project, const ProgramScript& script);
 
     /// Returns  the error of the script; empty if there is none
-    std::optional<simulator::ScriptFault> start();
+    std::optional<simulator::ScriptFault> start() { return start(script_.text); }
+    /// text  the script with additions, e.g. for a heartbeat
+    std::optional<simulator::ScriptFault> start(const QString& text);
     /// Runs one control period.
     /// Returns  false when the script has ended
     bool step();
@@ -34,6 +36,9 @@ public:
     std::vector<InputChange> remainingInputs() const;
     /// Values of the inputs that the run has set, as changes at time 0.
     std::vector<InputChange> inputs() const;
+    int questions() const { return questions_; }  ///< number of questions to the operator so far
+    /// Indices of the answers of another type than the question.
+    const std::vector<int>& unfitAnswers() const { return unfitAnswers_; }
 
 private:
     void applyInputs();
@@ -45,6 +50,8 @@ private:
     std::vector<InputChange> inputs_;
     std::size_t nextInput_ = 0;
     std::optional<double> askedAt_;
+    int questions_ = 0;
+    std::vector<int> unfitAnswers_;
 };
 
 }  // namespace tiller::program

@@ -129,6 +129,7 @@ public:
         , script_(script)
         , scriptOptions_(scriptOptions)
         , options_(options) {
+        options_.preview.answers = {};  // a repetition would need the answers from its first question on
         findSteps();
         findGroups();
         hasConstantInputs_ = std::all_of(options.preview.inputs.begin(), options.preview.inputs.end(),
@@ -713,7 +714,7 @@ private:
     const project::Program& program_;
     const ProgramScript& script_;
     const ScriptOptions& scriptOptions_;
-    const RecoveryOptions& options_;
+    RecoveryOptions options_;
     std::vector<const ProgramStep*> steps_;  ///< by number
     std::vector<int> parents_;               ///< number of the enclosing section; 0: none
     int mainSteps_ = 0;                      ///< steps of the main program have numbers up to this one

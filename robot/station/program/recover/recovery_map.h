@@ -67,7 +67,7 @@ struct RecoveryMap {
 };
 
 struct RecoveryOptions {
-    PreviewOptions preview;  ///< of the simulated program
+    PreviewOptions preview;  ///< of the simulated program; `answers` are not used
     double interval = 0.1;   ///< time between two stops in a step [s]
 };
 
