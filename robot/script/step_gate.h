@@ -33,6 +33,7 @@ struct StepGate {
 /// inputRegister  integer register with StepGate::value()
 ///
 /// tiller_step(number)  writes the number to kStepRegister and waits until another step may begin
+/// tiller_break(number) also waits until StepGate::permitted changes, for a step with a breakpoint
 /// tiller_turn(turn)    returns `turn`, or ends the program at standstill if it must end with its cycle
 QString stepGateScript(int inputRegister);
 

@@ -148,6 +148,11 @@ void ProgramModel::setPreview(const program::ProgramScript* script, const progra
     changed();
 }
 
+void ProgramModel::setBreakpoints(const QSet<QUuid>& steps) {
+    breakpoints_ = steps;
+    changed();
+}
+
 void ProgramModel::setRun(const program::ProgramScript* script, const program::StepLog* log) {
     running_ = {};
     if (log != nullptr) {
@@ -240,9 +245,11 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
                                                                     : program::recoveryMark(node.recovery);
         }
     };
+    const bool hasBreakpoint = breakpoints_.contains(node.step->id);
     switch (role) {
         case Qt::DisplayRole:
             return isRunning(node) && index.column() == Step     ? QStringLiteral("▶ ") + text()
+                   : hasBreakpoint && index.column() == Step     ? QStringLiteral("● ") + text()
                    : node.isMarked() && index.column() != Values ? QStringLiteral("⚠ ") + text()
                                                                  : text();
         case Qt::ToolTipRole:
@@ -252,6 +259,7 @@ QVariant ProgramModel::data(const QModelIndex& index, int role) const {
         case Qt::AccessibleTextRole:
             return node.step->disabled && index.column() == Step ? tr("%1, disabled").arg(text())
                    : isRunning(node) && index.column() == Step   ? tr("%1, running").arg(text())
+                   : hasBreakpoint && index.column() == Step     ? tr("%1, breakpoint").arg(text())
                                                                  : text();
         case Qt::FontRole: {
             QFont font;

@@ -37,6 +37,9 @@ public:
     /// script  script of the check; null: no marks
     void setRecovery(const program::ProgramScript* script, const program::RecoveryMap* map);
 
+    /// Marks the steps before which a run pauses.
+    void setBreakpoints(const QSet<QUuid>& steps);
+
     /// Shows the steps of a run: the running step, and the number of runs and the mean time of each step.
     /// script  script of the run; null: no run
     void setRun(const program::ProgramScript* script, const program::StepLog* log);
@@ -80,6 +83,7 @@ private:
     std::unique_ptr<Node> root_;
     QHash<QUuid, Node*> nodes_;
     QUuid running_;  ///< the running step; null: none
+    QSet<QUuid> breakpoints_;
 };
 
 }  // namespace tiller

@@ -248,6 +248,8 @@ void ProgramTab::addCommands() {
         addCommand("delete", tr("Delete steps"), QKeySequence::Delete, &ProgramTab::remove),
         addCommand("disable", tr("Disable or enable steps"), QKeySequence(Qt::CTRL | Qt::Key_Slash),
                    &ProgramTab::toggleDisabled),
+        addCommand("breakpoint", tr("Add or remove breakpoints"), QKeySequence(Qt::CTRL | Qt::Key_B),
+                   &ProgramTab::toggleBreakpoints),
         addCommand("up", tr("Move steps up"), QKeySequence(Qt::CTRL | Qt::Key_Up), &ProgramTab::moveUp),
         addCommand("down", tr("Move steps down"), QKeySequence(Qt::CTRL | Qt::Key_Down),
                    &ProgramTab::moveDown),
@@ -362,7 +364,9 @@ void ProgramTab::check() {
     }
     previewKey_->setEnabled(script_.ok());
     recoverAction_->setEnabled(script_.ok());
-    if (program == nullptr || program->steps.empty()) {
+    if (runBar_ != nullptr && runBar_->runner().isActive()) {
+        // Changes take effect at the next start. The state of the run is more important.
+    } else if (program == nullptr || program->steps.empty()) {
         showStatus(tr("Drag steps into the program, or double-click them."));
     } else if (!script_.problems.empty()) {
         const program::ProgramProblem& first = script_.problems.front();
@@ -532,6 +536,36 @@ void ProgramTab::toggleDisabled() {
     const bool disable = std::any_of(selected.begin(), selected.end(),
                                      [](const project::ProgramStep& step) { return !step.disabled; });
     edit(program::withDisabled(*program, ids, disable), disable ? tr("Disable steps") : tr("Enable steps"));
+}
+
+void ProgramTab::toggleBreakpoints() {
+    if (checkTimer_.isActive()) {
+        checkTimer_.stop();
+        check();
+    }
+    const QSet<QUuid> ids = tree_->selectedIds();
+    const bool add = std::any_of(ids.begin(), ids.end(), [&](const QUuid& id) {
+        return !breakpoints_.contains(id) && script_.canPauseBefore(id);
+    });
+    if (!add && !breakpoints_.intersects(ids)) {
+        showStatus(script_.ok() ? tr("⚠ The program cannot pause before this step.")
+                                : tr("⚠ Correct the program first."));
+        return;
+    }
+    for (const QUuid& id : ids) {
+        if (!add) {
+            breakpoints_.remove(id);
+        } else if (script_.canPauseBefore(id)) {
+            breakpoints_.insert(id);
+        }
+    }
+    model_->setBreakpoints(breakpoints_);
+    if (runBar_ != nullptr) {
+        runBar_->setBreakpoints(breakpoints_);
+        if (add && runBar_->runner().isActive()) {
+            showStatus(tr("New breakpoints take effect at the next start."));
+        }
+    }
 }
 
 // ---- preview and export ---------------------------------------------------------------------------------

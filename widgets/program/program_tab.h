@@ -100,6 +100,7 @@ private:
     void duplicate();
     void remove();
     void toggleDisabled();
+    void toggleBreakpoints();
     void moveUp();
     void moveDown();
     void nest();
@@ -148,6 +149,7 @@ private:
     std::size_t nextMark_ = 0;
     QTimer checkTimer_;
     bool wasWaiting_ = false;  ///< the program waited before a step
+    QSet<QUuid> breakpoints_;  ///< step ids, not saved with the project
     program::PreviewRunner runner_;
     QAction* recoverAction_ = nullptr;
     program::ProgramScript recovered_;  ///< script of the displayed or running recoverability check

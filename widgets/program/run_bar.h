@@ -54,6 +54,7 @@ public:
     /// Updates the displayed speed.
     void showSpeed();
     const program::ProgramRunner& runner() const { return runner_; }
+    void setBreakpoints(const QSet<QUuid>& steps) { runner_.setBreakpoints(steps); }
     /// True while a program runs without a held button.
     bool runsFreely() const { return runner_.isActive() && !isHeld_; }
     /// Ends a held motion, if any.

@@ -5,6 +5,8 @@
 // the program. The script is one self-contained `def`, which can be sent, saved as .script, or run in the
 // simulated controller.
 
+#include <QSet>
+#include <QUuid>
 #include <limits>
 #include <vector>
 
@@ -36,6 +38,7 @@ struct ProgramScript {
     struct GateLine {
         std::size_t line = 0;  ///< index
         QString text;
+        int step = 0;  ///< number of the step that begins in this line; 0: none
     };
     std::vector<GateLine> gateLines;
     std::vector<int> cycles;  ///< step numbers of the endless loops that are not inside another one
@@ -44,7 +47,10 @@ struct ProgramScript {
 
     bool ok() const { return !text.isEmpty(); }  ///< True if the program can run.
     /// The text with the calls of script::stepGateScript(). The lines have the same numbers as in `text`.
-    QString gatedText() const;
+    /// breakpoints  steps before which the program pauses; those without a gate line are ignored
+    QString gatedText(const QSet<QUuid>& breakpoints = {}) const;
+    /// True if the program can pause before this step. It cannot in a force section or a parallel watch.
+    bool canPauseBefore(const QUuid& step) const;
     /// Number of a step of the main program; 0 if there is no step with this id.
     int numberOf(const QUuid& step) const;
     /// Number of the step that a line of the script belongs to, or 0. Lines count from 1.

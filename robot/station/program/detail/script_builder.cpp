@@ -465,7 +465,9 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
     for (const Lines* part : {&functions, &main}) {
         for (const Line& line : *part) {
             if (!line.gated.isEmpty()) {
-                result.gateLines.push_back({static_cast<std::size_t>(text.size()), line.gated});
+                const bool isStep = line.gated.contains(QLatin1String("tiller_step"));
+                result.gateLines.push_back(
+                    {static_cast<std::size_t>(text.size()), line.gated, isStep ? line.step : 0});
             }
             put(line.text, line.step);
         }
@@ -755,12 +757,22 @@ ProgramScript writeScript(const project::Project& project, const QUuid& program,
     return StepWriter::Private(project, options).write(program);
 }
 
-QString ProgramScript::gatedText() const {
+QString ProgramScript::gatedText(const QSet<QUuid>& breakpoints) const {
     QStringList lines = text.split(QLatin1Char('\n'));
     for (const GateLine& gate : gateLines) {
-        lines[static_cast<qsizetype>(gate.line)] = gate.text;
+        QString& line = lines[static_cast<qsizetype>(gate.line)];
+        line = gate.text;
+        if (gate.step > 0 && breakpoints.contains(steps[static_cast<std::size_t>(gate.step - 1)].step)) {
+            line.replace(QLatin1String("tiller_step"), QLatin1String("tiller_break"));
+        }
     }
     return lines.join(QLatin1Char('\n'));
+}
+
+bool ProgramScript::canPauseBefore(const QUuid& step) const {
+    return std::any_of(gateLines.begin(), gateLines.end(), [&](const GateLine& gate) {
+        return gate.step > 0 && steps[static_cast<std::size_t>(gate.step - 1)].step == step;
+    });
 }
 
 int ProgramScript::numberOf(const QUuid& step) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "robot/kinematics/arm_kinematics.h"
@@ -186,7 +187,9 @@ Result<RobotSession::MotionId> ProgramRunner::start(const RunPlan& plan, control
     expected_ = plan.expected;
     limits_ = plan.limits;
     gate_ = {permitted, false};
-    const auto begun = session_.beginProgram(script_.gatedText(), holding, session_.stops(), gate_);
+    isAtBreakpoint_ = false;
+    const auto begun =
+        session_.beginProgram(script_.gatedText(breakpoints_), holding, session_.stops(), gate_);
     if (!begun) {
         state_ = State::Idle;
         return begun.error();
@@ -241,11 +244,27 @@ void ProgramRunner::pause() {
 }
 
 void ProgramRunner::resume() {
-    setGate({script::StepGate::kUnlimited, gate_.endsWithCycle});
+    // A program at a breakpoint waits for a change.
+    const bool changes = gate_.permitted == script::StepGate::kUnlimited;
+    isAtBreakpoint_ = false;
+    setGate({script::StepGate::kUnlimited + (changes ? 1 : 0), gate_.endsWithCycle});
+}
+
+void ProgramRunner::setBreakpoints(const QSet<QUuid>& steps) {
+    breakpoints_ = steps;
+    resumeAtRemovedBreakpoint();
+}
+
+void ProgramRunner::resumeAtRemovedBreakpoint() {
+    if (isAtBreakpoint_ && log_.step() > 0 &&
+        !breakpoints_.contains(script_.steps[static_cast<std::size_t>(log_.step() - 1)].step)) {
+        resume();
+    }
 }
 
 void ProgramRunner::step() {
     if (isWaiting()) {
+        isAtBreakpoint_ = false;
         setGate({log_.begun() + 1, gate_.endsWithCycle});
     }
 }
@@ -258,7 +277,7 @@ void ProgramRunner::take(const SampleBatch& batch) {
     if (!isActive()) {
         return;
     }
-    const std::pair before(log_.step(), log_.isWaiting());
+    const std::tuple before(log_.step(), log_.isWaiting(), log_.begun());
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
         log_.add(robot.timestamp(), robot.runtimeState(), robot.outputIntRegister(kStepRegister).value_or(0),
@@ -267,8 +286,11 @@ void ProgramRunner::take(const SampleBatch& batch) {
     if (state_ == State::Sending && log_.hasBegun()) {
         state_ = State::Running;
         Q_EMIT changed();
-    } else if (std::pair(log_.step(), log_.isWaiting()) != before) {
+    } else if (std::tuple(log_.step(), log_.isWaiting(), log_.begun()) != before) {
+        // The gate permits the step, so the program waits at a breakpoint.
+        isAtBreakpoint_ = log_.isWaiting() && gate_.permitted > log_.begun();
         Q_EMIT changed();
+        resumeAtRemovedBreakpoint();
     }
 }
 

@@ -92,6 +92,9 @@ public:
     void pause();
     /// Continues a paused program.
     void resume();
+    /// Steps before which a program pauses, also in called programs. New ones take effect at the next start; a
+    /// program that waits before a removed one continues.
+    void setBreakpoints(const QSet<QUuid>& steps);
     /// Runs one step of a waiting program, which then pauses again.
     void step();
     /// Ends the program at standstill before the next iteration of its outermost endless loop, or not.
@@ -99,7 +102,8 @@ public:
 
     bool endsWithCycle() const { return gate_.endsWithCycle; }
 
-    bool isPaused() const { return gate_.permitted != script::StepGate::kUnlimited; }
+    /// True after pause() or step(), and while the program waits at a breakpoint.
+    bool isPaused() const { return gate_.permitted < script::StepGate::kUnlimited || isAtBreakpoint_; }
     /// True if the program is paused and has reached the next step.
     bool isWaiting() const { return state_ == State::Running && isPaused() && log_.isWaiting(); }
     State state() const { return state_; }
@@ -122,6 +126,7 @@ private:
     void follow();
     void finish(const Result<control::MotionProgress>& progress);
     void setGate(const script::StepGate& gate);
+    void resumeAtRemovedBreakpoint();
 
     RobotSession& session_;
     RobotSession::MotionId id_ = 0;
@@ -132,6 +137,8 @@ private:
     ProgramScript script_;
     StepLog log_;
     script::StepGate gate_;
+    QSet<QUuid> breakpoints_;
+    bool isAtBreakpoint_ = false;
     double expected_ = 0;
     SpeedLimits limits_;
 };

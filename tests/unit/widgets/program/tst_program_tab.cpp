@@ -94,6 +94,11 @@ private Q_SLOTS:
         QVERIFY(steps()[2].disabled);
         QTest::keyClick(&tree(), Qt::Key_Slash, Qt::ControlModifier);
         QVERIFY(!steps()[2].disabled);
+        const auto name = [&] { return model().indexOf(steps()[2].id).data().toString(); };
+        QTest::keyClick(&tree(), Qt::Key_B, Qt::ControlModifier);
+        QVERIFY2(name().startsWith("● "), qPrintable(name()));
+        QTest::keyClick(&tree(), Qt::Key_B, Qt::ControlModifier);
+        QVERIFY2(!name().startsWith("● "), qPrintable(name()));
         QTest::keyClick(&tree(), Qt::Key_Delete);
         QVERIFY2(shape().startsWith("gripper assign gripper"), qPrintable(shape()));
         QCOMPARE(document_->undoStack().undoText(), QString("Delete steps"));

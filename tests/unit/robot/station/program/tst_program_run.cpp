@@ -398,6 +398,66 @@ private Q_SLOTS:
         QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
     }
 
+    void aRunPausesAtBreakpoints() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        // The second and third step follow each other in one control period.
+        bench.setSteps(
+            {step("wait", {{"time", 0.1}}),
+             step("loop", {{"times", 2}}, {step("setOutput", {{"output", 1}}), bench.move("place")}),
+             step("force", {{"axes", "base"}, {"force", 5}}, {step("wait", {{"time", 0.1}})})});
+        const ProgramScript script = bench.plan().script;
+        const auto id = [&](int number) {
+            return script.steps.at(static_cast<std::size_t>(number - 1)).step;
+        };
+        QVERIFY(script.canPauseBefore(id(3)) && script.canPauseBefore(id(4)));
+        QVERIFY2(!script.canPauseBefore(id(6)), "in the force section");
+        bench.runner.setBreakpoints({id(3), id(4), id(6)});
+        QVERIFY(bench.begin(Holding::Free));
+        const auto reach = [&](int number) {
+            return bench.reachWaiting() && bench.runner.isPaused() && bench.runner.log().step() == number &&
+                   bench.standstill() == 0 && bench.runner.isWaiting();
+        };
+        QVERIFY(reach(3));
+        bench.runner.resume();
+        QVERIFY(bench.reachStep(4));
+        QVERIFY(reach(4));
+        // A single step, the end with the cycle and a pause do not continue the program.
+        bench.runner.step();
+        QVERIFY(reach(3));
+        bench.runner.setEndsWithCycle(true);
+        bench.runner.setEndsWithCycle(false);
+        bench.runner.pause();
+        QVERIFY(reach(3));
+        bench.runner.resume();
+        QVERIFY(bench.reachStep(4));
+        QVERIFY(reach(4));
+        bench.runner.setBreakpoints({id(3)});
+        QVERIFY2(bench.awaitEnd(), "continues at a removed breakpoint");
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Completed);
+        QCOMPARE(bench.runner.log().timings()[3].count, 2);
+    }
+
+    void aStopEndsARunAtABreakpoint() {
+        RunBench bench;
+        QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
+        bench.setSteps({step("wait", {{"time", 0.1}}), bench.endless()});
+        bench.runner.setBreakpoints({bench.plan().script.steps.at(2).step});
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachWaiting());
+        bench.session.stop(StopCause::Space);
+        QVERIFY(bench.standstill() == 0);
+        QVERIFY(bench.awaitEnd());
+        QCOMPARE(bench.runner.end(), ProgramRunner::End::Stopped);
+        // The next run waits there again, and a removed breakpoint has no effect after the end.
+        QVERIFY(bench.begin(Holding::Free));
+        QVERIFY(bench.reachWaiting());
+        bench.runner.stop(StopCause::StopButton);
+        QVERIFY(bench.awaitEnd());
+        bench.runner.setBreakpoints({});
+        QVERIFY(bench.standstill() == 0);
+    }
+
     void singleStepsRunInTheOrderOfTheModel() {
         RunBench bench;
         QVERIFY2(bench.cell.bringUp(), qPrintable(bench.cell.what()));
