@@ -645,8 +645,10 @@ void MainWindow::simulateCell() {
 }
 
 void MainWindow::connectRobot(const RobotAddress& address) {
-    toRemember_ = address;
-    session_->connectTo(address);
+    changeRobot([this, address] {
+        toRemember_ = address;
+        session_->connectTo(address);
+    });
 }
 
 // Stores only robots that responded, so that mistyped addresses are not offered.
@@ -849,7 +851,11 @@ void MainWindow::keepLayout() {
 void MainWindow::closeEvent(QCloseEvent* event) {
     stopMotion(control::StopCause::WindowClosed);
     if (session_->state().recording.active && !endsRecording_) {
-        askToEndRecording();
+        askToEndRecording(tr("Close window"), tr("Closing the window stops the recording."),
+                          tr("Stop recording and close"), [this] {
+                              endsRecording_ = true;
+                              close();
+                          });
         event->ignore();
         return;
     }
@@ -883,19 +889,20 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 /// Not modal: STOP and everything else remain usable, and nothing waits for the answer.
-void MainWindow::askToEndRecording() {
+void MainWindow::askToEndRecording(const QString& title, const QString& consequence, const QString& button,
+                                   const std::function<void()>& then) {
     const QString name = QStringLiteral("recordingQuestion");
     if (auto* open = findChild<QMessageBox*>(name)) {
         open->raise();
         open->activateWindow();
         return;
     }
-    auto* question = new QMessageBox(QMessageBox::Question, tr("Close window"), tr("A recording is running."),
+    auto* question = new QMessageBox(QMessageBox::Question, title, tr("A recording is running."),
                                      QMessageBox::NoButton, this);
     question->setObjectName(name);
     question->setAttribute(Qt::WA_DeleteOnClose);
-    question->setInformativeText(tr("Closing the window stops the recording."));
-    QPushButton* end = question->addButton(tr("Stop recording and close"), QMessageBox::DestructiveRole);
+    question->setInformativeText(consequence);
+    QPushButton* end = question->addButton(button, QMessageBox::DestructiveRole);
     end->setObjectName(name + QStringLiteral(".end"));
     end->setAutoDefault(false);
     QPushButton* keep = question->addButton(tr("Keep recording"), QMessageBox::RejectRole);
@@ -903,11 +910,18 @@ void MainWindow::askToEndRecording() {
     question->setDefaultButton(keep);
     question->setEscapeButton(keep);
     question->setModal(false);
-    connect(end, &QPushButton::clicked, this, [this] {
-        endsRecording_ = true;
-        close();
-    });
+    connect(end, &QPushButton::clicked, this, then);
     question->show();
+}
+
+void MainWindow::changeRobot(const std::function<void()>& change) {
+    if (!session_->state().recording.active) {
+        change();
+        return;
+    }
+    stopMotion(control::StopCause::DialogOpened);
+    askToEndRecording(tr("Disconnect"), tr("Disconnecting from the robot stops the recording."),
+                      tr("Stop recording and disconnect"), change);
 }
 
 // ---- commands -----------------------------------------------------------------------------------------------
@@ -916,7 +930,8 @@ void MainWindow::buildActions() {
     actions_ = new ActionTable(*this);
     RobotActions::addTo(*actions_, *session_,
                         {.askForRobot = [this] { askForRobot(); },
-                         .connectSimulator = [this] { connectSimulator(); },
+                         .connectSimulator = [this] { changeRobot([this] { connectSimulator(); }); },
+                         .disconnect = [this] { changeRobot([this] { session_->disconnectFromRobot(); }); },
                          .check = [this](const RobotAddress& robot) { showPreflight(robot); },
                          .showRecovery = [this] { showRecovery(); },
                          .askForProgram = [this] { askForProgram(); },

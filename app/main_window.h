@@ -162,7 +162,10 @@ private:
     void askToTakeControl();
     void askToChange(const QString& what, const std::function<void()>& change);
     void askToPowerOff();
-    void askToEndRecording();
+    /// Performs a change of the connection, after a question if it would stop a recording.
+    void changeRobot(const std::function<void()>& change);
+    void askToEndRecording(const QString& title, const QString& consequence, const QString& button,
+                           const std::function<void()>& then);
     void showSettings(bool atRecording = false);
     void reopenWindow(SettingsPage& page);
     void connectTransfer();

@@ -71,7 +71,7 @@ void RobotActions::addConnection(ActionTable& table, RobotSession& session, cons
                tr("Disconnect"),
                tr("Stops Tiller's motion, then closes the connection."),
                {},
-               [&session] { session.disconnectFromRobot(); },
+               hooks.disconnect,
                [](const SessionState& s) {
                    return s.link == LinkState::Disconnected ? tr("No robot is connected.") : QString();
                }});

@@ -17,6 +17,7 @@ class ActionTable;
 struct RobotActionHooks {
     std::function<void()> askForRobot;
     std::function<void()> connectSimulator;
+    std::function<void()> disconnect;
     std::function<void(const RobotAddress&)> check;
     std::function<void()> showRecovery;
     std::function<void()> askForProgram;

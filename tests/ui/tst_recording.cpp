@@ -173,6 +173,17 @@ private Q_SLOTS:
                                  60'000);
         QVERIFY(bench.window.isVisible() && active());
 
+        // A change of the connection asks as well.
+        for (const char* action : {"robot.disconnect", "robot.simulator"}) {
+            bench.window.actions().find(QLatin1String(action))->trigger();
+            question = bench.window.findChild<QMessageBox*>("recordingQuestion");
+            QVERIFY2(question != nullptr, action);
+            QTest::keyClick(question, Qt::Key_Escape);
+            QTRY_VERIFY_WITH_TIMEOUT(bench.window.findChild<QMessageBox*>("recordingQuestion") == nullptr,
+                                     60'000);
+            QVERIFY2(active() && bench.window.session().state().link == LinkState::Live, action);
+        }
+
         const auto end = [&] {
             QVERIFY(!bench.window.close());
             question = bench.window.findChild<QMessageBox*>("recordingQuestion");
