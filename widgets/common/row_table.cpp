@@ -83,7 +83,10 @@ bool RowDelegate::eventFilter(QObject* editor, QEvent* event) {
 void RowDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
     QStyledItemDelegate::initStyleOption(option, index);
     option->state &= ~QStyle::State_HasFocus;  // rows are selected, not cells
-    option->textElideMode = Qt::ElideRight;
+    // The ends of the names differ, e.g. the numbers of waypoints.
+    const auto* table = qobject_cast<const RowTable*>(option->widget);
+    option->textElideMode =
+        table != nullptr && index.column() == table->nameColumn() ? Qt::ElideMiddle : Qt::ElideRight;
 }
 
 QWidget* RowDelegate::named(QWidget* editor, const QModelIndex& index) const {

@@ -16,6 +16,7 @@ public:
     /// nameColumn  column of the model; its names are edited in place (F2 or double click)
     RowTable(QAbstractItemModel& model, int nameColumn, QWidget* parent = nullptr);
 
+    int nameColumn() const { return nameColumn_; }
     /// Starts editing the name of the current row.
     void renameCurrent();
 

@@ -129,10 +129,16 @@ bool PlotPages::takeRecordingsFrom(PageLayout& page) const {
 }
 
 void PlotPages::dropRecordings() {
-    for (PlotView* view : views_) {
+    for (int i = count() - 1; i >= 0; --i) {
+        PlotView* view = views_[static_cast<std::size_t>(i)];
         PageLayout page = view->page();
-        takeRecordingsFrom(page);
+        const bool had = takeRecordingsFrom(page);
         view->setPage(page);
+        if (had && std::all_of(page.panes.begin(), page.panes.end(), [](const PaneLayout& pane) {
+                return pane.shown.isEmpty() && pane.hidden.isEmpty();
+            })) {
+            removePage(i);
+        }
     }
 }
 

@@ -34,7 +34,7 @@ public:
     void addPage();
     /// Returns  false, without adding a page, if the limit is reached
     bool addPage(const PageLayout& page);
-    /// Removes all signals of recordings.
+    /// Removes all signals of recordings, and the pages that showed nothing else.
     void dropRecordings();
     /// Removes a page. The last remaining page is reset to the standard plots instead.
     void removePage(int page);

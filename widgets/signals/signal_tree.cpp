@@ -100,6 +100,7 @@ SignalTree::SignalTree(const SignalStore& store, QWidget* parent)
     view_->setHeaderHidden(true);
     view_->setMinimumHeight(kMinList);
     view_->setUniformRowHeights(true);
+    view_->setTextElideMode(Qt::ElideMiddle);  // the ends of the names differ, e.g. numbers of registers
     view_->setDragEnabled(true);
     view_->setDragDropMode(QAbstractItemView::DragOnly);
     view_->setSelectionMode(QAbstractItemView::ExtendedSelection);

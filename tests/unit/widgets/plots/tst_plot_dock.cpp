@@ -1653,6 +1653,7 @@ private Q_SLOTS:
         QVERIFY(near(store.valueAt(store.find("yesterday.csv (2)/actual_TCP_force_2"), 51).value(), 5, 0.02));
         // Closing the recordings keeps the live signals, and data continue to arrive.
         b.dock.closeRecordings();
+        QCOMPARE(b.dock.pages().count(), 2);  // without the page that showed only the second recording
         QCOMPARE(store.find("yesterday.csv/actual_TCP_force_2"), -1);
         b.dock.pages().setCurrent(1);
         QVERIFY(b.view().panes()[0]->shows(b.id("actual_TCP_force_2")));
