@@ -3479,6 +3479,10 @@
         <source>Unlock protective stop</source>
         <translation>Schutzstopp entriegeln</translation>
     </message>
+    <message>
+        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
+        <translation>Der Roboter antwortet nicht, ein Stopp erreicht ihn möglicherweise nicht. Drücken Sie den Not-Halt, wenn der Arm anhalten muss.</translation>
+    </message>
 </context>
 <context>
     <name>RobotTooling</name>
@@ -3593,6 +3597,13 @@
     <message>
         <source>The recording continues without notes. %1</source>
         <translation>Die Aufzeichnung läuft ohne Notizen weiter. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording has gaps: %n packets were not received.</source>
+        <translation>
+            <numerusform>Die Aufzeichnung hat Lücken: %n Paket wurde nicht empfangen.</numerusform>
+            <numerusform>Die Aufzeichnung hat Lücken: %n Pakete wurden nicht empfangen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8600,6 +8611,10 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
         <source>%1, running</source>
         <translation>%1, läuft</translation>
     </message>
+    <message>
+        <source>%1, breakpoint</source>
+        <translation>%1, Haltepunkt</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8821,6 +8836,22 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>Simulated: %1 of %2 steps can continue after a stop.</source>
         <translation>Simuliert: %1 von %2 Schritten sind nach einem Stopp fortsetzbar.</translation>
+    </message>
+    <message>
+        <source>Add or remove breakpoints</source>
+        <translation>Haltepunkte setzen oder entfernen</translation>
+    </message>
+    <message>
+        <source>⚠ The program cannot pause before this step.</source>
+        <translation>⚠ Das Programm kann vor diesem Schritt nicht pausieren.</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the program first.</source>
+        <translation>⚠ Korrigieren Sie zuerst das Programm.</translation>
+    </message>
+    <message>
+        <source>New breakpoints take effect at the next start.</source>
+        <translation>Neue Haltepunkte gelten ab dem nächsten Start.</translation>
     </message>
 </context>
 <context>
@@ -9463,6 +9494,14 @@ Lassen Sie die Taste los, um den Arm zu stoppen.</translation>
     <message>
         <source>on the way to point %1 of %2: %3</source>
         <translation>auf dem Weg zu Punkt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Robot mode: %1</source>
+        <translation>Roboter-Modus: %1</translation>
+    </message>
+    <message>
+        <source>The program of the other client has ended.</source>
+        <translation>Das Programm des anderen Clients ist beendet.</translation>
     </message>
 </context>
 <context>
@@ -12093,6 +12132,18 @@ Fahren Sie den Arm an eine Position und drücken Sie „Hier teachen“ (T).</tr
     <message>
         <source>Change while a program is active</source>
         <translation>Änderung bei aktivem Programm</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Disconnecting from the robot stops the recording.</source>
+        <translation>Das Trennen vom Roboter beendet die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Stop recording and disconnect</source>
+        <translation>Aufzeichnung beenden und trennen</translation>
     </message>
 </context>
 <context>

@@ -3479,6 +3479,10 @@
         <source>Unlock protective stop</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RobotTooling</name>
@@ -3593,6 +3597,13 @@
     <message>
         <source>The recording continues without notes. %1</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording has gaps: %n packets were not received.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8587,6 +8598,10 @@ Release the button to stop the arm.</source>
         <source>%1, running</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, breakpoint</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8807,6 +8822,22 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>Simulated: %1 of %2 steps can continue after a stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add or remove breakpoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ The program cannot pause before this step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>⚠ Correct the program first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New breakpoints take effect at the next start.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9449,6 +9480,14 @@ Release the button to stop the arm.</source>
     </message>
     <message>
         <source>on the way to point %1 of %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot mode: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program of the other client has ended.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -12076,6 +12115,18 @@ Jog the arm to a position and press “Teach here” (T).</source>
     </message>
     <message>
         <source>Change while a program is active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnecting from the robot stops the recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop recording and disconnect</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -3479,6 +3479,10 @@
         <source>Unlock protective stop</source>
         <translation>Desbloquear la parada de protección</translation>
     </message>
+    <message>
+        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
+        <translation>El robot no responde, por lo que puede que una parada no le llegue. Pulse la parada de emergencia si el brazo debe pararse.</translation>
+    </message>
 </context>
 <context>
     <name>RobotTooling</name>
@@ -3593,6 +3597,13 @@
     <message>
         <source>The recording continues without notes. %1</source>
         <translation>La grabación continúa sin notas. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording has gaps: %n packets were not received.</source>
+        <translation>
+            <numerusform>La grabación tiene huecos: no se recibió %n paquete.</numerusform>
+            <numerusform>La grabación tiene huecos: no se recibieron %n paquetes.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8600,6 +8611,10 @@ Suelte el botón para detener el brazo.</translation>
         <source>%1, running</source>
         <translation>%1, en ejecución</translation>
     </message>
+    <message>
+        <source>%1, breakpoint</source>
+        <translation>%1, punto de parada</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8821,6 +8836,22 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>Simulated: %1 of %2 steps can continue after a stop.</source>
         <translation>Simulado: %1 de %2 pasos pueden continuar tras una parada.</translation>
+    </message>
+    <message>
+        <source>Add or remove breakpoints</source>
+        <translation>Poner o quitar puntos de parada</translation>
+    </message>
+    <message>
+        <source>⚠ The program cannot pause before this step.</source>
+        <translation>⚠ El programa no puede hacer una pausa antes de este paso.</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the program first.</source>
+        <translation>⚠ Corrija primero el programa.</translation>
+    </message>
+    <message>
+        <source>New breakpoints take effect at the next start.</source>
+        <translation>Los puntos de parada nuevos se aplican en el próximo inicio.</translation>
     </message>
 </context>
 <context>
@@ -9463,6 +9494,14 @@ Suelte el botón para detener el brazo.</translation>
     <message>
         <source>on the way to point %1 of %2: %3</source>
         <translation>de camino al punto %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Robot mode: %1</source>
+        <translation>Modo del robot: %1</translation>
+    </message>
+    <message>
+        <source>The program of the other client has ended.</source>
+        <translation>El programa del otro cliente ha terminado.</translation>
     </message>
 </context>
 <context>
@@ -12093,6 +12132,18 @@ Mueva el brazo a una posición y pulse «Enseñar aquí» (T).</translation>
     <message>
         <source>Change while a program is active</source>
         <translation>Cambio con un programa activo</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Desconectar</translation>
+    </message>
+    <message>
+        <source>Disconnecting from the robot stops the recording.</source>
+        <translation>Al desconectarse del robot se detiene la grabación.</translation>
+    </message>
+    <message>
+        <source>Stop recording and disconnect</source>
+        <translation>Detener grabación y desconectar</translation>
     </message>
 </context>
 <context>

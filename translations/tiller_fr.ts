@@ -3479,6 +3479,10 @@
         <source>Unlock protective stop</source>
         <translation>Déverrouiller l’arrêt de protection</translation>
     </message>
+    <message>
+        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
+        <translation>Le robot ne répond pas : un arrêt peut ne pas l’atteindre. Appuyez sur l’arrêt d’urgence si le bras doit s’arrêter.</translation>
+    </message>
 </context>
 <context>
     <name>RobotTooling</name>
@@ -3593,6 +3597,13 @@
     <message>
         <source>The recording continues without notes. %1</source>
         <translation>L&apos;enregistrement continue sans notes. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording has gaps: %n packets were not received.</source>
+        <translation>
+            <numerusform>L’enregistrement a des lacunes : %n paquet n’a pas été reçu.</numerusform>
+            <numerusform>L’enregistrement a des lacunes : %n paquets n’ont pas été reçus.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8600,6 +8611,10 @@ Relâchez le bouton pour arrêter le bras.</translation>
         <source>%1, running</source>
         <translation>%1, en cours</translation>
     </message>
+    <message>
+        <source>%1, breakpoint</source>
+        <translation>%1, point d’arrêt</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8821,6 +8836,22 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>Simulated: %1 of %2 steps can continue after a stop.</source>
         <translation>Simulé : %1 étapes sur %2 peuvent continuer après un arrêt.</translation>
+    </message>
+    <message>
+        <source>Add or remove breakpoints</source>
+        <translation>Ajouter ou supprimer des points d’arrêt</translation>
+    </message>
+    <message>
+        <source>⚠ The program cannot pause before this step.</source>
+        <translation>⚠ Le programme ne peut pas faire de pause avant cette étape.</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the program first.</source>
+        <translation>⚠ Corrigez d’abord le programme.</translation>
+    </message>
+    <message>
+        <source>New breakpoints take effect at the next start.</source>
+        <translation>Les nouveaux points d’arrêt prennent effet au prochain démarrage.</translation>
     </message>
 </context>
 <context>
@@ -9463,6 +9494,14 @@ Relâchez le bouton pour arrêter le bras.</translation>
     <message>
         <source>on the way to point %1 of %2: %3</source>
         <translation>en route vers le point %1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>Robot mode: %1</source>
+        <translation>Mode du robot : %1</translation>
+    </message>
+    <message>
+        <source>The program of the other client has ended.</source>
+        <translation>Le programme de l’autre client est terminé.</translation>
     </message>
 </context>
 <context>
@@ -12093,6 +12132,18 @@ Amenez le bras à une position et appuyez sur « Apprendre ici » (T).</translat
     <message>
         <source>Change while a program is active</source>
         <translation>Modification avec un programme actif</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Déconnecter</translation>
+    </message>
+    <message>
+        <source>Disconnecting from the robot stops the recording.</source>
+        <translation>La déconnexion du robot arrête l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>Stop recording and disconnect</source>
+        <translation>Arrêter l’enregistrement et déconnecter</translation>
     </message>
 </context>
 <context>

@@ -3479,6 +3479,10 @@
         <source>Unlock protective stop</source>
         <translation>保護停止のロックを解除</translation>
     </message>
+    <message>
+        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
+        <translation>ロボットが応答しないため、停止指令が届かない可能性があります。アームを止める必要がある場合は非常停止を押してください。</translation>
+    </message>
 </context>
 <context>
     <name>RobotTooling</name>
@@ -3592,6 +3596,12 @@
     <message>
         <source>The recording continues without notes. %1</source>
         <translation>メモなしで記録を続けます。%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording has gaps: %n packets were not received.</source>
+        <translation>
+            <numerusform>記録に欠落があります: %n パケットを受信できませんでした。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8582,6 +8592,10 @@ Release the button to stop the arm.</source>
         <source>%1, running</source>
         <translation>%1、実行中</translation>
     </message>
+    <message>
+        <source>%1, breakpoint</source>
+        <translation>%1、ブレークポイント</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8802,6 +8816,22 @@ Release the button to stop the arm.</source>
     <message>
         <source>Simulated: %1 of %2 steps can continue after a stop.</source>
         <translation>シミュレーション：%2ステップ中%1ステップが停止後に続行できます。</translation>
+    </message>
+    <message>
+        <source>Add or remove breakpoints</source>
+        <translation>ブレークポイントの追加・削除</translation>
+    </message>
+    <message>
+        <source>⚠ The program cannot pause before this step.</source>
+        <translation>⚠ このステップの前では一時停止できません。</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the program first.</source>
+        <translation>⚠ 先にプログラムを修正してください。</translation>
+    </message>
+    <message>
+        <source>New breakpoints take effect at the next start.</source>
+        <translation>新しいブレークポイントは次回の開始から有効です。</translation>
     </message>
 </context>
 <context>
@@ -9439,6 +9469,14 @@ Release the button to stop the arm.</source>
     <message>
         <source>on the way to point %1 of %2: %3</source>
         <translation>%2 点中 %1 点目への移動中: %3</translation>
+    </message>
+    <message>
+        <source>Robot mode: %1</source>
+        <translation>ロボットモード: %1</translation>
+    </message>
+    <message>
+        <source>The program of the other client has ended.</source>
+        <translation>他のクライアントのプログラムが終了しました。</translation>
     </message>
 </context>
 <context>
@@ -12053,6 +12091,18 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Change while a program is active</source>
         <translation>プログラム有効中の変更</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>Disconnecting from the robot stops the recording.</source>
+        <translation>ロボットから切断すると停止します。</translation>
+    </message>
+    <message>
+        <source>Stop recording and disconnect</source>
+        <translation>記録を停止して切断</translation>
     </message>
 </context>
 <context>

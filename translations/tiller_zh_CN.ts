@@ -3479,6 +3479,10 @@
         <source>Unlock protective stop</source>
         <translation>解锁保护性停止</translation>
     </message>
+    <message>
+        <source>The robot does not respond, so a stop may not reach it. Press the emergency stop if the arm must stop.</source>
+        <translation>机器人没有响应，停止指令可能无法到达。如果必须停止机械臂，请按紧急停止按钮。</translation>
+    </message>
 </context>
 <context>
     <name>RobotTooling</name>
@@ -3592,6 +3596,12 @@
     <message>
         <source>The recording continues without notes. %1</source>
         <translation>录制继续，但不含备注。%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording has gaps: %n packets were not received.</source>
+        <translation>
+            <numerusform>记录有间断：%n 个数据包未收到。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8582,6 +8592,10 @@ Release the button to stop the arm.</source>
         <source>%1, running</source>
         <translation>%1，正在运行</translation>
     </message>
+    <message>
+        <source>%1, breakpoint</source>
+        <translation>%1，断点</translation>
+    </message>
 </context>
 <context>
     <name>tiller::ProgramTab</name>
@@ -8802,6 +8816,22 @@ Release the button to stop the arm.</source>
     <message>
         <source>Simulated: %1 of %2 steps can continue after a stop.</source>
         <translation>仿真：%2个步骤中有%1个可在停止后继续。</translation>
+    </message>
+    <message>
+        <source>Add or remove breakpoints</source>
+        <translation>添加或移除断点</translation>
+    </message>
+    <message>
+        <source>⚠ The program cannot pause before this step.</source>
+        <translation>⚠ 程序不能在此步骤前暂停。</translation>
+    </message>
+    <message>
+        <source>⚠ Correct the program first.</source>
+        <translation>⚠ 请先更正程序。</translation>
+    </message>
+    <message>
+        <source>New breakpoints take effect at the next start.</source>
+        <translation>新断点在下次启动时生效。</translation>
     </message>
 </context>
 <context>
@@ -9439,6 +9469,14 @@ Release the button to stop the arm.</source>
     <message>
         <source>on the way to point %1 of %2: %3</source>
         <translation>在前往第 %1 个点（共 %2 个）的途中：%3</translation>
+    </message>
+    <message>
+        <source>Robot mode: %1</source>
+        <translation>机器人模式：%1</translation>
+    </message>
+    <message>
+        <source>The program of the other client has ended.</source>
+        <translation>其他客户端的程序已结束。</translation>
     </message>
 </context>
 <context>
@@ -12053,6 +12091,18 @@ Jog the arm to a position and press “Teach here” (T).</source>
     <message>
         <source>Change while a program is active</source>
         <translation>程序处于活动状态时的更改</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Disconnecting from the robot stops the recording.</source>
+        <translation>断开与机器人的连接会停止记录。</translation>
+    </message>
+    <message>
+        <source>Stop recording and disconnect</source>
+        <translation>停止记录并断开</translation>
     </message>
 </context>
 <context>
