@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Behaviour of a real controller that public sources leave open and that determines whether and when the arm
-// stops. Each item is an option with all its possible values, so that clients can be tested against each of
-// them. The table in README.md lists the source of each item and what depends on it.
+// Options for behaviour of a real controller that public sources leave open and that determines whether and
+// when the arm stops. Clients can be tested with every value of each option. The table in README.md lists the
+// effects and the sources of each option.
 
 #include <QString>
 #include <QStringList>
@@ -25,7 +25,7 @@ struct BehaviourOptions {
     SpeedCommands speedCommands = SpeedCommands::Scaled;  ///< as above, for speedj, speedl, servoj and servoc
 
     enum class Registers : std::uint8_t { Kept, Zeroed };
-    Registers registers = Registers::Kept;  ///< inputs after their client has disconnected
+    Registers registers = Registers::Kept;  ///< input registers after the client has disconnected
     enum class Inputs : std::uint8_t { Whole, FirstHalf, LastHalf, Scattered };
     /// Whether a package of inputs is applied at once or over two periods: first half first, last half first,
     /// or scattered fields first.
@@ -47,14 +47,14 @@ struct BehaviourOptions {
     /// the stop is unlocked.
     ProtectiveStop protectiveStop = ProtectiveStop::Ends;
     enum class EmergencyStop : std::uint8_t { Ends, Pauses };
-    EmergencyStop emergencyStop = EmergencyStop::Ends;  ///< effect on the program, whether from a file or not
+    EmergencyStop emergencyStop = EmergencyStop::Ends;  ///< effect on the program, loaded or sent
     enum class RemoteToLocal : std::uint8_t { Keeps, Ends };
     RemoteToLocal remoteToLocal = RemoteToLocal::Keeps;  ///< effect of the switch to Local on the program
     enum class Pause : std::uint8_t { Holds, Frees };
     /// Whether force mode and freedrive hold position or continue while the program is paused.
     Pause pause = Pause::Holds;
     enum class StopReturns : std::uint8_t { Standing, Target };
-    StopReturns stopReturns = StopReturns::Standing;  ///< whether stopj, stopl wait for the arm or its target
+    StopReturns stopReturns = StopReturns::Standing;  ///< stopj and stopl wait for the arm or for the target
     enum class ThreadStart : std::uint8_t { SamePeriod, NextPeriod };
     ThreadStart threadStart = ThreadStart::SamePeriod;  ///< when a thread started by `run` begins
 
@@ -63,14 +63,14 @@ struct BehaviourOptions {
     /// becomes true.
     EventNode eventNode = EventNode::Level;
     enum class UnknownUrcap : std::uint8_t { Refuse, Ask, Skip };
-    /// Effect of a node of a URCap without a stand-in. The program does not load, a popup asks the operator
-    /// in place of the node, or a text message names the node and the program continues.
+    /// Effect of a URCap node without a stand-in: the program does not load, a popup replaces the node and
+    /// asks the operator, or a text message names the node and the program continues.
     UnknownUrcap unknownUrcap = UnknownUrcap::Refuse;
     enum class RpcFactory : std::uint8_t { Connects, Defers };
-    /// Whether rpc_factory() needs a reachable server, or only the calls of its methods.
+    /// Whether rpc_factory() needs a reachable server, or only the method calls do.
     RpcFactory rpcFactory = RpcFactory::Connects;
     enum class ThreadOrder : std::uint8_t { ThreadsFirst, MainFirst };
-    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< order within a period after equal waiting times
+    ThreadOrder threadOrder = ThreadOrder::ThreadsFirst;  ///< order of threads that become ready together
 
     enum class FirstVersions : std::uint8_t { Earliest, Latest };
     /// Availability of functions, fields and commands for which sources only give a range of versions.

@@ -14,8 +14,8 @@ ControllerServices::ControllerServices(const SimulatorOptions& options)
     , services(plant, [this](std::string_view line) { return answerFaultLine(*this, line); }) {}
 
 void ControllerServices::service() {
-    // Qt events are needed only to accept connections and for the sockets of scripts. Nothing else in this
-    // thread uses them.
+    // Qt events are required only to accept connections and for sockets of scripts, so they are processed
+    // only then.
     const bool hasClient = services.link().poller().poll();
     if (hasClient || plant.scriptHost().hasSockets() || plant.programs().awaitsScript()) {
         if (auto* dispatcher = QAbstractEventDispatcher::instance()) {

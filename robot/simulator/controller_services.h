@@ -13,9 +13,8 @@ namespace tiller::simulator {
 struct ControllerServices {
     explicit ControllerServices(const SimulatorOptions& options);
 
-    /// Accepts connections, reads requests and sends replies. Does not advance time.
+    /// Accepts connections, reads requests and sends replies. Robot time does not advance.
     void service();
-    /// Runs one control period.
     void tick();
     void setRemoteControl(bool remote);
 

@@ -16,7 +16,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Arguments of a line. The first error is stored and reported once, at the end.
+/// Arguments of a fault line. Keeps the first error, which is reported once at the end.
 class Words {
 public:
     explicit Words(const QStringList& words) : words_(words) {}
@@ -78,7 +78,7 @@ struct Verb {
     const char* name;
     const char* arguments;
     const char* help;
-    /// Reads all words first, and acts only if good() returns true.
+    /// Reads all words first and acts only if good() returns true.
     QString (*run)(ControllerServices& controlBox, Words& words);
 };
 

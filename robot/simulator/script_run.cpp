@@ -70,11 +70,11 @@ public:
             plant.arm().setTcp(*options.tcp);
         }
         plant.registers().followed.number = static_cast<std::size_t>(options.followedRegister);
-        // Runs one period without a program. After this period, the arm reports its position.
+        // The arm reports its position only after a period. Run one period without a program.
         plant.step();
     }
 
-    /// Copies the variables, which do not exist any more after the end of the program.
+    /// Copies the followed variables, because they no longer exist when the program has ended.
     void readVariables() {
         if (const urscript::Interpreter* program = plant.programs().unreportedProgram()) {
             for (auto& [name, value] : variables) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Executes a script in a simulated controller without sockets or threads. Each call of step() is one control
-// period, executed as fast as possible. Interpreter, arm and terminals are the same as in Simulator.
+// Executes a script in a simulated controller without sockets or threads. Each call of step() runs one
+// control period without waiting. Interpreter, arm and terminals are the same as in Simulator.
 
 #include <QJsonValue>
 #include <QString>
@@ -39,18 +39,18 @@ enum class StopEvent {
     PowerLoss,       ///< the supply of the arm fails
 };
 
-/// The reason why a script could not be compiled or why it ended early.
+/// Why a script did not compile or ended early.
 struct ScriptFault {
     int line = 0;  ///< counted from 1; 0: unknown
-    QString text;  ///< message of the controller
+    QString text;  ///< error message of the controller
 };
 
-/// What the controller keeps when a script ends.
+/// State that the controller keeps after a script has ended.
 struct ControllerState {
     std::uint64_t digitalOutputs = 0;                 ///< 0-7 standard, 8-15 configurable, 16-17 tool
     std::array<double, 2> analogOutputs{};            ///< 0..1 of the range
     std::array<bool, 128> boolRegisters{};            ///< output registers
-    std::array<std::int32_t, 48> integerRegisters{};  ///< output registers; 0 for the followed register
+    std::array<std::int32_t, 48> integerRegisters{};  ///< output registers; the followed register is always 0
     std::array<double, 48> floatRegisters{};          ///< output registers
     Pose tcp;                                         ///< flange to TCP [m, rad]
     double payload = 0;                               ///< [kg]
@@ -71,7 +71,7 @@ public:
     /// Returns  the error; empty if there is none
     static std::optional<ScriptFault> check(const QString& script, const SoftwareVersion& software);
 
-    /// Compiles and starts the script, which runs from the next step on.
+    /// Compiles the script and starts it. The first step() runs its first period.
     /// Returns  the error; empty if there is none
     std::optional<ScriptFault> start(const QString& script);
     /// Runs one control period.
@@ -87,34 +87,34 @@ public:
     std::uint64_t digitalOutputs() const;  ///< 0-7 standard, 8-15 configurable, 16-17 tool
     std::array<double, 2> analogOutputs() const;  ///< at the terminals [A or V]
     /// Last value of a global variable in ScriptRunOptions::followedVariables, also after the end of the
-    /// script: true or false, a number, a text, or a list of numbers for a pose or a list. Undefined if the
-    /// script has not set it.
+    /// script: true or false, a number, a string, or a list of numbers for a pose or a list. Undefined if the
+    /// script has not set the variable.
     QJsonValue followedVariable(const std::string& name) const;
     SafetyMode safetyMode() const;
     ControllerState controllerState() const;
     void setControllerState(const ControllerState& state);
-    /// Value of a global variable of the running script, as text; empty if there is none.
+    /// Value of a global variable of the running script, as text; empty if the variable does not exist.
     std::optional<QString> variable(const QString& name) const;
     /// Returns the values that the script has written to the followed register since the last call.
     std::vector<std::int32_t> takeWritten();
-    /// The reason why the script failed; empty if it is running or ended normally.
+    /// Why the script failed; empty if it is running or has ended normally.
     std::optional<ScriptFault> failure() const;
-    /// The cause of a protective stop as described by the controller; empty if there was none.
+    /// Text for the cause of a protective stop; empty if there was no stop.
     QString stopText() const;
 
-    /// True while the script shows a message or asks a question and waits for an answer.
+    /// True while the script shows a message or a question and waits for the operator.
     bool waitsForOperator() const;
-    bool waitsForAnswer() const;  ///< True while it is a question.
-    /// Closes the message, or answers the question: true or false, a number, or a text.
-    /// answer   undefined: "no", zero or an empty text
-    /// Returns  false if the question requires another type. The answer is then the same as for undefined.
+    bool waitsForAnswer() const;  ///< True while the script waits for an answer to a question.
+    /// Closes the message or answers the question with true or false, a number, or a string.
+    /// answer   undefined: "no", zero or an empty string
+    /// Returns  false if the question requires another type; the default for undefined is then used
     bool answerOperator(const QJsonValue& answer = QJsonValue::Undefined);
 
     void setDigitalInput(int channel, bool value);  ///< channels as in digitalOutputs()
-    void setAnalogInput(int number, double value);  ///< 0 or 1 [A or V]
+    void setAnalogInput(int number, double value);  ///< number 0 or 1; [A or V]
     void setInputInteger(int number,
-                         std::int32_t value);         ///< an input integer register, as by an RTDE client
-    void setHandForce(const Eigen::Vector3d& force);  ///< of a hand at the TCP [N], base frame
+                         std::int32_t value);         ///< integer register, as written by an RTDE client
+    void setHandForce(const Eigen::Vector3d& force);  ///< hand force at the TCP [N], base frame
     void stop(StopEvent event);                       ///< Takes effect in the next step.
 
 private:

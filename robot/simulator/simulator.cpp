@@ -27,10 +27,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Maximum number of overdue periods that are run after the machine was busy. Further periods are dropped,
-/// and robot time is paused for their duration.
+/// Maximum number of overdue periods that are caught up, e.g. after high CPU load. Further periods are
+/// dropped, and robot time pauses for their duration.
 constexpr std::uint64_t kMaxCatchUp = 25;
-/// Response time to requests while virtual time is stopped.
+/// Maximum delay of a request while virtual time is stopped.
 constexpr auto kVirtualPoll = 500us;
 
 }  // namespace
@@ -245,8 +245,8 @@ private:
 
 namespace {
 
-/// Without an application object, no socket notifier is called. The ports accept connections, but no client
-/// is served.
+/// Qt calls socket notifiers only if an application object exists. Otherwise, the ports accept connections
+/// but no client is served.
 void makeApplication() {
     if (QCoreApplication::instance() == nullptr) {
         static int count = 1;

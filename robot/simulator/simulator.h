@@ -4,13 +4,13 @@
 // A controller with a simulated arm that behaves like a real controller on the network: RTDE, primary,
 // secondary, realtime and dashboard interfaces over TCP, and execution of URScript. Clients need no changes.
 //
-// In real time, the simulator runs every control period on an absolute schedule. In virtual time, its sockets
-// are served continuously (so that a client can connect at any time), but robot time advances only with
-// step(). Together with waitForInputPackages(), a test advances robot and client in lock-step, regardless of
-// how slow the machine is.
+// In real time, the simulator runs every control period on an absolute schedule. In virtual time, robot time
+// advances only with step(), but the sockets are served continuously, so that clients can connect at any
+// time. With step() and waitForInputPackages(), a test advances robot and client in lock-step, independent of
+// the speed of the machine.
 //
-// Apart from the sockets, the functions below are the only interface. They correspond to actions on a real
-// robot: actions of operators, buttons and cables.
+// Apart from the sockets, a program controls the simulator only through the functions below. They correspond
+// to physical actions on a real robot: operator actions, buttons and cables.
 
 #include <QString>
 #include <chrono>
@@ -59,7 +59,7 @@ struct RtdeDelivery {
 /// Timing accuracy in real-time mode since start() or resetTiming().
 struct TickTiming {
     std::uint64_t ticks = 0;
-    std::uint64_t late = 0;        ///< periods that started too late and were caught up
+    std::uint64_t late = 0;        ///< periods that started late and were caught up
     std::uint64_t lost = 0;        ///< dropped periods, for which robot time was paused
     realtime::Histogram lateness;  ///< delay from the due time of a period to its actual start
     realtime::Histogram work;      ///< processing time of a period
@@ -68,8 +68,8 @@ struct TickTiming {
     bool priorityGranted = false;
 };
 
-/// Owns one thread between start() and stop(), with the priority given in the options. All calls are passed
-/// to the thread through a queue, which it processes between control periods.
+/// Runs the simulator thread between start() and stop(), with the priority given in the options. Calls are
+/// queued and processed by the thread between control periods.
 class Simulator {
 public:
     explicit Simulator(const SimulatorOptions& options = {});
@@ -79,14 +79,14 @@ public:
 
     /// Opens all ports and starts.
     /// Errors   AddressInvalid; Rejected if a port is in use, naming the port, the address and a solution
-    /// Threads  any, but not at the same time as stop(). Blocks: until all ports accept connections
+    /// Threads  any, but not concurrently with stop(). Blocks: until all ports accept connections
     ///
-    /// Qt sockets require an application object. If there is none, this function creates one that exists
-    /// until the process exits. A program that creates its own application object must do so before calling
-    /// this function. If the function is called in a thread other than the one that loaded the library, Qt
-    /// prints a warning about the application object, which only concerns widgets.
+    /// Qt sockets require an application object. If the process has none, this function creates one that
+    /// exists until the process exits. A program that creates its own application object must do so before
+    /// calling this function. If start() is called from a thread other than the one that loaded the library,
+    /// Qt prints a warning about the application object. The warning concerns only widgets.
     Result<void> start();
-    /// Ends the thread and closes every connection. No effect if it is not running.
+    /// Stops the thread and closes every connection. No effect if the simulator is not running.
     void stop();
     bool isRunning() const;  ///< True between start() and stop().
 
@@ -119,7 +119,7 @@ public:
     /// For each RTDE client, the newest package that it can read since the last step(). Clients without a new
     /// package are omitted.
     std::vector<RtdeDelivery> rtdeDeliveries() const;
-    /// True if no link fault that delays, splits or holds back data is set.
+    /// True if no link fault that delays, splits or holds back data is active.
     bool isLinkPlain() const;
     /// Number of clients connected to the RTDE port.
     int rtdeClients() const;
@@ -133,7 +133,7 @@ public:
 
     // ---- hooks: each takes effect in the next control period; no function blocks ------------------------
 
-    void protectiveStop();                          ///< Same stop as after a collision.
+    void protectiveStop();                          ///< Same reaction as to a collision.
     void emergencyStop(bool pressed);               ///< Emergency stop button of the pendant.
     void systemEmergencyStop(bool active);          ///< External emergency stop input.
     void safeguardStop(bool open);                  ///< External safeguard input.
@@ -142,15 +142,15 @@ public:
     void fault();                                   ///< Fault reported by the safety system.
     void setDigitalInput(int number, bool value);   ///< 0-7 standard, 8-15 configurable, 16-17 tool
     void setAnalogInput(int number, double value);  ///< 0, 1: control box [A or V]; 2, 3: tool
-    void setRemoteControl(bool remote);             ///< The Local/Remote switch on the pendant.
-    void pressFreedriveButton(bool pressed);        ///< The button on the back of the pendant.
+    void setRemoteControl(bool remote);             ///< Local/Remote switch of the pendant.
+    void pressFreedriveButton(bool pressed);        ///< Freedrive button on the back of the pendant.
     /// Simulates a hand that pushes the tool; zero ends the push.
     /// wrench  [N, Nm] at the TCP, base frame
     void pressHand(const Wrench& wrench);
-    /// Changes the surroundings of the arm: surfaces, boxes, the actual load, a hand, conveyors. `change`
-    /// runs in the simulator thread.
+    /// Changes the environment of the arm: surfaces, boxes, the actual load, a hand, conveyors. `change` runs
+    /// in the simulator thread.
     void changeWorld(std::function<void(arm::Environment&)> change);
-    void setSpeedSlider(double fraction);  ///< The slider on the pendant, 0 ... 1.
+    void setSpeedSlider(double fraction);  ///< Speed slider of the pendant, 0 ... 1.
     /// Answers the oldest call of request_..._from_primary_client() with a value of the requested type: bool,
     /// std::int32_t, double or std::string. Values of other types are ignored.
     void answerRequest(const std::variant<bool, std::int32_t, double, std::string>& answer);
@@ -159,8 +159,8 @@ public:
     /// Errors   InvalidArgument with the reason; NotConnected if the simulator is not running
     /// Threads  any. Blocks: until the command has been executed
     Result<QString> inject(const Text& words);
-    /// Simulates an unresponsive controller. Time advances, but no data are sent or read, and connections
-    /// stay open.
+    /// Simulates an unresponsive controller. Time advances, but no data are sent or read. Connections stay
+    /// open.
     void silence(bool silent);
     /// Closes every connection gracefully, like a controller that restarts. Ports stay open.
     void closeClients();

@@ -31,14 +31,14 @@ struct SimulatorOptions {
     int portOffset = 0;         ///< added to every standard port
     bool anyFreePorts = false;  ///< the system assigns the ports; call ports() after start()
     Time time = Time::Real;
-    bool poweredOn = false;  ///< start in RUNNING, with the brakes released
+    bool poweredOn = false;  ///< start in RUNNING, brakes released
     JointPositions startJoints = kHomeJoints;
     std::optional<int> priority = {};  ///< requested SCHED_FIFO priority of the thread; empty: normal
     std::uint64_t seed = 1;            ///< seed for measurement noise and random() of scripts
-    bool remoteControl = true;         ///< initial state of the pendant's Local/Remote switch
+    bool remoteControl = true;         ///< initial state of the Local/Remote switch
     bool gateLocalControl =
         false;  ///< refuse the same requests as a robot in Local control (the vendor's simulator does not)
-    bool gateLoopbackClients = false;  ///< refuse dashboard clients on this machine too
+    bool gateLoopbackClients = false;  ///< refuse dashboard clients on this PC too
     bool fastTransitions = false;      ///< power on and brake release within a few control periods
     double startTime = 60.0;  ///< `timestamp` at start [s]; below 40, some clients wait for the boot to end
     double bootTime = 0;      ///< time from the start to POWER_OFF [s]; above 0, `timestamp` starts at 0
@@ -54,12 +54,12 @@ struct SimulatorOptions {
     };
     std::vector<Device> devices = {};  ///< devices on the network of the robot
     Text serialNumber = {};            ///< empty: the default for the model
-    /// Pause in the received data after which the script of an External Control node is considered complete.
+    /// If no data have arrived for this time, the script of an External Control node is complete.
     std::chrono::milliseconds scriptSilence{150};
     BehaviourOptions assumptions = {};  ///< options for undocumented behaviour of real controllers
 };
 
-/// Port numbers in use. A port is 0 before start(), or if this software does not have the service.
+/// Port numbers in use. 0: not started, or the software version does not have the service.
 struct Ports {
     std::uint16_t dashboard = 29999;
     std::uint16_t primary = 30001;

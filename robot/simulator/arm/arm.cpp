@@ -50,7 +50,7 @@ struct Arm::Parts {
         state.collisionRatio = sensors.contactForce() / Environment::kForceLimit;
     }
 
-    /// Returns the target of the program including superposed motions.
+    /// Returns the program target including superposed motions.
     const JointTarget& layOver() {
         if (!superposition.active()) {
             superposed = generator.target();
@@ -70,7 +70,7 @@ struct Arm::Parts {
         return superposed;
     }
 
-    /// Lets the program continue from the position that includes offset and conveyor.
+    /// Makes the program continue from the position that includes the offset and the conveyor motion.
     void foldSuperposition() {
         if (superposition.active()) {
             generator.relocate(superposed);

@@ -41,7 +41,6 @@ public:
     Arm(const Arm&) = delete;
     Arm& operator=(const Arm&) = delete;
 
-    /// Advances by one control period.
     void step();
     double period() const;
     const RobotModel& model() const;
@@ -51,13 +50,13 @@ public:
     Compliance& compliance();  ///< force mode, freedrive
     /// Path offset and conveyor tracking. Start them only while neither force mode nor freedrive is active.
     Superposition& superposition();
-    Environment& environment();  ///< the actual surroundings: load, hand, surfaces, boxes
+    Environment& environment();  ///< actual environment: load, hand, surfaces, boxes
 
     // power and program time
     /// Leaving Running stops the motion immediately (brakes) and discards all commands.
     void setDriveState(DriveState state);
     DriveState driveState() const;
-    /// Speed slider, 0..1 (clamped). The value is ramped internally, so sudden changes are allowed.
+    /// Speed slider, 0..1 (clamped). The value is ramped internally.
     void setSpeedFraction(double fraction);
     /// Pauses: decelerates on the path and freezes program time. resume() continues from there.
     void hold();
@@ -68,17 +67,17 @@ public:
     /// `deceleration` [rad/s2] of the leading axis. For stops of the program and stops of category 1.
     void abort(double deceleration = 10.0);
 
-    /// Ends path offset or conveyor tracking and brakes all joints with `deceleration` [rad/s2] of the leading
-    /// axis. The program continues from the resulting position.
+    /// Ends path offset or conveyor tracking and decelerates all joints with `deceleration` [rad/s2] of the
+    /// leading axis. The program continues from the resulting position.
     MotionStart endPathOffset(double deceleration);
     MotionStart endConveyorTracking(double deceleration);
     /// Maximum TCP speed [m/s] of programmed motion, as in reduced mode. Empty: only the joints limit the
     /// speed.
     void setToolSpeedLimit(const std::optional<double>& limit);
-    /// Stops as if the arm itself had detected `reason`.
+    /// Simulates a protective stop detected by the arm.
     void raiseProtectiveStop(StopReason reason);
 
-    /// The stop triggered by the arm, until it is cleared.
+    /// The protective stop triggered by the arm; empty after it has been cleared.
     const std::optional<ProtectiveStop>& protectiveStop() const;
     void clearProtectiveStop();
     /// Returns each warning once; empty if there is none.
@@ -87,22 +86,22 @@ public:
     // tool and mounting
     void setTcp(const Pose& T_flange_tcp);
     const Pose& tcp() const;
-    /// The configured payload. The arm carries exactly this payload unless environment().setLoad() has set
-    /// another one.
-    /// transition [s]  time over which the configured payload changes linearly to the new one
+    /// The configured payload, which is also the actual load unless environment().setLoad() has set another
+    /// load.
+    /// transition [s]  time over which the payload changes linearly
     void setPayload(const Payload& payload, double transition = 0);
     const Payload& payload() const;
     /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
     const Eigen::Vector3d& gravity() const;
-    /// Reading of an external sensor (base axes at the TCP) for force mode. Empty: the internal sensor is
-    /// used.
+    /// Reading of an external force sensor for force mode, base axes at the TCP. Empty: force mode uses the
+    /// internal sensor.
     void setExternalForce(const std::optional<Wrench>& wrench);
-    /// Force on the tool that the controller does not expect [N]: hand, contact, unknown weight.
+    /// External force on the tool that the controller does not expect [N]: hand, contact, unknown load.
     double unexplainedForce() const;
     /// zero_ftsensor(): uses the current reading as the zero point.
     void zeroForceSensor();
-    /// set_pos(): places the arm at rest and discards all commands.
+    /// set_pos(): moves the arm to q at once, at rest, and discards all commands.
     void setJointPositions(const JointPositions& q);
 
     // history and model

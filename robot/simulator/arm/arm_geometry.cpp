@@ -135,7 +135,7 @@ bool ArmGeometry::jointRates(const Posture& posture, const Vector6& twist, Vecto
 }
 
 double ArmGeometry::singularityMargin(const Vector6& q, const Posture& posture) const {
-    // Each of the three distances as a fraction of the distance at which it starts to matter.
+    // Each distance is relative to the distance at which the singularity starts to have an effect.
     const double wrist = std::abs(std::sin(q[4]));
     const double elbow = std::abs(std::sin(q[2]));
     const Eigen::Vector3d centre = posture.frames[5].translation();

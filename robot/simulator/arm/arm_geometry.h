@@ -43,7 +43,7 @@ public:
     /// Returns   false if the twist cannot be produced with an accuracy of 1 %
     bool jointRates(const Posture& posture, const Vector6& twist, Vector6& qd) const;
 
-    /// Singularity margin: 0 in a singular position, 1 or more where singularities have no effect.
+    /// Singularity margin: 0 in a singular position, 1 or more where the singularity has no effect.
     double singularityMargin(const Vector6& q, const Posture& posture) const;
 
     Vector6 maxSpeed() const;
@@ -56,13 +56,13 @@ private:
     const RobotModel& model_;
     Vector6 sinAlpha_;
     Vector6 cosAlpha_;
-    std::array<Eigen::Matrix3d, 6> turned_;  ///< rotations about y by the angles beta
+    std::array<Eigen::Matrix3d, 6> turned_;  ///< rotations about y by the DH angles beta
     Pose tcp_;
     Eigen::Isometry3d T_flange_tcp_ = Eigen::Isometry3d::Identity();
     double determinantScale_ = 1;
 };
 
-/// Exponential of a rotation vector as a quaternion, and the inverse function. Optimized for small angles.
+/// Exponential of a rotation vector as a quaternion, and the inverse. Optimized for small angles.
 Eigen::Quaterniond quaternionFromVector(const Eigen::Vector3d& rotation);
 Eigen::Vector3d vectorFromQuaternion(const Eigen::Quaterniond& q);
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // State of the simulated arm after each control period: the values that RTDE and the primary interface
-// report. Plain data in SI units; vectors are in the base frame unless a name states otherwise. `target`
-// values are set by the motion generator, `actual` values are measured by the simulated drives and sensors.
+// report. Plain data in SI units. Vectors are in the base frame unless a name states otherwise. `target`
+// values come from the motion generator, `actual` values from the simulated drives and sensors.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -30,7 +30,7 @@ enum class DriveState : std::uint8_t {
     Running,  ///< powered, brakes released, position control
 };
 
-/// Causes of slowed program time, with the numbers used by RTDE.
+/// Reason for a reduced speed scaling, with the numbers used by RTDE.
 enum class TimeScaleSource : std::int32_t {
     Other = -1,
     NoProgram = 0,
@@ -58,7 +58,7 @@ struct ArmState {
     Vector6 jointVoltage = Vector6::Zero();      ///< actual_joint_voltage [V]
     double positionDeviationRatio{};  ///< joint_position_deviation_ratio; 1 causes a protective stop
 
-    // tool, in the base frame and with the TCP offset unless the name says flange or tool
+    // tool: base frame, with the TCP offset, unless the name contains flange or tool
     Pose targetTcpPose;           ///< target_TCP_pose
     Twist targetTcpSpeed;         ///< target_TCP_speed
     Twist targetTcpAcceleration;  ///< target_TCP_acceleration [m/s2, rad/s2]
@@ -66,7 +66,7 @@ struct ArmState {
     Twist actualTcpSpeed;         ///< actual_TCP_speed
     Twist actualTcpAcceleration;  ///< actual_TCP_acceleration [m/s2, rad/s2]
     Pose actualFlangePose;        ///< without the TCP offset
-    Wrench tcpForce;              ///< actual_TCP_force: force on the tool, base axes
+    Wrench tcpForce;              ///< actual_TCP_force: external force on the tool, base axes
     double tcpForceScalar{};      ///< tcp_force_scalar [N]
     Wrench ftRawWrench;           ///< ft_raw_wrench: flange frame, neither compensated nor zeroed
     Wrench wrenchFromCurrents;    ///< wrench_calc_from_currents: base axes at the TCP
@@ -90,13 +90,14 @@ struct ArmState {
     double collisionRatio{};
 
     // motion
-    /// Current slow-down factor of the motion, caused by the trajectory limiter, a pause or a resume, 0..1
+    /// Current speed scaling of the motion by the trajectory limiter, a pause or a resume, 0..1
     /// (speed_scaling). Does not include the speed slider.
     double speedScaling = 1;
-    TimeScaleSource scaledBy = TimeScaleSource::NotScaled;  ///< cause of a scale below 1 (time_scale_source)
-    double speedFraction = 1;     ///< setting of the speed slider (target_speed_fraction), 0..1
-    double standstillTime{};      ///< time since the target velocity became zero [s]
-    std::uint64_t controlStep{};  ///< control periods since construction
+    TimeScaleSource scaledBy =
+        TimeScaleSource::NotScaled;  ///< reason for a scaling below 1, time_scale_source
+    double speedFraction = 1;        ///< setting of the speed slider (target_speed_fraction), 0..1
+    double standstillTime{};         ///< time since the target velocity became zero [s]
+    std::uint64_t controlStep{};     ///< control periods since construction
 
     /// is_steady(): at rest for 0.5 s.
     bool isSteady() const { return standstillTime >= 0.5; }

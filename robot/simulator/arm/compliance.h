@@ -26,11 +26,12 @@ public:
     void setGainScaling(double scaling);  ///< 0..2 (clamped); remains set until changed
     double gainScaling() const;
 
-    /// The arm can be moved by hand. Motion commands return without moving it. May be called repeatedly.
+    /// Makes the arm movable by hand. Motion commands return without moving the arm. May be called
+    /// repeatedly.
     MotionError startFreedrive(const FreedriveParameters& parameters = {});
     void endFreedrive();
     bool isFreedrive() const;
-    /// get_freedrive_status(): 0 normal, 1 near a singularity, 2 too close.
+    /// get_freedrive_status(): 0 normal, 1 near a singularity, 2 too close to a singularity.
     int freedriveStatus() const;
 
 private:

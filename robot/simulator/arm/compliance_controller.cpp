@@ -7,9 +7,8 @@
 namespace tiller::simulator::arm {
 
 namespace {
-// The virtual mass moved by a force. The value was chosen so that 10 N at half gain and with little damping
-// result in a few cm/s, as in the published force-mode run of a UR5e, and so that contact with a stiff
-// surface is well damped.
+// Virtual mass moved by a force. With this value, 10 N at half gain and little damping result in a few cm/s,
+// as in the published force-mode run of a UR5e, and contact with a stiff surface is well damped.
 constexpr double kMass = 10;            // kg
 constexpr double kInertia = 0.4;        // kg m2
 constexpr double kDampingLinear = 150;  // N s/m
@@ -17,7 +16,7 @@ constexpr double kDampingLinearMore = 2000;
 constexpr double kDampingAngular = 8;  // Nm s/rad
 constexpr double kDampingAngularMore = 80;
 constexpr double kPathStiffness = 10;  // 1/s: rate at which non-compliant axes return to the path
-// With lower limits, force mode would end because of the residual error of the position control.
+// Smaller limits are raised to these values. Otherwise, the residual position error would end force mode.
 constexpr double kMinDeviation = 2e-3;  // m
 constexpr double kMinTurn = 0.02;       // rad
 
@@ -75,8 +74,7 @@ void ComplianceController::endForceMode() {
         return;
     }
     forceMode_ = false;
-    // Decelerate from the speed caused by the force. The program continues from the current position of the
-    // arm.
+    // Brake from the speed caused by the force. The program continues from the current arm position.
     generator_.relocate(command_);
 }
 
@@ -199,7 +197,7 @@ void ComplianceController::stepForceMode(const Wrench& measured) {
     const Vector6 programTwist = program_.jacobian * program.qd;
     const Eigen::Matrix3d R = forceFrame(posture_.T_base_tcp.translation(), programTwist.head<3>());
 
-    Vector6 wanted;  // in the force frame
+    Vector6 wanted;  // velocity, in the force frame
     wanted << R.transpose() * programTwist.head<3>(), R.transpose() * programTwist.tail<3>();
     if (onPath) {
         // The motion of this step does not count as a deviation.
@@ -299,7 +297,7 @@ void ComplianceController::comeToRest() {
     generator_.rebase(command_);
 }
 
-// Advances the command by a TCP twist within the joint limits. Returns false if that is impossible.
+// Advances the command by a TCP twist. Returns false if the joint limits do not permit it.
 bool ComplianceController::takeTwist(const Vector6& twist) {
     const JointLimits& limits = generator_.limits();
     Vector6 qd = Vector6::Zero();
@@ -311,7 +309,7 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
     factor *= limits.rangeFactor(command_.q, qd * factor, period_, joint);
     qd *= factor;
     if (!limits.cutToAcceleration(command_.qd, qd, period_) && factor >= 1) {
-        // Follow the requested line. The position is computed from the tool pose, so that the other axes do
+        // Follow the commanded line. The position is calculated from the tool pose, so that the other axes do
         // not drift.
         const ToolPoint now(posture_.T_base_tcp);
         const Vector6 mean = 0.5 * (posture_.jacobian * command_.qd + twist) * period_;
@@ -329,8 +327,6 @@ bool ComplianceController::takeTwist(const Vector6& twist) {
     command_.qd = qd;
     return true;
 }
-
-// Public interface of Compliance.
 
 MotionError Compliance::startForceMode(const ForceModeParameters& parameters) {
     return controller_.startForceMode(parameters);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Implementation of Compliance: an admittance superposed on the programmed motion. In force mode, the
-// compliant axes of the force frame move like a damped mass driven by the difference between the requested
-// and the measured force; the other axes follow the program. In freedrive, the joints move like damped
-// inertias driven by the hand.
+// Implementation of Compliance: an admittance controller superposed on the programmed motion. In force mode,
+// the compliant axes of the force frame move like a damped mass driven by the difference between the
+// requested and the measured force. The other axes follow the program. In freedrive, the joints move like
+// damped inertias driven by the hand.
 
 #include "robot/simulator/arm/arm_geometry.h"
 #include "robot/simulator/arm/compliance.h"
@@ -27,11 +27,11 @@ public:
     double damping = 0.005;    ///< 0..1
     double gainScaling = 1.0;  ///< 0..2
 
-    /// Ends force mode and freedrive without an additional stop.
+    /// Ends force mode and freedrive without a stop.
     void drop();
-    /// Converts the programmed target `program` to the commanded target. `measured`: TCP force as measured by
-    /// the controller. `external`: actual external force at the TCP, without load and noise. Both are in base
-    /// axes about the TCP.
+    /// Converts the program target to the commanded target. `measured`: TCP force measured by the controller.
+    /// `external`: actual external force at the TCP, without load and noise. Both are in base axes about the
+    /// TCP.
     const JointTarget& apply(const JointTarget& program, const Wrench& measured, const Wrench& external,
                              bool operational);
     const JointTarget& target() const { return command_; }

@@ -29,12 +29,11 @@ public:
     double period() const;  ///< [s]
     const RobotModel& model() const;
 
-    /// The payload configured on the controller. The arm carries exactly this payload.
+    /// The configured payload, which is also the actual load.
     void setPayload(const Payload& payload);
     /// Acceleration measured by an accelerometer at the base [m/s2]; [0, 0, 9.82] when upright.
     void setGravity(const Eigen::Vector3d& gravity);
-    /// Moves the arm to the position of the next target without lag, at any distance from the current
-    /// position.
+    /// Places the arm at q at rest. The next target may be at any distance from the previous one.
     void place(const JointPositions& q);
     /// Runs one control period with the given target.
     void step(const JointPositions& q, const JointVelocities& qd);

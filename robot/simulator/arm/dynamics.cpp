@@ -10,8 +10,8 @@
 namespace tiller::simulator::arm {
 
 namespace {
-/// Inertia of a motor and its gear relative to the torque of the joint [kg m2/Nm]. The manufacturer publishes
-/// no values; the order of magnitude is taken from published identifications.
+/// Inertia of a motor and its gear relative to the joint torque [kg m2/Nm]. The manufacturer publishes no
+/// values. The order of magnitude is from published identifications.
 constexpr double kRotorInertia = 0.005;
 
 KDL::Vector toKdl(const Eigen::Vector3d& v) {

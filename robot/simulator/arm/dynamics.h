@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Rigid-body dynamics of the arm with a payload: torques for a motion, mass matrix, Coriolis torques,
-// momentum. NewtonEuler calculates the torques, and orocos-KDL the rarely used quantities, both with the DH
-// chain of the model. No allocation after construction except in setGravity().
+// Rigid-body dynamics of the arm with a payload: joint torques, mass matrix, Coriolis torques, momentum.
+// NewtonEuler calculates the torques and orocos-KDL the rarely used quantities, both with the DH parameters
+// of the model. Only setGravity() allocates memory after construction.
 
 #include <memory>
 

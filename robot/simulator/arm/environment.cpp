@@ -13,7 +13,7 @@ bool makesSense(const ContactMaterial& m) {
            std::isfinite(m.damping) && std::isfinite(m.friction);
 }
 
-// Force that a surface with this outward normal exerts on a point at depth `depth`.
+// Force that a surface with this outward normal exerts on a point at `depth` below the surface.
 Eigen::Vector3d push(const ContactMaterial& material, const Eigen::Vector3d& normal, double depth,
                      const Eigen::Vector3d& velocity) {
     constexpr double kStickSpeed = 0.005;  // m/s: friction reaches its full value at this speed

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Surroundings of the arm that are unknown to the controller: the actual load, a hand that pushes the arm,
+// Environment of the arm that the controller does not know: the actual load, a hand that pushes the arm,
 // surfaces and boxes that the tool can touch, and moving conveyors.
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@ struct ContactMaterial {
     double friction = 0.2;     ///< friction coefficient, relative to the normal force
 };
 
-/// A flat surface; a TCP behind it is pushed back along the normal.
+/// A flat surface. A TCP behind it is pushed back along the normal.
 struct ContactPlane {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< [m], base frame
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outwards; normalised when added
@@ -36,9 +36,9 @@ struct ContactBox {
 
 class Environment {
 public:
-    /// The actual load. Empty: exactly the configured payload.
+    /// Sets the actual load. Empty: the actual load is the configured payload.
     void setLoad(const std::optional<Payload>& load) { load_ = load; }
-    const std::optional<Payload>& load() const { return load_; }  ///< The actual load.
+    const std::optional<Payload>& load() const { return load_; }  ///< Empty: the configured payload.
 
     /// Force and torque that a hand exerts at the TCP, base axes [N, Nm]; constant until changed.
     void setHandWrench(const Wrench& wrench) { hand_ = wrench; }
@@ -50,11 +50,11 @@ public:
     bool addBox(const ContactBox& box);
     void clearSurfaces() { planeCount_ = boxCount_ = 0; }  ///< Removes planes and boxes.
 
-    /// Moves a conveyor at the rate at which its encoder (0 or 1) counts [ticks/s]. NaN is ignored.
+    /// Sets the speed of the conveyor with this encoder (0 or 1) [ticks/s]. NaN is ignored.
     void setConveyorSpeed(int encoder, double ticksPerSecond);
     const std::array<double, 2>& conveyorSpeeds() const { return conveyorSpeeds_; }  ///< [ticks/s]
 
-    /// Force above which contact causes a protective stop [N].
+    /// Contact force that triggers a protective stop [N].
     static constexpr double kForceLimit = 250;
 
     /// Force of surfaces and boxes on a TCP at `position` with `velocity`, base axes [N]. They exert no

@@ -7,9 +7,9 @@
 namespace tiller::simulator::arm {
 
 namespace {
-// 1/s: near the end of the range, the speed limit is proportional to the distance from the end. Because
-// joints stop together, the value leaves enough time for the fastest joint of any model to stop from full
-// speed.
+// 1/s. Near the end of the joint range, the speed limit is this value times the distance from the end. All
+// joints stop together, so the limit must leave enough time for the fastest joint of any model to stop from
+// full speed.
 constexpr double kCreepRate = 12;
 }  // namespace
 

@@ -111,7 +111,7 @@ std::optional<MotionWarning> MotionDrive::takeWarning() {
 
 void MotionDrive::setOperational(bool operational) {
     if (operational_ && !operational) {
-        // The brakes engage: there is no position control, and the velocity is zero.
+        // The brakes engage. Position control ends and the velocity is zero.
         supersede();
         path_.drop();
         velocity_.drop();
@@ -145,7 +145,7 @@ void MotionDrive::abort(double deceleration) {
     supersede();
     const bool brakes =
         mode_ == Mode::Path && path_.current().kind == Segment::Kind::Stop && !path_.nextWaiting();
-    // The end of the program must not accelerate a motion that was slowed down by a pause.
+    // The end of the program must not accelerate a motion that a pause has slowed down.
     if (!brakes || (held_ && !path_.current().realTime)) {
         path_.drop();
         velocity_.drop();
@@ -176,7 +176,7 @@ void MotionDrive::raiseFrom(const JointTarget& state, StopReason reason) {
 
 // Plans a deceleration of all joints together from the current velocity in joint space.
 bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace) const {
-    const Vector6 qd = state_.qd / pace;  // in the time base of the stop, like all following values
+    const Vector6 qd = state_.qd / pace;  // this and the following values are in the time base of the stop
     const double hardest = limits_.acceleration / (pace * pace);
     const double fastest = qd.cwiseAbs().maxCoeff();
     if (fastest <= 1e-9) {
@@ -202,9 +202,9 @@ bool MotionDrive::jointRunOut(double deceleration, Segment& segment, double pace
 }
 
 double MotionDrive::stopPace(bool scaled) const {
-    constexpr double kStandingTime = 1e-3;  // at a lower rate, program time counts as stopped
-    // A pause freezes program time but does not affect stops. A motion that runs in real time cannot be
-    // stopped in frozen program time.
+    constexpr double kStandingTime = 1e-3;  // below this rate, program time counts as stopped
+    // A pause freezes program time. A stop must end nevertheless, so it then runs in real time, like a stop
+    // that is not scaled.
     return !scaled || held_ || programScale_ < kStandingTime ? 1 : programScale_;
 }
 
@@ -226,7 +226,8 @@ void MotionDrive::startStop(double deceleration, MotionId id, bool scaled) {
 void MotionDrive::startVelocity(MotionId id, std::optional<double> t) {
     supersede();
     path_.drop();
-    // With stretched time, t is not a multiple of the period. The excess of each command must not accumulate.
+    // With scaled program time, t is not a multiple of the period. The overruns of successive commands must
+    // not accumulate.
     const bool follows = mode_ == Mode::Velocity && !blocking_ && sinceReturned_ == 0;
     const double spent = follows && t ? overrun_ : 0.0;
     overrun_ = 0;
@@ -271,7 +272,7 @@ void MotionDrive::step() {
     }
 }
 
-// The rate of program time changes slowly enough for the joints, or immediately if nothing moves.
+// Ramps the rate of program time within the joint limits, or changes it at once if the arm is at rest.
 void MotionDrive::stepScale() {
     const double wanted = held_ ? 0 : slider_;
     const double going = held_ ? 0 : 1;
@@ -286,7 +287,7 @@ void MotionDrive::stepScale() {
     pauseScale_ = std::clamp(going, pauseScale_ - rate * period_, pauseScale_ + rate * period_);
 }
 
-// Returns the factor 0..1 for the joint velocities at which the tool does not exceed its speed limit.
+// Returns the factor 0..1 by which qd must be scaled to keep the tool speed limit.
 double MotionDrive::toolSpeedFactor(const Vector6& qd) const {
     if (!std::isfinite(toolSpeedLimit_)) {
         return 1;
@@ -297,7 +298,7 @@ double MotionDrive::toolSpeedFactor(const Vector6& qd) const {
     return speed > toolSpeedLimit_ ? toolSpeedLimit_ / speed : 1.0;
 }
 
-// Reports the limits that slowed this step. A pause and the resumption do not count as limits.
+// Reports the limit that slowed this step. Pause and resume are not limits.
 void MotionDrive::explainScaling(double toolFactor, bool byJoints) {
     scaledBy_ = byJoints              ? TimeScaleSource::JointSpeed
                 : toolFactor < 1      ? TimeScaleSource::ToolSpeed
@@ -305,8 +306,8 @@ void MotionDrive::explainScaling(double toolFactor, bool byJoints) {
                                       : TimeScaleSource::NotScaled;
 }
 
-// Determines a rate of program time for this step at which every joint stays within its speed and
-// acceleration limits.
+// Determines the rate of program time for this step that keeps every joint within its speed and acceleration
+// limits.
 std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, PathCandidate& candidate,
                                                   int& joint) {
     const double possible = limits_.acceleration * period_;
@@ -339,7 +340,7 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
     scale = next;
     const Vector6 qd = candidate.rateProgram * scale + candidate.rateReal;
     const double slack = 1 + kAccelerationTolerance;
-    // Joints stop together, so the fastest one determines the duration.
+    // All joints stop together, so the fastest joint determines the duration.
     const double stopTime = period_ + qd.cwiseAbs().maxCoeff() / (2 * limits_.acceleration);
     if (!limits_.continuous(state_, {candidate.q, qd}, period_)) {
         return StopReason::Singularity;
@@ -350,7 +351,7 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
             joint = j;
             return StopReason::JointSpeedLimit;
         }
-        // A joint must always be able to stop within its range. A move between two joint positions meets this
+        // Every joint must be able to stop within its range. A move between two joint positions meets this
         // condition, because both positions are within the range.
         const double outward = candidate.q[j] > 0 ? qd[j] : -qd[j];
         const double stopping = outward > 0 ? outward * stopTime : 0.0;
@@ -364,7 +365,7 @@ std::optional<StopReason> MotionDrive::chooseStep(double target, double& scale, 
 
 void MotionDrive::pathFailed(StopReason reason, int joint) {
     if (path_.current().kind == Segment::Kind::Stop) {
-        // If a stop along the tool direction cannot be followed, it is replaced by a stop in joint space.
+        // If the stop along the tool direction cannot be followed, stop in joint space.
         const MotionId id = activeId_;
         startStop(kEmergencyDeceleration, id);
         return;
@@ -475,7 +476,7 @@ void MotionDrive::stepVelocity() {
 
 void MotionDrive::stepTorque() {
     if (!blocking_) {
-        // The command was not repeated within a period, so return to position control.
+        // The command was not repeated within a period. Return to position control.
         startStop(kTorqueEndDeceleration, 0);
         stepStop();
         return;

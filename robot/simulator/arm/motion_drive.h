@@ -2,7 +2,7 @@
 #pragma once
 
 // Moves the arm along a path, at a speed or with torques, one control period at a time. Maintains program
-// time and applies the final joint limits. MotionGenerator converts the commands.
+// time and applies the final joint limits. MotionGenerator checks and plans the commands.
 
 #include <array>
 #include <limits>
@@ -46,25 +46,26 @@ public:
     void hold() { held_ = true; }
     void resume() { held_ = false; }
     bool isHeld() const { return held_; }
-    /// Slow-down by limits, pause and resume; does not include the slider.
+    /// Speed scaling by limits, pause and resume. Does not include the slider.
     double speedScaling() const { return scaling_; }
     /// Discards all commands and stops in joint space.
     void abort(double deceleration);
     /// Places the arm in `state`, either at rest (`state.qd` zero) or with a velocity that is then reduced to
     /// zero.
     void relocate(const JointTarget& state);
-    /// Sets the target moved by force mode or freedrive; speed commands continue from there.
+    /// Sets the target after force mode or freedrive has moved the arm. Speed commands continue from this
+    /// target.
     void rebase(const JointTarget& state);
-    /// Speed commands use the new TCP immediately as their centre of rotation. A current tool path is
-    /// completed with the old TCP.
+    /// Speed commands use the new TCP at once as the centre of rotation. A tool path in progress is completed
+    /// with the old TCP.
     void setTcp(const Pose& T_flange_tcp);
     void setTorqueMotion(TorqueMotion* torque) { torque_ = torque; }
-    /// For freedrive: commands return without effect.
+    /// In freedrive, commands return without effect.
     void setIgnoringCommands(bool ignoring) { ignoring_ = ignoring; }
 
     void raise(StopReason reason, int joint);
     /// Like raise(), but called within a step. The arm is in `state`, and the first period of the stop is
-    /// executed immediately.
+    /// executed at once.
     void raiseFrom(const JointTarget& state, StopReason reason);
     const std::optional<ProtectiveStop>& protectiveStop() const { return protectiveStop_; }
     void clearProtectiveStop() { protectiveStop_.reset(); }
@@ -87,7 +88,7 @@ protected:
     void supersede();
 
     void adoptTcp();
-    /// pace  rate of program time used as time base of the stop; 1: real time
+    /// pace  rate of program time that is the time base of the stop; 1: real time
     bool jointRunOut(double deceleration, Segment& segment, double pace = 1) const;
     void startStop(double deceleration, MotionId id, bool scaled = false);
     /// Time base of a stop that begins in this period.
@@ -129,12 +130,12 @@ protected:
     double slider_ = 1;
     bool held_ = false;
     double programScale_ = 1;  // slider and pause, ramped
-    double pathScale_ = 1;     // requested scale, reduced to the maximum that the limits permit
+    double pathScale_ = 1;     // requested scale, reduced to the maximum within the limits
     double pauseScale_ = 1;    // pause only, ramped
     double scaling_ = 1;
     TimeScaleSource scaledBy_ = TimeScaleSource::NotScaled;
-    double programRate_ = 0;   // fastest joint, in program time
-    double velocityPace_ = 1;  // rate of program time in the last velocity step
+    double programRate_ = 0;   // speed of the fastest joint, in program time
+    double velocityPace_ = 1;  // rate of program time in the last speed or servo step
     double toolSpeedLimit_ = std::numeric_limits<double>::infinity();
 
     MotionId lastId_ = 0;
@@ -150,8 +151,8 @@ protected:
     std::optional<ProtectiveStop> protectiveStop_;
     std::array<MotionWarning, kMaxWarnings> warnings_{};
     int warningCount_ = 0;
-    // Program time by which the last timed speed or servo command overran. The next one is shortened by this
-    // time.
+    // Program time by which the last timed speed or servo command overran. It is subtracted from the next
+    // one.
     double overrun_ = 0;
 };
 

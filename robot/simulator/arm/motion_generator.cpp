@@ -11,7 +11,7 @@ namespace tiller::simulator::arm {
 
 namespace {
 constexpr double kSamePlace = 1e-7;  // m or rad
-constexpr double kRunOutLeast = 4;   // rad/s2 for decelerating a motion whose thread was killed
+constexpr double kRunOutLeast = 4;   // rad/s2, minimum for braking the previous motion
 constexpr double kBranchTolerance = 1e-3;
 
 MotionStart refuse(MotionError error, int joint = -1) {
@@ -98,7 +98,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     if (ignoring_) {
         return ignored();
     }
-    // After a change of the TCP, the old and the new path have no common corner.
+    // After a change of the TCP, the paths have no common corner to blend.
     const bool sameTool = !tcpToCome_;
     if (mode_ == Mode::Path && path_.nextWaiting() && sameTool) {
         return refuse(MotionError::Busy);
@@ -107,7 +107,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
         progress(activeId_) == MotionProgress::Returned) {
         return queueMove(kind, target, parameters, via, orientation);
     }
-    // The move starts from rest, or from any other motion, which decelerates while the move starts.
+    // The arm may be at rest or still moving. A previous motion decelerates while the move starts.
     adoptTcp();
     const double least = kind == Segment::Kind::Joint ? std::max(p.a, kRunOutLeast) : kRunOutLeast;
     const bool runsOut = jointRunOut(least, runOut_);
@@ -152,7 +152,7 @@ MotionStart MotionGenerator::move(Segment::Kind kind, const MoveTarget& target,
     return start;
 }
 
-// The current move has reached its blend zone. The new move is blended in there.
+// The current move has reached its blend zone, where the new move starts.
 MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& target, const MoveParameters& p,
                                        const MoveTarget* via, ArcOrientation orientation) {
     const Segment& before = path_.current();
@@ -170,7 +170,7 @@ MotionStart MotionGenerator::queueMove(Segment::Kind kind, const MoveTarget& tar
         planner_.pointAt(segment, segment.inToolSpace ? segment.path.length()
                                                       : (segment.endQ - segment.from).cwiseAbs().maxCoeff());
     if (p.r > 0 && (to.p - before.endPoint.p).norm() < before.r + p.r) {
-        // The blend zones overlap. This waypoint is skipped, and the next one follows directly.
+        // The blend zones overlap. Skip this waypoint and blend into the next one.
         if (warningCount_ < kMaxWarnings) {
             warnings_[static_cast<std::size_t>(warningCount_++)] = MotionWarning::OverlappingBlends;
         }
@@ -255,7 +255,7 @@ MotionStart MotionGenerator::servoC(const Pose& target, double a, double v, doub
 
 namespace {
 
-/// Returns the maximum for an infinite acceleration, which a program can compute as a difference over a
+/// Replaces an infinite acceleration by the maximum. A program can compute infinity by dividing by a
 /// vanishing time.
 double finiteAcceleration(double a) {
     return std::isfinite(a) ? a : kJointAccelerationLimit;
@@ -268,7 +268,7 @@ MotionStart MotionGenerator::speedJ(const JointVelocities& qd, double a, std::op
     if (const auto error = refusal()) {
         return refuse(*error);
     }
-    // Acceleration 0 is valid if the speed does not change or the time is given.
+    // Acceleration 0 is valid if the speed does not change or a time is given.
     if (!qd.allFinite() || !notNegative(a) || (t && !notNegative(*t)) ||
         (a == 0 && !t && (qd.values - state_.qd).norm() > kBranchTolerance)) {
         return refuse(MotionError::InvalidArgument);
@@ -337,7 +337,7 @@ MotionStart MotionGenerator::stopL(double a, std::optional<double> aRot) {
     Vector6 rates = Vector6::Zero();
     if (v.norm() + w.norm() < 1e-9 || !geometry_.jointRates(posture_, twist, rates) ||
         (rates - qd).norm() > kBranchTolerance) {
-        // There is no motion, or the tool velocity does not determine the joint velocities.
+        // The arm is at rest, or the tool velocity does not determine the joint velocities.
         startStop(std::max(a, kRunOutLeast), start.id, readings_.stopsScaled);
         return start;
     }

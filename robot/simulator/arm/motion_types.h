@@ -15,8 +15,8 @@ namespace tiller::simulator::arm {
 /// A waypoint given by joint positions or by a TCP pose in the base frame.
 using MoveTarget = std::variant<JointPositions, Pose>;
 
-/// moveJ: a [rad/s2], v [rad/s] of the leading axis. moveL, moveP, moveC: a [m/s2], v [m/s]. If t [s] is
-/// above 0, it has priority over a and v (moveJ, moveL). r [m] is the blend radius.
+/// moveJ: a [rad/s2], v [rad/s] of the leading axis. moveL, moveP, moveC: a [m/s2], v [m/s]. For moveJ and
+/// moveL, t [s] above 0 overrides a and v. r [m] is the blend radius.
 struct MoveParameters {
     double a = 1.2;
     double v = 0.25;
@@ -30,10 +30,10 @@ enum class ArcOrientation : std::uint8_t {
     FixedToArc,    ///< mode 1: rotates with the arc and ignores the target orientation
 };
 
-/// Identifies a motion command. 0 is invalid; IDs only increase.
+/// Identifies a motion command. 0 is invalid. IDs only increase.
 using MotionId = std::uint64_t;
 
-/// The reason why a command was refused. The script that issued the command ends with a runtime error.
+/// Why a command was refused. The script that issued the command ends with a runtime error.
 enum class MotionError : std::uint8_t {
     None,
     InvalidArgument,        ///< not a number, acceleration or speed not positive, lookahead out of range ...
@@ -43,7 +43,7 @@ enum class MotionError : std::uint8_t {
     Busy,                   ///< a blend is already waiting for its next move
 };
 
-/// Result of a motion command: a handle, or the reason for the refusal.
+/// Result of a motion command: a handle or an error.
 struct MotionStart {
     MotionId id = 0;
     MotionError error = MotionError::None;
@@ -51,18 +51,19 @@ struct MotionStart {
     bool ok() const { return error == MotionError::None; }
 };
 
-/// Progress of a command. A blocking caller continues when the progress is no longer Running.
+/// Progress of a command. A blocking caller waits while the progress is Running.
 enum class MotionProgress : std::uint8_t {
     Running,     ///< the calling thread waits
-    Returned,    ///< done: target reached, blend zone reached, time elapsed, or standstill
+    Returned,    ///< target reached, blend zone reached, time elapsed, or standstill
     Superseded,  ///< replaced by another command, or abandoned
     Failed,      ///< ended by a protective stop
 };
 
-/// Causes of a stop by the arm. The arm decelerates and then refuses motion until the stop is cleared.
+/// Reason for a protective stop by the arm. The arm decelerates and then refuses motion until the stop is
+/// cleared.
 enum class StopReason : std::uint8_t {
     Singularity,         ///< Cartesian motion into or through a singular position
-    PoseUnreachable,     ///< a Cartesian target or a point of its path outside the workspace
+    PoseUnreachable,     ///< a target or a point of a Cartesian path is out of reach
     JointPositionLimit,  ///< a joint reached the end of its range
     JointSpeedLimit,     ///< the path cannot be followed within the joint limits
     TcpForceLimit,       ///< contact with the environment above the limit
@@ -88,13 +89,13 @@ const char* motionErrorName(MotionError error);
 /// Parameters of force_mode().
 struct ForceModeParameters {
     Pose T_base_task;                 ///< force frame in the base frame
-    std::array<bool, 6> compliant{};  ///< axes x y z rx ry rz of the force frame
-    Wrench wrench;                    ///< wrench to exert along compliant axes, force frame [N, Nm]
+    std::array<bool, 6> compliant{};  ///< x y z rx ry rz of the force frame
+    Wrench wrench;                    ///< requested wrench along compliant axes, force frame [N, Nm]
     int type = 2;                     ///< 1, 2 or 3: how the frame is transformed
     /// For compliant axes, the maximum TCP speed [m/s, rad/s]. For the other axes, the maximum deviation from
     /// the path [m, rad].
     Vector6 limits = Vector6::Constant(0.1);
-    bool followTool = false;  ///< the axes are always those of the tool; T_base_task is unused
+    bool followTool = false;  ///< the axes are those of the tool; T_base_task is unused
 };
 
 /// Parameters of freedrive_mode().
@@ -104,7 +105,7 @@ struct FreedriveParameters {
     bool followTool = false;  ///< feature "tool": the axes rotate with the tool
 };
 
-/// Options for unknown behaviour of a real arm; see assumptions.h.
+/// Options for unknown behaviour of a real arm. See assumptions.h.
 struct Readings {
     bool stopsScaled = false;         ///< stopj and stopl run in program time
     bool programStopsScaled = false;  ///< protective stops and abort() run in program time

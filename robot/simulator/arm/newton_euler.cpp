@@ -14,12 +14,12 @@ Matrix3d symmetric(double xx, double yy, double zz, double xy, double xz, double
     return (Matrix3d() << xx, xy, xz, xy, yy, yz, xz, yz, zz).finished();
 }
 
-/// Additional inertia of a mass of 1 kg if the reference point is moved by `arm`.
+/// Additional inertia of a mass of 1 kg when the reference point moves by `arm`.
 Matrix3d steiner(const Vector3d& arm) {
     return arm.squaredNorm() * Matrix3d::Identity() - arm * arm.transpose();
 }
 
-/// Transform from a frame to the previous one, Rz(theta) Rx(alpha), from sines and cosines.
+/// Transform from a frame to the previous frame, Rz(theta) Rx(alpha), given by sines and cosines.
 struct Turn {
     double st, ct, sa, ca;
 
@@ -90,7 +90,7 @@ Vector6 NewtonEuler::torques(const Vector6& q, const Vector6& qd, const Vector6&
         moments[i] = body.inertia * dw + w.cross(body.inertia * w);
     }
     Vector6 torques;
-    Vector3d force = -onFlange.force;  // passed on to the previous link, in the frame of this link
+    Vector3d force = -onFlange.force;  // force exerted on the previous link, in the frame of this link
     Vector3d moment = -onFlange.torque;
     for (std::size_t i = links_.size(); i-- > 0;) {
         const Link& link = links_[i];

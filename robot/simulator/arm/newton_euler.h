@@ -3,8 +3,8 @@
 
 // Joint torques of a motion by the recursive Newton-Euler algorithm, with each link in its own frame: outward
 // recursion of velocities and accelerations, inward recursion of forces. Optimized for six revolute joints
-// with Denavit-Hartenberg parameters, because the simulated controller uses this algorithm twice in each
-// control period.
+// with Denavit-Hartenberg parameters, because the simulated controller runs this algorithm twice per control
+// period.
 
 #include <array>
 
@@ -39,7 +39,7 @@ private:
         double theta = 0;  ///< added to the joint position [rad]
         double sinAlpha = 0;
         double cosAlpha = 1;
-        Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the previous frame, in this link's frame [m]
+        Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< vector from the previous frame, link frame [m]
         Body body;
     };
     static Body joined(const Body& one, const Body& other);

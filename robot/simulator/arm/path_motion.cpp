@@ -52,7 +52,7 @@ void PathMotion::prepare(double dtProgramMax) {
     tailActive_ = true;
     tailIsRunOut_ = false;
     current_ = next_;
-    // A negative time means that the segment starts within this step.
+    // A negative time: the segment starts within this step.
     current_.time = std::min(0.0, tail_.time - switchTime_);
     nextWaiting_ = false;
 }
@@ -75,7 +75,7 @@ bool PathMotion::evaluateSegment(const Segment& segment, double time, Vector6& q
     return v <= 0 ? (rate.setZero(), true) : geometry_.jointRates(posture_, twist, rate);
 }
 
-// Two tool paths are added in tool space, so that an orientation common to both is kept through the corner.
+// Adds two tool paths in tool space, so that an orientation common to both is kept through the corner.
 bool PathMotion::evaluateToolSum(double tailTime, double time, PathCandidate& candidate) {
     const ProfileSample a = tail_.profile.sample(tailTime);
     const ProfileSample b = current_.profile.sample(time);
@@ -108,8 +108,8 @@ void PathMotion::evaluate(double dt, double dtProgram, PathCandidate& candidate)
     }
     const double tailTime = tail_.time + (tail_.realTime ? dt : dtProgram);
     if (!tailIsRunOut_ && current_.path.isRounded() && current_.inToolSpace) {
-        // The rounded path begins on the previous line, so the two are executed in sequence instead of
-        // simultaneously.
+        // The rounded path begins on the previous line, so the segments are executed one after the other
+        // instead of simultaneously.
         const bool on = time >= 0;
         candidate.reached = evaluateSegment(on ? current_ : tail_, on ? time : tailTime, candidate.q, rate);
         candidate.currentQ = candidate.tailQ = candidate.q;

@@ -2,9 +2,9 @@
 #pragma once
 
 // Executes planned moves in sequence, blended, or started while an earlier motion decelerates. The result is
-// always the sum of two motions: the end of the previous one (which alone would come to rest at the corner)
-// and the start of the next one (which alone would start from rest there). Position and velocity are
-// continuous by construction, and the sum stays inside the blend zone.
+// always the sum of two motions: the end of the previous motion, which alone would come to rest at the
+// corner, and the start of the next motion, which alone would start from rest there. Position and velocity
+// are continuous by construction, and the sum stays inside the blend zone.
 
 #include "robot/simulator/arm/path_segment.h"
 
@@ -27,12 +27,12 @@ public:
     bool active() const { return active_; }
     void drop() { active_ = tailActive_ = nextWaiting_ = false; }
 
-    /// Starts from rest. With `runOut`, the arm is still moving. It decelerates along `runOut` and stops at
+    /// Starts from rest. With `runOut`, the arm is still moving: it decelerates along `runOut`, which ends at
     /// the start of `segment`.
     void start(const Segment& segment);
     void start(const Segment& segment, const Segment& runOut);
 
-    /// True if a move can be blended into the current one.
+    /// True if another move can be blended into the current one.
     bool acceptsNext() const;
     bool nextWaiting() const { return nextWaiting_; }
     /// `segment` starts where the current segment ends. `switchTime`: time within the current segment at
@@ -46,14 +46,15 @@ public:
 
     const Segment& current() const { return current_; }
     const Segment& goal() const { return nextWaiting_ ? next_ : current_; }
-    /// True if the command of `current` may return: its blend zone begins within the next one or two periods.
+    /// True if the command of the current segment may return: its blend zone begins within the next one or
+    /// two periods.
     bool currentReturned(double timeScale) const;
     bool finished() const;
     bool followsTool() const {
         return active_ && (current_.inToolSpace || (tailActive_ && tail_.inToolSpace) ||
                            (nextWaiting_ && next_.inToolSpace));
     }
-    /// True for a single joint move or stop, in which every joint stays between its start and its target.
+    /// True for a single joint move or stop. Every joint then stays between its start and its target.
     bool withinItsEnds() const { return !tailActive_ && !current_.inToolSpace; }
 
     /// Starts the next move at its switch time. Must be called before each step.

@@ -11,8 +11,8 @@ constexpr double kNearlyZero = 1e-9;
 constexpr double kSampleStep = 0.01;        // m
 constexpr double kFirstStep = 1e-4;         // m
 constexpr double kLargestTurn = 0.12;       // rad between samples
-constexpr double kSmallestFraction = 1e-4;  // of the path; a large rotation within it is a singularity
-constexpr double kMaxFollowedTurn = 5;      // m: no path from one end of the workspace to the other is longer
+constexpr double kSmallestFraction = 1e-4;  // of the path; a large rotation within it: singularity
+constexpr double kMaxFollowedTurn = 5;      // m; exceeds the longest possible path across the workspace
 }  // namespace
 
 ToolPoint PathPlanner::pointAt(const Segment& segment, double s) const {
@@ -30,7 +30,7 @@ double PathPlanner::lengthWithin(const Segment& segment, double radius, bool fro
     const auto distance = [&](double within) {
         return (pointAt(segment, fromEnd ? length - within : within).p - corner).norm();
     };
-    // Find the first position where the path leaves the sphere around the corner.
+    // Find the first point of the path outside the sphere around the corner.
     constexpr int kSteps = 16;
     double inside = 0;
     for (int i = 1; i <= kSteps; ++i) {
@@ -114,14 +114,13 @@ void PathPlanner::plan(Segment& segment, const Vector6& startQ, const MoveTiming
 
 // Samples the path in steps small enough for the joints. Returns the number of reachable samples.
 int PathPlanner::sampleToolPath(Segment& segment, const Vector6& startQ) {
-    // A target may be far out of reach. In this case, the arm moves towards the target to the end of its
-    // reach.
+    // A target may be far out of reach. The arm then moves towards the target to the end of its reach.
     const double length =
         std::min(segment.path.length(), kMaxFollowedTurn + 2 * geometry_.tcpTransform().translation().norm());
     const double widest = std::max(length / 200, std::min(kSampleStep, length / 32));
     const bool endsWithinReach = geometry_.isReachable(segment.path.finish().transform());
-    // If the path ends out of reach, the speed is derived from the samples, which must be close together on
-    // the ramps.
+    // If the path ends out of reach, the speeds are calculated from the samples, which must then be close
+    // together.
     double step = endsWithinReach ? widest : std::min(widest, kFirstStep);
     std::size_t count = 1;
     s_[0] = 0;

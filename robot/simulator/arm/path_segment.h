@@ -31,7 +31,7 @@ struct Segment {
 
     Vector6 endQ = Vector6::Zero();
     ToolPoint endPoint;
-    std::optional<StopReason> endFault;  ///< set if the path cannot be followed beyond its end
+    std::optional<StopReason> endFault;  ///< set if the path cannot be followed to its requested end
     int endFaultJoint = -1;
 
     double time = 0;              ///< elapsed time [s], in the time base of this segment
@@ -41,9 +41,9 @@ struct Segment {
     double zoneLength() const { return profile.length() - profile.sample(profile.zoneTime()).s; }
 };
 
-/// Creates a speed profile within the joint limits for the geometry of a segment. A tool path is first
-/// sampled. The motion is slowed down where joint speeds would be too high. If the path cannot be followed at
-/// all at some point, it ends there with the reason in `endFault`.
+/// Plans the speed profile of a segment within the joint limits. A tool path is sampled first. The motion is
+/// slowed down where joint speeds would be too high. If the path cannot be followed at some point, it ends
+/// there with the reason in `endFault`.
 class PathPlanner {
 public:
     PathPlanner(const ArmGeometry& geometry, const JointLimits& limits)
@@ -61,8 +61,7 @@ public:
     /// `segment` contains kind, r and geometry. For a tool path, the function determines endQ.
     void plan(Segment& segment, const Vector6& startQ, const MoveTiming& timing);
 
-    /// Path parameter at which the TCP is at distance `radius` from the end (or start) of the path; at most
-    /// half the path.
+    /// Length of path within `radius` [m] of its end or start, as a path parameter; at most half the path.
     double lengthWithin(const Segment& segment, double radius, bool fromEnd) const;
 
     ToolPoint pointAt(const Segment& segment, double s) const;

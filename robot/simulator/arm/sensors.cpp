@@ -28,8 +28,8 @@ constexpr double kRounding = 1e-9;            // relative to an acceleration, an
 // Initial values recorded from the manufacturer's simulator.
 const Vector6 kStartTemperature = (Vector6() << 25.5, 25.0, 24.5, 24.0, 23.5, 23.5).finished();
 
-/// Acceleration as a difference of velocities, without rounding error, so that a constant acceleration
-/// results in constant readings. Clients evaluate the sign of differences between readings.
+/// Acceleration as a difference of velocities without rounding errors. Clients evaluate the sign of
+/// differences between readings, so a constant acceleration must result in constant readings.
 Vector6 withoutRounding(const Vector6& acceleration, const Vector6& before) {
     const auto change = (acceleration - before).array().abs();
     return (change <= kRounding * (1 + before.array().abs())).select(before, acceleration);
@@ -74,7 +74,7 @@ void Sensors::setGravity(const Eigen::Vector3d& gravity) {
 
 void Sensors::setPayload(const Payload& payload) {
     if (loadHangs_) {
-        // If the sensor is zeroed directly afterwards, the new payload must already be in effect.
+        // The sensor may be zeroed directly after this call, so the new payload must already be in effect.
         const Wrench before = loadOnFlange(payload_);
         const Wrench now = loadOnFlange(payload);
         compensated_ = {compensated_.force + before.force - now.force,
@@ -131,7 +131,7 @@ void Sensors::updateKinematics(const JointTarget& target, ArmState& state) {
     state.actualQd.values = qd_;
     if (!ideal_) {
         for (int j = 0; j < kJointCount; ++j) {
-            // At standstill, the readings of a joint are identical.
+            // At standstill, the encoder readings of a joint do not change.
             if (std::abs(qd_[j]) > kEncoderRest) {
                 state.actualQ[j] += noise_(kEncoderNoise);
             }
@@ -182,8 +182,8 @@ void Sensors::updateBase(const JointTarget& target, ArmState& state) {
     angular_ = now.angular;
 }
 
-// Motion of a point fixed to the flange, calculated from the target motion. The actual motion differs only by
-// the lag, and the result is free of noise.
+// Acceleration of a point fixed to the flange, from the target motion. The actual motion differs only by the
+// lag and contains noise.
 Eigen::Vector3d Sensors::accelerationOf(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d w = targetTwist_.angular;
     const Eigen::Vector3d arm = point - target_.T_base_tcp.translation();
@@ -235,7 +235,7 @@ void Sensors::updateForces(const Environment& environment, DriveState drive, Arm
     const Eigen::Vector3d moment = R * (carried.torque - known.torque);
     unexplained_ = {push + hand.force + weight, hand.torque + moment - (R * tcp).cross(weight)};
 
-    // The accelerometer is mounted in the flange and measures the reaction to gravity.
+    // The accelerometer in the flange measures the reaction to gravity.
     const bool powered = drive != DriveState::Off;
     state.toolAccelerometer =
         powered
@@ -273,8 +273,8 @@ void Sensors::updateDrives(DriveState drive, ArmState& state) {
     state.actualMoment.values = state.actualCurrent.cwiseProduct(perCurrent);
     state.jointControlOutput = state.actualCurrent;
     state.actualCurrentWindow = (0.15 * state.targetCurrent.cwiseAbs()).array() + 1.0;
-    // The part of the torque that the model does not explain. It is calculated from the noise-free torques,
-    // which correspond to the filtered values of a controller.
+    // External torque that the model does not predict. The noise-free torques correspond to the filtered
+    // values of a controller.
     state.externalTorque.values = needed - expected;
     const Matrix6 J = actual_.jacobian;
     const Matrix6 damped = J * J.transpose() + 1e-6 * Matrix6::Identity();
@@ -290,7 +290,7 @@ int Sensors::overloadedJoint() {
     if ((needed_.cwiseAbs().array() <= most.array()).all()) {
         return -1;
     }
-    // Only the static load is checked, because hard braking may briefly exceed the limits.
+    // Checks only the static load, because hard braking may briefly exceed the limits.
     const Vector6 holding = real_.torques(q_, Vector6::Zero(), Vector6::Zero(), external_);
     Eigen::Index joint = 0;
     return (holding.cwiseAbs().array() - most.array()).maxCoeff(&joint) > 0 ? static_cast<int>(joint) : -1;

@@ -41,14 +41,13 @@ public:
     const Payload& payload() const { return payload_; }
     /// Uses the current force reading as the zero point.
     void zeroForce();
-    /// Places the arm at q, at rest.
     void place(const Vector6& q);
 
     /// Updates everything in `state` that depends on the new target.
     void update(const JointTarget& target, DriveState drive, const Environment& environment, ArmState& state);
 
     Dynamics& dynamics() { return model_; }
-    /// Force on the TCP that the controller does not expect: hand, contact, unknown weight.
+    /// External force on the TCP that the controller does not expect: hand, contact, unknown load.
     const Wrench& unexplained() const { return unexplained_; }
     double contactForce() const { return contact_; }
     /// The joint torques [Nm] that correspond to unexplained().
@@ -73,13 +72,13 @@ private:
     Dynamics real_;   // with the actual load
     Payload payload_;
     Payload load_;
-    bool loadHangs_ = false;  // the actual load differs from the payload set on the controller
+    bool loadHangs_ = false;  // the actual load differs from the configured payload
     Eigen::Vector3d gravity_{0, 0, 9.82};
 
     Vector6 q_ = Vector6::Zero();  // actual joint positions
     Vector6 qd_ = Vector6::Zero();
     Vector6 qdd_ = Vector6::Zero();
-    Vector6 needed_ = Vector6::Zero();  // torques of the joints
+    Vector6 needed_ = Vector6::Zero();  // actual joint torques
     Posture target_;
     Posture actual_;
     Twist targetTwist_;
@@ -89,11 +88,11 @@ private:
     Eigen::Vector3d tcpAcceleration_ = Eigen::Vector3d::Zero();  // TCP acceleration of the target motion
     Eigen::Vector3d tcpTurning_ = Eigen::Vector3d::Zero();
     Wrench atFlange_;     // external force and load, flange frame
-    Wrench external_;     // wrench on the flange, flange frame, load excluded: for the dynamics
+    Wrench external_;     // external wrench on the flange without load, flange frame; input of the dynamics
     Wrench unexplained_;  // base axes at the TCP
     Wrench compensated_;  // flange frame, before zeroing
     Wrench zero_;         // flange frame
-    Wrench offset_;       // of the raw sensor
+    Wrench offset_;       // offset of the raw sensor
     double contact_ = 0;
     bool first_ = true;
 };

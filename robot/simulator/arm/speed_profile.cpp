@@ -75,7 +75,7 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         const double T = request.blendInTime;
         double a = std::min(request.a, 2 * request.blendInLength / square(T));
         a = std::min(a, request.v / T);
-        // The remaining path must be long enough to stop.
+        // The remaining path must be long enough for a stop.
         const double feasible = L / (0.5 * square(T) * (1 + a / request.a));
         a = std::min(a, feasible);
         profile.append(a, T);
@@ -89,7 +89,7 @@ SpeedProfile SpeedProfile::plan(const ProfileRequest& request) {
         vEnd = std::min(request.v, request.zoneSpeed);
         vEnd = std::min(vEnd, std::sqrt(square(v0) + 2 * request.a * main));
     }
-    // The speed is too high for the remaining path. Keep a higher speed into the zone, or brake harder than
+    // The speed is too high for the remaining path. Enter the zone at a higher speed, or brake harder than
     // requested at the end.
     vEnd = std::max(vEnd, std::sqrt(std::max(0.0, square(v0) - 2 * request.a * main)));
     if (zone <= kNoDistance && vEnd > 1e-9) {

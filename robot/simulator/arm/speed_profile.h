@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Distance along a path over time, as segments of constant acceleration: trapezoids, blends of trapezoids,
-// and slowed-down variants. Fixed capacity, no allocation.
+// Path parameter over time, as segments of constant acceleration: trapezoids, blends of trapezoids, and
+// slowed-down variants. Fixed capacity, no allocation.
 
 #include <array>
 #include <span>
@@ -15,14 +15,14 @@ struct ProfileSample {
     double a = 0;  ///< d2s/dt2
 };
 
-/// Request for a profile. Lengths in the unit of the path (m or rad).
+/// Request for a profile, in the unit of the path (m or rad).
 struct ProfileRequest {
     double length = 0;
     double v = 0;  ///< cruise speed, > 0
     double a = 0;  ///< acceleration and deceleration, > 0
     double startSpeed = 0;
     double blendInTime = 0;    ///< duration of the limited acceleration at the start
-    double blendInLength = 0;  ///< maximum length covered in this time
+    double blendInLength = 0;  ///< maximum length of this part
     double zone = 0;           ///< length before the end within which a blend may begin
     double zoneSpeed = 0;      ///< maximum speed at the beginning of the zone
 };

@@ -174,10 +174,9 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     const Eigen::Isometry3d pose = appliedTo(program_.T_base_tcp);
     Vector6 goal = goal_;
     Vector6 rate = Vector6::Zero();
-    // If the goal is at standstill, the velocity is exactly zero, so that standstill is detected.
+    // At rest, the goal velocity must be exactly zero, because standstill is detected by that.
     if (!(pose.matrix() - goalPose_.matrix()).isZero(1e-12) || !program.qd.isZero(0)) {
-        // The offset is applied in joint space. The goal may jump, but the motion towards the goal must be
-        // smooth.
+        // The offset is applied in joint space. The goal may jump, but the arm must approach it smoothly.
         if (!geometry_.follow(pose, goal, posture_)) {
             return StopReason::PoseUnreachable;
         }
@@ -193,10 +192,10 @@ std::optional<StopReason> Superposition::step(const JointTarget& program, bool f
     return std::nullopt;
 }
 
-// Moves exactly to the goal if that motion is smooth, and otherwise towards the goal.
+// Moves to the goal itself if this motion is smooth, and otherwise towards the goal.
 void Superposition::settle(const Vector6& given, const Vector6& goal, JointTarget& state) {
     const double possible = limits_.acceleration * period_;
-    // Jumps of the goal do not count as its speed.
+    // A jump of the goal is not a speed.
     Vector6 rate = given;
     if (given.cwiseAbs().maxCoeff() > 2 * limits_.speed.maxCoeff()) {
         rate = rate_;

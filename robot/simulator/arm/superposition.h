@@ -2,8 +2,8 @@
 #pragma once
 
 // Motions superposed on the programmed path: a Cartesian offset, and a conveyor that moves the path. The
-// program is not affected; the tool moves to the sum of program, offset and conveyor. Jumps of the offset or
-// the conveyor are followed smoothly and never delay the path. Source: URScript path_offset_*,
+// program is not affected. The tool moves to the sum of program, offset and conveyor. The arm follows jumps
+// of the offset or the conveyor smoothly, without delaying the path. Source: URScript path_offset_*,
 // track_conveyor_*.
 
 #include "robot/core/spatial.h"
@@ -13,12 +13,12 @@
 
 namespace tiller::simulator::arm {
 
-/// Axes in which an offset is given, with the values used by URScript.
+/// Axes of an offset, with the values used by URScript.
 enum class OffsetFrame : std::uint8_t {
     Base = 1,
     Tool = 2,
     Motion = 3,  ///< x along the tangent of the path, y normal to it and to the tool's z
-    World = 4,   ///< treated as the base: the mounting is not available here (unconfirmed)
+    World = 4,   ///< same as the base, because the mounting is not available here (unconfirmed)
 };
 
 class Superposition {
@@ -41,21 +41,21 @@ public:
     // the conveyor
     /// perTick  displacement per tick of the encoder [m], base axes
     void trackLinear(const Eigen::Vector3d& perTick);
-    /// centre  frame about whose z axis the conveyor rotates by `perTick` [rad] per tick; the tool rotates
-    /// with it or keeps its orientation
+    /// centre  frame about whose z axis the conveyor rotates by `perTick` [rad] per tick
+    /// turnTool  true: the tool rotates with the conveyor; false: it keeps its orientation
     void trackCircular(const Pose& centre, double perTick, bool turnTool);
     /// Encoder count. The value at the start of tracking is the reference.
     void setTravel(double ticks) { travel_ = ticks; }
     bool tracksConveyor() const { return conveyor_ != Conveyor::None; }
 
     bool active() const { return offsetOn_ || tracksConveyor(); }
-    /// Adds the current offset to the program, which then continues from the position of the arm.
+    /// Makes the current offset part of the program, which then continues from the arm position.
     void endOffset();
     void endTracking();
     void drop();
 
-    /// Runs one control period: calculates the joint target for the programmed target `program`. `frozen`:
-    /// the program is paused, and neither offset nor conveyor moves.
+    /// Runs one control period: calculates the joint target `state` from the program target `program`.
+    /// `frozen`: the program is paused, and neither offset nor conveyor moves.
     /// Returns  the reason if the target cannot be reached; the caller must then command `state`
     std::optional<StopReason> step(const JointTarget& program, bool frozen, JointTarget& state);
 
@@ -87,7 +87,7 @@ private:
     bool turnTool_ = false;
     double travel_ = 0;
     double zero_ = 0;     // travel at the start of tracking
-    double carried_ = 0;  // applied travel, relative to zero_
+    double carried_ = 0;  // travel applied so far, relative to zero_
 
     bool started_ = false;
     Posture program_;
@@ -96,7 +96,7 @@ private:
     Eigen::Isometry3d goalPose_ = Eigen::Isometry3d::Identity();
     Vector6 goal_ = Vector6::Zero();
     Vector6 rate_ = Vector6::Zero();
-    Vector6 slip_ = Vector6::Zero();  // velocity of the arm minus that of the goal
+    Vector6 slip_ = Vector6::Zero();  // velocity of the arm minus velocity of the goal
 };
 
 }  // namespace tiller::simulator::arm

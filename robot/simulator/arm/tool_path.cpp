@@ -61,7 +61,7 @@ ToolPath ToolPath::arc(const ToolPoint& from, const Eigen::Vector3d& via, const 
     const double radius = offset.norm();
     const Eigen::Vector3d end = to.p - path.centre_;
     double angle = std::atan2(path.axis_.dot(path.radial_.cross(end)), path.radial_.dot(end));
-    // `via` is on the path. With the normal chosen above, the angle is always positive.
+    // `via` is on the arc. With the normal chosen above, the angle is always positive.
     if (angle <= 0) {
         angle += 2 * std::numbers::pi;
     }
@@ -91,7 +91,7 @@ bool ToolPath::canRound(const ToolPath& first, const ToolPath& second) {
         second.length_ <= kTiny) {
         return false;
     }
-    // If rotating the tool takes longer than moving it, no circle at the corner has the right length.
+    // If rotating the tool takes longer than moving it, no rounded corner is possible.
     if (first.travel() < 1 - 1e-6 || second.travel() < 1 - 1e-6) {
         return false;
     }
@@ -173,8 +173,8 @@ ToolPathPoint ToolPath::atRounded(double s) const {
         point.at.p = corner + r;
         point.dp = anglePerLength_ * axis_.cross(r);
     }
-    // The remaining rotation of the first line fades out while the rotation of the second line fades in, with
-    // the rates of the lines at both ends.
+    // The rotation of the first line fades out while the rotation of the second line fades in. At both ends,
+    // the rotation rates match those of the lines.
     const double u = s / arcLength_;
     const double rate = arcLength_ / tangent_;
     const double before = 1 - 3 * u * u + 2 * u * u * u - rate * (u - 2 * u * u + u * u * u);

@@ -2,15 +2,15 @@
 #pragma once
 
 // TCP pose as a function of the path parameter: straight lines, arcs, rounded corners, and the deceleration
-// path of a stop. The orientation changes in proportion to the position.
+// path of a stop. The orientation is interpolated with the position.
 
 #include <Eigen/Geometry>
 #include <cstdint>
 
 namespace tiller::simulator::arm {
 
-/// Radius for converting rotations to tool path, so that pure rotations have a length [m]. Source: eq_radius
-/// of the controller's configuration data.
+/// Converts a rotation to a tool path length, so that pure rotations have a length [m]. Source: eq_radius of
+/// the controller's configuration data.
 inline constexpr double kEquivalentRadius = 0.25;
 
 /// Position and orientation in the base frame.
@@ -38,7 +38,8 @@ public:
     /// Arc through `via`, or a line if the three points are collinear.
     static ToolPath arc(const ToolPoint& from, const Eigen::Vector3d& via, const ToolPoint& to,
                         bool orientationFixedToArc);
-    /// Continues with the given velocity. The parameter is the time in seconds, up to `duration`.
+    /// Deceleration path from the given velocity. The path parameter is the time in seconds, up to
+    /// `duration`.
     static ToolPath runOut(const ToolPoint& from, const Eigen::Vector3d& v, const Eigen::Vector3d& w,
                            double duration);
     /// From the beginning of the zone of `first` (at distance `radius` before its end) along a circle to
@@ -50,9 +51,9 @@ public:
     ToolPathPoint at(double s) const;
     const ToolPoint& start() const { return from_; }
     ToolPoint finish() const { return at(length_).at; }
-    /// Distance per unit of the parameter on a straight path.
+    /// TCP distance per unit of the path parameter on a straight path.
     double travel() const { return direction_.norm(); }
-    /// Length of the straight part at the end; the whole length if there is no rounded corner.
+    /// Length of the straight part at the end, or of the whole path without a rounded corner.
     double straightEnd() const { return length_ - arcLength_; }
     bool isRounded() const { return kind_ == Kind::Rounded; }
 

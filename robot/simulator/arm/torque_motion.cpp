@@ -7,7 +7,7 @@
 namespace tiller::simulator::arm {
 
 namespace {
-// Plausible friction of the gears, in the range of published identifications.
+// Friction of the gears. The values are within the range of published identifications.
 const Vector6 kViscous = (Vector6() << 14, 14, 10, 4, 4, 4).finished();  // Nm s/rad
 const Vector6 kCoulomb = (Vector6() << 8, 8, 6, 2, 2, 2).finished();     // Nm
 constexpr double kStickSpeed = 0.02;                                     // rad/s
@@ -24,7 +24,7 @@ std::optional<StopReason> TorqueMotion::step(double period, const JointLimits& l
                                              int& joint) {
     const Matrix6 mass = dynamics_.massMatrix(state.q, true);
     const Vector6 free = torques_ + external_ - dynamics_.coriolis(state.q, state.qd);
-    // Friction is computed implicitly. It can stop a joint but cannot reverse it.
+    // Friction is integrated implicitly, because it can stop a joint but must not reverse it.
     Matrix6 effective = mass;
     for (int j = 0; j < kJointCount; ++j) {
         effective(j, j) += period * (viscous_[j] + coulomb_[j] / (kStickSpeed + std::abs(state.qd[j])));

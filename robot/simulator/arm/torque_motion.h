@@ -2,7 +2,7 @@
 #pragma once
 
 // direct_torque: the joints move according to the commanded torques and the inertia of the arm. Gravity is
-// always compensated, and friction is compensated partially.
+// always compensated, friction only partially.
 
 #include <optional>
 
@@ -18,11 +18,11 @@ public:
 
     /// torques [Nm] without gravity; scales 0..1: compensated fractions of the friction
     void command(const JointTorques& torques, const Vector6& viscousScale, const Vector6& coulombScale);
-    /// Torques on the joints in addition to the command [Nm]: hands, contact, unknown load.
+    /// External torques on the joints [Nm]: hands, contact, unknown load.
     void setExternal(const Vector6& torques) { external_ = torques; }
     /// Runs one control period.
-    /// Returns  the reason if the motion cannot continue, because a joint is too fast or has reached the end
-    /// of its range; `joint` is then set to this joint
+    /// Returns  the reason if a joint is too fast or has reached the end of its range; `joint` is then set to
+    /// this joint
     std::optional<StopReason> step(double period, const JointLimits& limits, JointTarget& state, int& joint);
 
 private:

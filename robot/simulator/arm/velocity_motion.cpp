@@ -7,10 +7,10 @@
 namespace tiller::simulator::arm {
 
 namespace {
-constexpr double kNoScale = 1e-3;     // a lower rate of program time counts as zero
+constexpr double kNoScale = 1e-3;     // below this rate, program time counts as stopped
 constexpr double kSingular = 0.06;    // singularity margin at which Cartesian motion ends
-constexpr double kCreeping = 1e-3;    // rad/s, or fraction of the requested speed: limit for standstill
-constexpr double kExpiryJoint = 2.0;  // rad/s2, minimum, if a speed command is not repeated
+constexpr double kCreeping = 1e-3;    // limit for standstill: rad/s, or fraction of the requested speed
+constexpr double kExpiryJoint = 2.0;  // rad/s2, minimum deceleration when a speed command expires
 constexpr double kExpiryTool = 0.5;   // m/s2
 }  // namespace
 
@@ -47,7 +47,7 @@ void VelocityMotion::toolChanged(const JointTarget& now, double timeScale) {
 void VelocityMotion::speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a) {
     begin(Kind::SpeedJ, now, timeScale);
     targetVelocity_ = qd;
-    // Speeds beyond the joint limits would never be reached.
+    // The arm would never reach speeds beyond the joint limits.
     const double factor = limits_.speedFactor(qd);
     targetVelocity_ *= factor;
     a_ = a;
@@ -164,7 +164,7 @@ void VelocityMotion::pursue() {
         targetVelocity_.setZero();
         return;
     }
-    // The last term avoids overshoot in the final steps of the approach.
+    // The last term prevents overshoot in the final steps.
     const double speed = std::min({servoCSpeed_, std::sqrt(a_ * length), 0.1 * length / period_});
     targetVelocity_ << way * (speed / length), turn * (speed / length);
 }
@@ -199,8 +199,7 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
 
     double factor = limits_.speedFactor(qd);
     if (marginAfter < margin && marginAfter < 1) {
-        // In motion towards a singular position, the joints slow down in proportion to the remaining
-        // distance.
+        // Near a singular position, the speed towards it is reduced in proportion to the remaining distance.
         const double usable = std::max(0.0, (marginAfter - kSingular) / (1 - kSingular));
         const double worst = (qd.cwiseAbs().array() / limits_.speed.array()).maxCoeff();
         const double approach = (margin - marginAfter) / period_;
@@ -227,7 +226,7 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
     const double excess = limits_.speedFactor(qd);
     qd *= excess;
     if (limits_.cutToAcceleration(state.qd, qd, period_) || excess < 1) {
-        // The arm is off the requested path in this step. Continue from the actual joint positions.
+        // The arm has left the requested path in this step. Continue from the actual joint positions.
         state.q += 0.5 * (state.qd + qd) * period_;
         geometry_.evaluate(state.q, posture);
         tool = ToolPoint(posture.T_base_tcp);
@@ -252,20 +251,19 @@ std::optional<StopReason> VelocityMotion::stepCartesian(double timeScale, JointT
 
 std::optional<StopReason> VelocityMotion::stepServoJ(double timeScale, JointTarget& state, int& joint) {
     const double dt = period_ * timeScale;
-    // The velocity of the target is fed forward to avoid a lag at constant speed. It is smoothed over a fifth
-    // of the lookahead. The gain is the stiffness; lookahead times gain is the damping, which is never much
+    // Feed-forward of the target velocity avoids a lag at constant speed. It is filtered over a fifth of the
+    // lookahead time. The gain is the stiffness. Lookahead time times gain is the damping, which is never far
     // below critical.
     servoFiltered_ += (servoRate_ - servoFiltered_) * (dt / (0.2 * lookahead_ + dt));
     const double K = gain_;
     const double D = std::max(gain_ * lookahead_, 1.8 * std::sqrt(gain_));
     servoQ_ = servoQ_.cwiseMin(limits_.position - kRangeReserve).cwiseMax(-limits_.position + kRangeReserve);
     const Vector6 error = servoQ_ - state.q;
-    // Implicit integration, which is stable for every gain and period.
+    // Implicit integration is stable for every gain and period.
     Vector6 next = (velocity_ + dt * (K * error + D * servoFiltered_)) / (1 + D * dt + K * dt * dt);
     next = next.cwiseMin(limits_.speed).cwiseMax(-limits_.speed);
     for (int j = 0; j < kJointCount; ++j) {
-        // Limit the speed to the speed of the target plus a value from which the joint can stop at the
-        // target.
+        // Limit the speed to the target speed plus the speed from which the joint can stop at the target.
         const double stopping = std::sqrt(limits_.acceleration * std::abs(error[j])) +
                                 std::abs(servoFiltered_[j]) + limits_.acceleration * period_;
         next[j] = std::clamp(next[j], -stopping, stopping);

@@ -3,7 +3,7 @@
 
 // Motions with a speed or a moving target instead of a path: speedj, speedl, servoj, servoc. Every step stays
 // within the joint limits. Near the end of a joint range and near a singular position, the speed decreases
-// with the distance, except for motion away from the limit.
+// with the distance, except for motion away from it.
 
 #include <optional>
 
@@ -21,8 +21,8 @@ public:
     VelocityMotion(const ArmGeometry& geometry, const JointLimits& limits, double period)
         : geometry_(geometry), limits_(limits), period_(period) {}
 
-    // Each command starts from the velocity in `now` or continues with it. `timeScale` is the ratio of
-    // program time to real time.
+    // The commands below start from the velocity in `now`, or continue the current motion. `timeScale` is the
+    // ratio of program time to real time.
     void speedJ(const JointTarget& now, double timeScale, const Vector6& qd, double a);
     void speedL(const JointTarget& now, double timeScale, const Vector6& twist, double a, double aRot);
     void servoJ(const JointTarget& now, double timeScale, const Vector6& q, double t, double lookahead,
@@ -30,10 +30,10 @@ public:
     void servoC(const JointTarget& now, double timeScale, const ToolPoint& target, double a, double v,
                 double r);
 
-    /// Called if no further command has arrived. Speed commands decelerate to rest; servo commands keep their
-    /// target position, without its velocity.
+    /// Called if no further command has arrived. Speed commands decelerate to rest. Servo commands keep the
+    /// last target position, without its velocity.
     void expire();
-    /// Ends the motion. The next command starts from the current velocity of the arm.
+    /// Ends the motion. The next command starts from the current arm velocity.
     void drop() { running_ = false; }
     bool running() const { return running_; }
     /// Called after another motion has moved the arm to q.
@@ -45,12 +45,12 @@ public:
     Kind kind() const { return kind_; }
 
     /// Runs one step.
-    /// Returns  the reason if the arm must stop; `joint` is then the affected joint
+    /// Returns  the reason if the arm must stop; `joint` is then the joint that caused the stop
     std::optional<StopReason> step(double timeScale, JointTarget& state, int& joint);
 
     bool speedReached() const { return speedReached_; }
     bool targetReached() const { return targetReached_; }  ///< servoC: within the target radius
-    /// Factor 0..1 by which limits slowed the last step.
+    /// Factor 0..1 by which limits reduced the speed of the last step.
     double slowedBy() const { return slowedBy_; }
     const ToolPoint& servoTarget() const { return servoCTarget_; }
 
@@ -74,7 +74,7 @@ private:
     Vector6 targetVelocity_ = Vector6::Zero();  // value that velocity_ approaches
     double a_ = 1;
     double aRot_ = 1;
-    ToolPoint tool_;  // commanded TCP pose, integrated so that rotations do not drift
+    ToolPoint tool_;  // commanded TCP pose, integrated to prevent drift of the rotation
 
     Vector6 servoQ_ = Vector6::Zero();
     Vector6 servoRate_ = Vector6::Zero();      // velocity of the target, calculated from successive commands

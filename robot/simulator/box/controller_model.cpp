@@ -15,7 +15,7 @@ Q_LOGGING_CATEGORY(simulatorLog, "tiller.simulator")
 
 namespace {
 
-/// Stop category 1: power is removed at standstill, or after this time at the latest [s].
+/// Maximum braking time of a category 1 stop [s]. Power is removed at standstill or after this time.
 constexpr double kEmergencyStopTime = 0.5;
 constexpr double kEmergencyDeceleration = 15.0;  ///< [rad/s2]
 /// Maximum TCP speed of the program in reduced mode [m/s]. Installations can set other values.
@@ -31,8 +31,8 @@ arm::ArmOptions armOptions(const SimulatorOptions& options) {
     return arm;
 }
 
-/// Error numbers from the vendor's error code manual; C153, C157, C158 and C159 are also named in the RTDE
-/// guide. The texts were written for this simulator.
+/// Error numbers from the vendor's error code manual. C153, C157, C158 and C159 are also in the RTDE guide.
+/// The texts were written for this simulator.
 struct StopMessage {
     std::int32_t code;
     const char* text;
@@ -59,19 +59,19 @@ StopMessage stopMessage(arm::StopReason reason) {
     return {153, ""};
 }
 
-/// Execution time of the real-time thread of a robot [ms]. The values are the same in each run.
+/// Simulated execution time of the robot's real-time thread [ms]. Identical in each run.
 double executionTime(std::uint64_t tick, bool programActive) {
     const auto scatter = static_cast<double>(tick * 2654435761U >> 8U & 0xFFU) / 255.0;
     return (programActive ? 0.52 : 0.45) + 0.06 * scatter;
 }
 
-/// Returns an arm with manufacturing tolerances that deviates by up to `size` mm and mrad.
+/// Returns an arm model with manufacturing tolerances of up to `size` mm and mrad.
 RobotModel deviating(const RobotModel& model, double size) {
     RobotModel result = model;
     DhParameters& dh = result.dh;
     for (std::size_t i = 0; i < dh.a.size() && size != 0; ++i) {
-        // Any fixed pattern is suitable. The values must be the same each time, because clients compute a
-        // hash of them.
+        // Any fixed pattern is suitable, but the values must be the same each time, because clients hash
+        // them.
         const double off = size * 1e-3 * std::sin(1.0 + 2.0 * static_cast<double>(i));
         const bool parallel = i == 1 || i == 2;
         dh.theta[i] += off;
@@ -134,7 +134,7 @@ ControllerModel::ControllerModel(const SimulatorOptions& options)
 }
 
 ControllerModel::~ControllerModel() {
-    programs_->endAll();  // programs that end still use the host, which accesses this object
+    programs_->endAll();  // programs that are ending still use the host, which refers to this object
 }
 
 double ControllerModel::timestamp() const {
@@ -266,7 +266,7 @@ void ControllerModel::reactToSafety() {
 
 void ControllerModel::reactToArm() {
     while (arm_.takeWarning()) {
-        // Warnings are only shown on the pendant; no client waits for them.
+        // Warnings are only shown on the pendant. No client waits for them.
     }
     if (arm_.protectiveStop() && !safety_.isProtectiveStopped()) {
         const arm::ProtectiveStop& stop = *arm_.protectiveStop();

@@ -2,9 +2,9 @@
 #pragma once
 
 // The robot without its network services: arm, power, safety, terminals, registers and programs, stepped by
-// one control period at a time. The model is independent of clients: messages to them are placed in outbox(),
-// and requests arrive through its methods. The order within a period is the same as in a controller: safety,
-// power, watchdogs, script frame, arm.
+// one control period at a time. The model is independent of clients: it queues messages to clients in
+// outbox(), and requests arrive through its methods. The order within a period is that of a controller:
+// safety, power, watchdogs, script frame, arm.
 
 #include <array>
 #include <cstdint>
@@ -37,7 +37,6 @@ public:
     ControllerModel(const ControllerModel&) = delete;
     ControllerModel& operator=(const ControllerModel&) = delete;
 
-    /// Runs one control period.
     void step();
 
     const SimulatorOptions& options() const { return options_; }
@@ -45,12 +44,12 @@ public:
     const BehaviourOptions& assumptions() const { return options_.assumptions; }
     double stepTime() const { return arm_.period(); }
     std::uint64_t tick() const { return tick_; }
-    /// Time as reported to clients [s]; starts again when the controller restarts.
+    /// Controller time as reported to clients [s]. Starts at 0 when the controller restarts.
     double timestamp() const;
-    /// Time since this object was created [s]; never decreases.
+    /// Time since construction [s]. Never decreases.
     double elapsed() const { return static_cast<double>(tick_) * stepTime(); }
     std::uint64_t timestampNs() const { return static_cast<std::uint64_t>(timestamp() * 1e9); }
-    /// State after the last step. The result refers to data of this object.
+    /// State after the last step. Refers to data of this object.
     const Telemetry& telemetry() const { return telemetry_; }
 
     arm::Arm& arm() { return arm_; }
@@ -69,15 +68,15 @@ public:
     Popups& popups() { return popups_; }
     ScriptHost& scriptHost() { return *host_; }
 
-    // Requests that involve several parts.
+    // Requests that affect more than one part.
     void powerOn();
     void releaseBrakes();
-    /// Clears violations and faults. The arm is powered off afterwards.
+    /// Clears violations and faults. The arm is then powered off.
     void restartSafety();
-    /// Stops immediately with the message for the cause. The fiftieth stop of one joint within eight hours is
-    /// a fault (C163). The joint is the argument of the cause, counted from 1.
+    /// Stops at once with the message for the cause. The fiftieth stop of one joint within eight hours is a
+    /// fault (C163). The argument of the cause is the joint, counted from 1.
     void protectiveStop(const primary::ErrorCode& cause);
-    /// Text for the cause of the last protective stop; empty if there is no stop or no text.
+    /// Text for the cause of the last protective stop; empty if there was no stop or no text.
     const std::string& stopText() const { return stopText_; }
     /// fraction  clamped to 0..1; NaN is ignored
     void setSpeedSlider(double fraction);
@@ -89,24 +88,24 @@ public:
     /// The Local/Remote switch of the pendant. Leaving Remote ends the script connections.
     void setRemoteControl(bool remote);
     bool isRemoteControl() const { return remoteControl_; }
-    /// True if a connection opened at this time may send scripts. CB3 has no local control.
+    /// True if a connection opened now may send scripts. CB3 has no local control.
     bool takesScripts() const {
         return remoteControl_ || !options_.gateLocalControl || options_.software.isCb3();
     }
-    /// Number of changes of the Local/Remote switch. A connection has the rights that applied when it was
-    /// opened.
+    /// Number of changes of the Local/Remote switch. A connection keeps the rights of the time at which it
+    /// was opened.
     std::uint64_t controlEpoch() const { return controlEpoch_; }
-    /// Removes the power of the arm without a message, like a failure of its supply.
+    /// Removes the power of the arm without a message, like a power supply failure.
     void losePower();
     /// Restarts the controller; its time begins at 0.
     /// seconds  duration until POWER_OFF
     void restart(double seconds, bool safetyUnconfirmed);
-    /// Allows the joints to be moved by hand, with the brakes overridden.
+    /// Overrides the brakes, so that the joints can be moved by hand.
     void setBackdrive(bool active);
     /// Ends the running program with a runtime exception.
     void failProgram(const std::string& why);
-    /// Makes the reported kinematics deviate from those of the arm. 0: no deviation; 1: up to 1 mm and 1
-    /// mrad. Sends the kinematics to primary clients again.
+    /// Sets the deviation of the reported kinematics from the actual arm. 0: no deviation; 1: up to 1 mm and
+    /// 1 mrad. Sends the kinematics to primary clients again.
     void setCalibrationError(double size);
     /// Shuts the controller down. All services stop responding.
     void shutDown() { shutDown_ = true; }
@@ -114,8 +113,8 @@ public:
 
     /// Shows a popup, reports it to primary clients, and returns its ID.
     int showPopup(const std::string& text, bool blocking);
-    /// Reports messages of the pendant log that are relevant to the sender of the program. They are sent to
-    /// primary clients as text messages and written to the error output.
+    /// Reports pendant log messages that the sender of the program needs. They are sent to primary clients as
+    /// text messages and written to stderr.
     void appendToLog(const std::string& text);
     /// Queues a message for primary clients.
     void publish(primary::Bytes message) { outbox_.push_back(std::move(message)); }
@@ -131,11 +130,11 @@ private:
     void refreshTelemetry();
 
     SimulatorOptions options_;
-    RobotModel model_;  ///< with the actual calibration
+    RobotModel model_;  ///< actual arm, with its calibration
     arm::Arm arm_;
     RobotModel reported_;  ///< the model reported to clients
     Registers registers_;
-    Registers shown_;          ///< registers as reported to clients, if delayed by one period
+    Registers shown_;          ///< registers as reported to clients if the report is delayed by one period
     RegisterBank lastOutput_;  ///< output registers at the end of the previous period
     Pins pins_;
     SafetySystem safety_;
@@ -151,18 +150,18 @@ private:
     std::uint64_t startTick_ = 0;  ///< start time of the controller
     double startTime_ = 0;         ///< timestamp at that time [s]
     std::uint64_t controlEpoch_ = 0;
-    std::uint64_t identity_ = 0;  ///< incremented if values that primary clients receive only once change
+    std::uint64_t identity_ = 0;  ///< incremented when values change that primary clients receive only once
     bool disconnected_ = false;
     std::string stopText_;
     std::array<std::deque<double>, kJointCount> jointStops_;  ///< protective stops of each joint [s]
     std::uint64_t boots_ = 0;                                 ///< number of times the services have started
     double speedSlider_ = 1;
     SafetyMode lastSafetyMode_ = SafetyMode::Normal;
-    double emergencyTime_ = 0;  ///< [s] since an emergency stop began, while the arm has power
+    double emergencyTime_ = 0;  ///< time since an emergency stop began while the arm has power [s]
     bool freedriveButton_ = false;
     bool externalSensor_ = false;
     bool pausedBySafeguard_ = false;
-    bool heldBySafeguard_ = false;  ///< only the arm is stopped, while the program continues
+    bool heldBySafeguard_ = false;  ///< only the arm is stopped; the program continues
     Wrench externalForce_;
     bool remoteControl_ = true;
     bool shutDown_ = false;

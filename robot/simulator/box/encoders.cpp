@@ -60,7 +60,8 @@ double Encoders::pulses(Encoder& e, std::uint64_t inputs) {
     const unsigned wasA = before & 1U;
     switch (e.decoder) {
         case 1: {
-            // Position in the sequence 00, 10, 11, 01 (A first). One step in either direction counts.
+            // Position in the quadrature sequence 00, 10, 11, 01 (A first). Only a change by one position
+            // counts.
             const auto phase = [](unsigned lineA, unsigned lineB) { return (lineA ^ lineB) | lineB << 1U; };
             const unsigned moved = (phase(a, b) - phase(wasA, before >> 1U)) & 3U;
             return moved == 1 ? 1 : moved == 3 ? -1 : 0;
@@ -82,7 +83,7 @@ void Encoders::step(std::uint64_t digitalInputs, const std::array<double, 2>& co
         if (e.decoder == 0) {
             continue;
         }
-        // A decoder that does not detect the direction counts up in both directions of the conveyor.
+        // A decoder that cannot detect the direction always counts up.
         const double speed = conveyorSpeeds[static_cast<std::size_t>(i)];
         const double counted = pulses(e, digitalInputs) + (e.decoder == 1 ? speed : std::abs(speed)) * dt;
         e.travel += counted;

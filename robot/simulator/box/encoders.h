@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The two conveyor encoders of a controller. Their counts come from pulses on the first four digital inputs
-// or are set by a program. Source: URScript encoder_*.
+// The two conveyor encoders of a controller. The counts come from pulses on the first four digital inputs or
+// are set by a program. Source: URScript encoder_*.
 
 #include <array>
 #include <cstdint>
@@ -21,14 +21,14 @@ public:
     void enableCount(int encoder, int range);
     void set(int encoder, double ticks);
     double ticks(int encoder) const { return at(encoder).ticks; }
-    /// Count since the start, without wrap-around. Setting the count manually while pulses are decoded does
-    /// not count as movement.
+    /// Count since the start, without wrap-around. A count set by a program while pulses are decoded does not
+    /// change it.
     double travel(int encoder) const { return at(encoder).travel; }
     /// The count as reported by RTDE.
     std::int32_t raw(int encoder) const;
 
     /// Runs one control period.
-    /// conveyorSpeeds  additional counts of the decoders [ticks/s]
+    /// conveyorSpeeds  simulated pulses, in addition to the digital inputs [ticks/s]
     void step(std::uint64_t digitalInputs, const std::array<double, 2>& conveyorSpeeds, double dt);
 
 private:
@@ -37,8 +37,8 @@ private:
         int inputA = 0;
         int inputB = 1;
         unsigned lines = 0;    ///< previous levels of A and B
-        bool counted = false;  ///< the program sets the count
-        double wrap = 0;       ///< the count wraps around after this number of ticks
+        bool counted = false;  ///< the count is set by the program
+        double wrap = 0;       ///< number of ticks after which the count wraps around
         double least = 0;
         double ticks = 0;
         double travel = 0;

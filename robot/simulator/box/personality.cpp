@@ -14,17 +14,15 @@ struct Release {
     int day, month, year;
 };
 
-// Sorted by version. The build numbers and dates of 3.15.8 and 5.12.0 are from the dashboard guide. The
-// others are plausible values chosen for this simulator, because no public source lists them. Clients only
-// compare the numbers.
+// Sorted by version. The build numbers and dates of 3.15.8 and 5.12.0 are from the dashboard guide. No public
+// source lists the others, so they are plausible values. Clients only compare the numbers.
 constexpr Release kReleases[] = {
     {{3, 15, 8, 106339}, 20, 6, 2022},  {{5, 11, 6, 1080301}, 10, 12, 2021},
     {{5, 12, 0, 1101319}, 22, 3, 2022}, {{5, 22, 1, 1214193}, 12, 3, 2025},
     {{5, 25, 0, 1254012}, 18, 2, 2026}, {{10, 12, 0, 1260431}, 10, 3, 2026},
 };
 
-/// Returns the newest release of the series that is not newer than the given one, or otherwise the first of
-/// the series.
+/// Returns the newest release of the series that is not newer than `software`, or the first of the series.
 const Release* closest(const SoftwareVersion& software) {
     const Release* best = nullptr;
     for (const Release& release : kReleases) {
@@ -151,7 +149,7 @@ std::string buildDate(const SoftwareVersion& software) {
 }
 
 QString serialNumber(RobotModelId model, const SoftwareVersion& software) {
-    // Year, series, model number, and number of the robot.
+    // Year, series, model and robot number.
     return QStringLiteral("2022%1%2%3")
         .arg(software.isCb3() ? 3 : 5)
         .arg(static_cast<int>(model), 2, 10, QLatin1Char('0'))

@@ -14,7 +14,7 @@
 namespace tiller::simulator {
 
 /// Returns a release by its version number, e.g. "5.22", "3.15.8" or "10.12.0.123". Missing parts are taken
-/// from the best matching known release of that series, if there is one.
+/// from the best matching known release of the series, if there is one.
 /// Errors  InvalidArgument, with the reason
 Result<SoftwareVersion> parseSoftware(const QString& text);
 /// The default release of a model.

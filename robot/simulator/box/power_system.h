@@ -2,8 +2,8 @@
 #pragma once
 
 // The sequence from a controller that is switched off to an arm that can move: DISCONNECTED, CONFIRM_SAFETY,
-// BOOTING, POWER_OFF, POWER_ON, BOOTING, IDLE, RUNNING. Requests are accepted immediately and take effect
-// after some time, as on a real controller. Source: dashboard guide.
+// BOOTING, POWER_OFF, POWER_ON, BOOTING, IDLE, RUNNING. Requests are accepted at once and take effect after a
+// delay, as on a real controller. Source: dashboard guide.
 
 #include "robot/core/modes.h"
 
@@ -23,21 +23,20 @@ public:
     explicit PowerSystem(bool poweredOn);
     void setTimes(const PowerTimes& times) { times_ = times; }
 
-    /// Starts the controller: DISCONNECTED, then BOOTING, each for half of the time [s], then POWER_OFF. With
-    /// an unconfirmed safety configuration, the controller waits in CONFIRM_SAFETY in between.
+    /// Starts the controller: DISCONNECTED, then BOOTING, each for half of `seconds` [s], then POWER_OFF. If
+    /// the safety configuration is unconfirmed, the controller waits in CONFIRM_SAFETY between the two.
     void boot(double seconds, bool safetyUnconfirmed);
     /// Actions of the operator on the pendant.
     void confirmSafety();
 
-    /// No effect in IDLE and RUNNING. If the power is being switched off, it is switched on again afterwards.
+    /// No effect in IDLE and RUNNING. During power-off, the arm is powered on again afterwards.
     void powerOn();
     /// Powers on first if necessary.
     void releaseBrakes();
     void powerOff();
     /// Removes power without delay: stop category 0, or the end of category 1.
     void cut();
-    /// Lets the joints be moved by hand with the brakes overridden. Possible only from IDLE, and returns to
-    /// IDLE.
+    /// Overrides the brakes, so that the joints can be moved by hand. Possible only from IDLE; ends in IDLE.
     void setBackdrive(bool active);
 
     void step(double dt);
@@ -57,7 +56,7 @@ private:
     double bootTime_ = 0;    ///< duration of the second half of a start
     bool starting_ = false;  ///< the controller itself is booting
     bool unconfirmed_ = false;
-    bool onWanted_ = false;  ///< power on again after the power has been switched off
+    bool onWanted_ = false;  ///< power on again when power-off is complete
     bool releaseWanted_ = false;
     bool releasing_ = false;
     bool offWanted_ = false;

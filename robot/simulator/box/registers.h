@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// General purpose registers and script flags. Their values are kept when a program ends or a client
+// General purpose registers and script flags. They keep their values when a program ends or a client
 // disconnects. Source: RTDE guide; URScript read_/write_..._register.
 
 #include <array>
@@ -17,7 +17,7 @@ struct RegisterBank {
     std::array<std::int32_t, 48> ints{};
     std::array<double, 48> doubles{};
 
-    /// Returns 32 bits starting at `first`, with `first` in bit 0.
+    /// Packs 32 registers starting at `first`; `first` is bit 0.
     std::uint32_t word(std::size_t first) const {
         std::uint32_t packed = 0;
         for (std::size_t i = 0; i < 32; ++i) {
@@ -33,8 +33,8 @@ struct RegisterBank {
 };
 
 /// Values that a program writes and overwrites within one period. RTDE runs in parallel with programs and
-/// occasionally reads such a value. Example: a program of ur_rtde returns the result of
-/// getActualToolFlangePose() this way and repeats it every period until it is read.
+/// occasionally samples such a value. Example: a program of ur_rtde returns the result of
+/// getActualToolFlangePose() in this way and repeats it every period until the client has read it.
 class OverwrittenIntegers {
 public:
     void beginPeriod() {
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    static constexpr int kCaught = 125;  ///< number of consecutive occurrences per reported value
+    static constexpr int kCaught = 125;  ///< consecutive occurrences per reported value
     std::bitset<48> written_;
     std::array<std::optional<std::int32_t>, 48> overwritten_{};
     std::array<int, 48> periods_{};

@@ -4,7 +4,7 @@
 namespace tiller::simulator {
 
 namespace {
-// Tolerance for rounding errors, because sums of periods deviate slightly from whole seconds.
+// Tolerance for rounding errors in sums of periods.
 constexpr double kTimeTolerance = 1e-6;
 }  // namespace
 

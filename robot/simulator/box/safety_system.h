@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The safety states of a controller and their transitions. This class handles causes and times, but not the
+// Safety states of a controller and their transitions. This class handles causes and times, but not the
 // reaction of the arm or the program. ControllerModel reads mode() after each step and reacts to changes.
 // Source: UR manual (stop categories), RTDE guide (names), dashboard guide (unlock, restart).
 
@@ -11,14 +11,14 @@
 
 namespace tiller::simulator {
 
-/// Operational mode set on the pendant or through the Dashboard Server. None: no mode is set.
+/// Operational mode set on the pendant or through the Dashboard Server. None: not set.
 enum class OperationalMode { None, Manual, Automatic };
 
 class SafetySystem {
 public:
     /// Minimum time before a protective stop can be unlocked through the dashboard [s].
     static constexpr double kUnlockDelay = 5.0;
-    /// Time from an accepted unlock to normal operation [s].
+    /// Time from an accepted unlock request to normal operation [s].
     static constexpr double kUnlockTime = 0.05;
 
     /// Conditions that remain active as long as their cause exists.
@@ -27,7 +27,7 @@ public:
         SystemEmergencyStop,
         Safeguard,
         AutomaticModeSafeguard,  ///< active in AUTOMATIC only
-        ThreePositionEnabling,   ///< the device is not in its middle position; MANUAL only
+        ThreePositionEnabling,   ///< the enabling device is not in its middle position; MANUAL only
         Reduced,
         Recovery,  ///< a joint is outside its safety limits
         Count
@@ -49,9 +49,9 @@ public:
 
     void step(double dt);
 
-    /// Value of safety_mode. The two safeguard stops introduced later are reported as SAFEGUARD_STOP.
+    /// Value of safety_mode. The two newer safeguard stops are reported as SAFEGUARD_STOP.
     SafetyMode mode() const;
-    /// Value of safety_status, which distinguishes the causes.
+    /// Value of safety_status, which distinguishes all causes.
     SafetyMode status() const;
     bool isProtectiveStopped() const { return protective_; }
     bool isEmergencyStopped() const {

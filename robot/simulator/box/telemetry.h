@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All values of the robot that clients can receive, at the end of one control period. This is the source of
-// the RTDE, primary and realtime encoders. It refers to data of ControllerModel and is valid until the next
-// step.
+// All values of the robot that clients can receive, at the end of one control period. The RTDE, primary and
+// realtime encoders read them. Refers to data of ControllerModel and is valid until the next step.
 
 #include <array>
 #include <cstdint>
@@ -23,11 +22,11 @@ struct Telemetry {
     const arm::ArmState* arm = nullptr;
     const Registers* registers = nullptr;
     const Pins* pins = nullptr;
-    const RobotModel* model = nullptr;  ///< as the controller reports it
-    std::uint64_t identity = 0;         ///< changes whenever `model` changes
+    const RobotModel* model = nullptr;  ///< as reported by the controller
+    std::uint64_t identity = 0;         ///< changes with `model`
     std::uint64_t boots = 0;            ///< changes each time the services restart
     SoftwareVersion software;
-    bool bitsAsIntegers = false;  ///< for digital inputs and outputs on port 30003
+    bool bitsAsIntegers = false;  ///< port 30003: digital inputs and outputs as integers
 
     std::uint64_t tick = 0;
     double timestamp = 0;      ///< [s] since the controller started

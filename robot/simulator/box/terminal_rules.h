@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Automatic functions of the terminals: outputs that follow the program state, and inputs that act as a
-// freedrive button. Programs set these functions, which remain set until changed. Source: URScript
-// set_runstate_* and set_*_input_action.
+// Automatic functions of the terminals: outputs that follow the program state, and inputs used as a freedrive
+// button. Programs set these functions, which remain set until changed. Source: URScript set_runstate_* and
+// set_*_input_action.
 
 #include <array>
 #include <bitset>

@@ -34,7 +34,7 @@ std::optional<urscript::WatchdogAction> Watchdogs::step(double dt) {
     std::optional<urscript::WatchdogAction> action;
     for (Watchdog& dog : dogs_) {
         dog.age += dt;
-        // A package may arrive at any time within a period, so one period is added.
+        // A package may arrive at any time within a period, so one period is added to the limit.
         if (dog.age > dog.limit + dt && !action) {
             action = dog.action;
             dog.limit = 0;

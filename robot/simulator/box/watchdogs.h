@@ -19,8 +19,8 @@ public:
     Result<void> set(std::string_view field, double minFrequency, urscript::WatchdogAction action);
     void clear() { dogs_.clear(); }
 
-    /// Call this function when a data package with this input (index into rtde::inputFields()) has been
-    /// received.
+    /// Call when a data package with this input has been received. `input` is an index into
+    /// rtde::inputFields().
     void touched(std::size_t input);
 
     /// Returns the due action, if any. A watchdog that has triggered is removed.
