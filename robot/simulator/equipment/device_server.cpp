@@ -13,7 +13,7 @@ namespace tiller::simulator {
 namespace {
 
 constexpr std::size_t kLongestRequest = 64 * 1024;
-/// Maximum number of bytes read from one client at a time.
+/// Maximum number of bytes read from one client per call [bytes].
 constexpr std::size_t kDeviceShare = 64 * 1024;
 
 std::string callText(const urscript::xml_rpc::MethodCall& call) {
@@ -93,7 +93,7 @@ void DeviceServer::takeCalls(Client& client) {
 void DeviceServer::takeLines(Client& client, std::string_view bytes) {
     for (const char c : bytes) {
         if (c == '\n' && client.isAnswered && trimmed(client.line).empty()) {
-            client.line.clear();  // the line ending of a text that was already answered
+            client.line.clear();  // line ending of a request that was already answered
             client.isAnswered = false;
         } else if (c == '\n') {
             answerLine(client, true);
@@ -105,7 +105,7 @@ void DeviceServer::takeLines(Client& client, std::string_view bytes) {
             return;
         }
     }
-    // Programs often send a word without a line ending.
+    // Programs often send a request without a line ending.
     if (!trimmed(client.line).empty() && answerLine(client, false)) {
         client.line.clear();
         client.isAnswered = true;
@@ -123,7 +123,7 @@ bool DeviceServer::answerLine(Client& client, bool isWhole) {
 }
 
 void DeviceServer::queue(Client& client, double delay, std::string bytes, bool closes) {
-    // The replies keep the order of the requests.
+    // Replies are sent in the order of the requests.
     const double earliest = client.answers.empty() ? 0 : client.answers.back().due;
     client.answers.push_back({std::max(earliest, plant_.elapsed() + delay), std::move(bytes), closes});
 }

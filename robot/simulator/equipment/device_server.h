@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A device on the network of the robot that replies to programs according to its table, with XML-RPC over
-// HTTP or with lines of text. It listens on a separate port; programs use the address given in the table.
+// A device on the network of the robot. It replies to programs according to its table, with XML-RPC over HTTP
+// or with lines of text. It listens on its own port. Programs use the address given in the table.
 
 #include <deque>
 #include <string>
@@ -20,7 +20,7 @@ public:
     enum class Presence {
         Answers,
         Refuses,  ///< the port is closed
-        Silent,   ///< connections are accepted, but requests are not answered
+        Silent,   ///< connections are accepted; requests get no reply
     };
 
     DeviceServer(ControllerModel& plant, QString name, DeviceTable table)
@@ -38,9 +38,9 @@ private:
     struct Client {
         explicit Client(native_socket::Descriptor descriptor) : peer(descriptor, 1 << 20) {}
         Peer peer;
-        HttpParser parser;        ///< protocol xml-rpc
-        std::string line;         ///< protocol lines: the part of the next line received so far
-        bool isAnswered = false;  ///< protocol lines: the line was answered before its line ending arrived
+        HttpParser parser;
+        std::string line;         ///< protocol lines: start of the next line
+        bool isAnswered = false;  ///< protocol lines: a reply was sent before the line ending arrived
         struct Pending {
             double due;  ///< controller time [s]
             std::string bytes;

@@ -21,7 +21,7 @@ Error corrupt(const QString& why) {
     return {ErrorCode::FileCorrupt, why, {}};
 }
 
-/// Splits the text at separators that are not in quotes, in brackets or after a backslash.
+/// Splits the text at separators, except within quotes or brackets or after a backslash.
 QStringList splitOutside(const QString& text, QChar separator) {
     QStringList parts{QString()};
     bool isQuoted = false;
@@ -189,7 +189,7 @@ template <class Matches>
 std::optional<DeviceAnswer> DeviceTable::next(Matches matches) {
     Row* found = nullptr;
     for (Row& row : rows_) {
-        // The first row that matches, and the rows that continue it.
+        // Finds the first matching row and the rows that continue it.
         const bool continues =
             found != nullptr && row.name == found->name && row.argumentText == found->argumentText;
         if (found != nullptr ? continues : matches(row)) {

@@ -41,7 +41,7 @@ public:
 
     /// Errors  FileNotReadable; FileCorrupt with file, line and reason
     static Result<DeviceTable> read(const QString& file);
-    /// shown  name of the file, for messages
+    /// shown  file name for messages
     static Result<DeviceTable> parse(const QString& shown, const QString& text);
 
     Protocol protocol() const { return protocol_; }

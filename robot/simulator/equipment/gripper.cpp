@@ -8,13 +8,13 @@ namespace tiller::simulator {
 
 namespace {
 
-// End positions and speeds of the fingers of a real gripper. Source: instruction manual of the 2F-85, which
-// gives 20 to 150 mm/s over 85 mm. The 85 mm correspond to 255 steps.
+// End positions and speeds of the fingers of a real gripper. Source: instruction manual of the 2F-85 (20 to
+// 150 mm/s over 85 mm). 85 mm correspond to 255 steps.
 constexpr double kFullyOpen = 3;
 constexpr double kFullyClosed = 230;
 constexpr double kSlowest = 20.0 / 85.0 * 255.0;   ///< [steps/s]
 constexpr double kFastest = 150.0 / 85.0 * 255.0;  ///< [steps/s]
-/// Time to close and open once [s].
+/// Duration of the closing and opening motion of an activation [s].
 constexpr double kActivationTime = 1.2;
 constexpr double kReleaseSpeed = kSlowest;
 constexpr std::string_view kLights[] = {"LBP", "LRD", "LBL", "LGN"};
@@ -51,7 +51,7 @@ bool Gripper::set(std::string_view name, int value) {
     return true;
 }
 
-// The following variables have no effect on the motion.
+// These variables have no effect on the motion.
 bool Gripper::setAside(std::string_view name, int value) {
     for (std::size_t i = 0; i < std::size(kLights); ++i) {
         if (name == kLights[i]) {
@@ -138,7 +138,7 @@ void Gripper::move(double target, double speed, double dt) {
 
 void Gripper::step(double dt) {
     if (release_ != 0 && activated_ != 0 && !isReleased()) {
-        // The status remains kReset until the gripper is reset and activated again.
+        // The status stays kReset until the gripper is activated again.
         status_ = kReset;
         fault_ = kReleasing;
     }

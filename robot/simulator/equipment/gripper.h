@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A two-finger gripper of Robotiq: activation, moves with speed and force, contact with objects, automatic
+// A Robotiq two-finger gripper: activation, moves with speed and force, contact with objects, automatic
 // release, and faults. Provides its variables by name, like the gripper service on a robot. Source:
 // instruction manual of the manufacturer (registers). For the protocol, see gripper_server.h.
 
@@ -16,7 +16,7 @@ public:
     bool set(std::string_view name, int value);
     /// Returns the value of a variable; empty if it does not exist.
     std::optional<int> get(std::string_view name) const;
-    /// Places an object that stops the fingers at 0 (open) to 255 (closed), from either side.
+    /// Places an object that stops the fingers at `position`, 0 (open) to 255 (closed), in either direction.
     void setObject(std::optional<int> position) { object_ = position; }
 
     void step(double dt);
@@ -41,10 +41,10 @@ private:
     int fault_ = kNone;
     int lights_[4] = {};         ///< values of LBP, LRD, LBL, LGN
     int currentLimit_ = 0;       ///< [10 mA]
-    double position_ = 3;        ///< 0..255; fully open fingers are at 3 of 255
-    double activationTime_ = 0;  ///< [s] since the start of the activation
+    double position_ = 3;        ///< 0..255; at 3, the fingers are fully open
+    double activationTime_ = 0;  ///< time since the start of the activation [s]
     std::optional<int> object_;
-    int contact_ = 0;  ///< the fingers press on the object: 1 closing, -1 opening, 0 no contact
+    int contact_ = 0;  ///< direction in which the object blocks: 1 closing, -1 opening, 0 no contact
 };
 
 }  // namespace tiller::simulator

@@ -8,7 +8,7 @@ namespace tiller::simulator {
 
 namespace {
 
-/// Removes the next word from the line and returns it.
+/// Removes the first word from the line and returns it.
 std::string_view takeWord(std::string_view& line) {
     constexpr std::string_view kBlank = " \t\r";
     const std::size_t begin = std::min(line.find_first_not_of(kBlank), line.size());

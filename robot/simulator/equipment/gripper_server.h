@@ -22,7 +22,7 @@ namespace tiller::simulator {
 
 class GripperServer final : public LineServer {
 public:
-    /// Motion requires tool power, which is off when the arm has no power.
+    /// The gripper moves only with tool power, which is off when the arm has no power.
     void step(double dt, bool powered);
     void setObject(std::optional<int> position) { gripper_.setObject(position); }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kLastAddress = 65535;
 constexpr std::size_t kMaxSignals = 1000;
-constexpr double kPeriodTolerance = 1e-9;  // sums of periods deviate from whole seconds by rounding
+constexpr double kPeriodTolerance = 1e-9;  // tolerance for rounding errors in sums of periods
 
 Error noSignal(std::string_view name) {
     return urscript::scriptError("Modbus signal '" + std::string(name) + "' does not exist");
@@ -76,7 +76,7 @@ Result<std::int32_t> ModbusDevice::error(std::string_view name, urscript::Modbus
         case urscript::ModbusErrorSource::Combined:
             break;
     }
-    // The upper half of the value is the connection error.
+    // The upper half contains the connection error.
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(connection) << 16 |
                                      static_cast<std::uint32_t>(signal->deviceError));
 }
@@ -153,7 +153,7 @@ void ModbusDevice::command(int function, std::span<const std::uint8_t> data) {
     if (function == kWriteCoil || function == kWriteRegister) {
         write(function == kWriteCoil ? Kind::Coil : Kind::Register, word(0), {&value, 1});
     }
-    // Other function codes are specific to the devices of manufacturers. They are accepted without effect.
+    // Other function codes are manufacturer-specific and have no effect.
 }
 
 // ---- the device -----------------------------------------------------------------------------------------

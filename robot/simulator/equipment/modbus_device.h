@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A Modbus device and the controller's signals for it. The same small device responds at every address. It
-// has discrete inputs, coils, input registers and registers, all initially 0. Fault injection changes the
-// inputs. Signals are updated at their frequency. If a signal receives no response for longer than its
-// watchdog time, programs that read it get an error. Source: URScript manual, modbus functions.
+// A Modbus device and the controller's signals for it. The same device responds at every address. It has
+// discrete inputs, coils, input registers and registers, all initially 0. Fault injection changes the inputs.
+// Signals are updated at their frequency. If a signal receives no response for longer than its watchdog time,
+// programs that read it get an error. Source: URScript manual, modbus functions.
 
 #include <array>
 #include <cstdint>
@@ -39,7 +39,7 @@ public:
     bool isConnected() const { return connected_; }
 
     // Fault injection.
-    /// Writes values from this address on; values beyond 65535 are ignored.
+    /// Writes values starting at this address. Addresses above 65535 are ignored.
     void write(Kind kind, int address, std::span<const std::int32_t> values);
     /// Sets the value of a signal by its name.
     Result<void> writeSignal(std::string_view name, std::span<const std::int32_t> values);
@@ -58,10 +58,10 @@ private:
     struct Signal {
         urscript::ModbusSignal what;
         std::vector<std::int32_t> values;  ///< last values read
-        std::vector<std::int32_t> wanted;  ///< values to write; empty: none
+        std::vector<std::int32_t> wanted;  ///< values to write; empty: nothing to write
         double period = 0.1;               ///< [s]; 0: read on request
         double untilUpdate = 0;            ///< [s]
-        double invalidFor = 0;             ///< [s] since the last response
+        double invalidFor = 0;             ///< time since the last response [s]
         double watchdog = 2;               ///< [s]
         int deviceError = 0;
         bool freedrive = false;

@@ -24,7 +24,7 @@ JointVelocities ScriptArm::jointVelocities(urscript::Source source) const {
     return source == urscript::Source::Actual ? state().actualQd : state().targetQd;
 }
 JointAccelerations ScriptArm::jointAccelerations(urscript::Source) const {
-    return state().targetQdd;  // the arm does not measure accelerations
+    return state().targetQdd;  // the arm has no acceleration measurement
 }
 
 Result<JointPositions> ScriptArm::jointPositionsHistory(int steps) const {
@@ -133,7 +133,7 @@ Result<Matrix6> ScriptArm::jacobian(const std::optional<JointPositions>& q,
 Result<Matrix6> ScriptArm::jacobianTimeDerivative(const std::optional<JointPositions>& q,
                                                   const std::optional<JointVelocities>& qd,
                                                   const std::optional<Pose>& tcp) const {
-    constexpr double kStep = 1e-5;  // [s]; central differences, accurate to 1e-9
+    constexpr double kStep = 1e-5;  // step of the central differences [s]; accurate to 1e-9
     const Vector6 at = q.value_or(state().actualQ).values;
     const Vector6 way = kStep * qd.value_or(state().actualQd).values;
     const Pose tool = tcp.value_or(plant_.arm().tcp());
@@ -184,7 +184,7 @@ Result<void> ScriptArm::setGravity(const Eigen::Vector3d& gravity) {
     return {};
 }
 
-// The value is only stored and returned, because the simulated base does not move.
+// The value is only stored, because the simulated base does not move.
 Result<void> ScriptArm::setBaseAcceleration(const Eigen::Vector3d& acceleration) {
     baseAcceleration_ = acceleration;
     return {};
@@ -196,7 +196,7 @@ void ScriptArm::zeroForceSensor() {
 
 Result<void> ScriptArm::setExternalForceSensor(const urscript::ExternalForceSensor& sensor) {
     plant_.setExternalSensorInUse(sensor.enabled && sensor.viaRtde);
-    // A loss of the sensor data pauses the program, unless the program has requested another action.
+    // Loss of the sensor data pauses the program unless the program has selected another action.
     constexpr double kMinFrequency = 10.0;
     const auto action =
         sensor.enabled && sensor.viaRtde ? urscript::WatchdogAction::Pause : urscript::WatchdogAction::Ignore;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Access of scripts to the simulated robot: the Host of the interpreter for ControllerModel, composed of
-// several classes.
+// Access of scripts to the simulated robot. Combines the classes that implement the interpreter's Host for
+// ControllerModel.
 
 #include "robot/simulator/host/script_arm.h"
 #include "robot/simulator/host/script_messages.h"

@@ -56,8 +56,8 @@ std::optional<urscript::RequestedType> ScriptMessages::asked() const {
 }
 
 bool ScriptMessages::answerRequest(const urscript::RequestAnswer& answer) {
-    // Only the oldest open request is answered, and only with a value of its type. The index of the variant
-    // equals the kind.
+    // Only the oldest open request can be answered, and only with a value of its type. The variant index
+    // equals the requested type.
     for (auto& [id, request] : requests_) {
         if (!request.answer) {
             if (answer.index() != static_cast<std::size_t>(request.kind)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Messages of a program to operators, and its requests for input.
+// Messages of a program to the operator, and requests for input.
 
 #include <map>
 #include <optional>
@@ -17,8 +17,8 @@ class ScriptMessages : public virtual urscript::MessageHost {
 public:
     explicit ScriptMessages(ControllerModel& plant) : plant_(plant) {}
 
-    /// Answers the oldest input request of a program. Returns false if there is no request or if it has
-    /// another type.
+    /// Answers the oldest input request of a program. Returns false if there is no request or if the type
+    /// does not match.
     bool answerRequest(const urscript::RequestAnswer& answer);
     /// Type of value that the oldest request expects; empty if there is no request.
     std::optional<urscript::RequestedType> asked() const;

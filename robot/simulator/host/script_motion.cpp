@@ -19,11 +19,11 @@ constexpr double kOptimoveJointAcceleration = 10.0;  ///< [rad/s2] at fraction 1
 constexpr double kOptimoveToolSpeed = 1.0;           ///< [m/s] at fraction 1
 constexpr double kOptimoveToolAcceleration = 2.5;    ///< [m/s2] at fraction 1
 
-/// Freedrive does not start while the unexplained force on the tool exceeds this value [N]. The threshold of
-/// a real controller is not published.
+/// Freedrive does not start while the unexpected external force on the tool exceeds this value [N]. The
+/// threshold of a real controller is not published.
 constexpr double kUnexplainedInFreedrive = 50.0;
 
-/// Time for which a stop waits at standstill [s]. This time is not published. A known client treats a move as
+/// Settling time of a stop [s]. It is not published for real controllers. A known client treats a move as
 /// failed if it ends in a stop sooner than this.
 constexpr double kSettling = 0.04;
 
@@ -51,7 +51,7 @@ Error refusal(arm::MotionError error, int joint) {
     return urscript::scriptError(std::move(text));
 }
 
-/// Starts each type of command on the motion generator of the arm.
+/// Starts a command on the motion generator of the arm.
 struct Starter {
     arm::Arm& arm;
 
@@ -108,7 +108,8 @@ struct Starter {
         return arm.motion().directTorque(torque.torque, torque.viscous.value_or(all),
                                          torque.coulomb.value_or(all));
     }
-    // The command does not specify whether it ends the conveyor or the offset. A conveyor has priority.
+    // The command does not specify whether to end the conveyor tracking or the offset. End the conveyor
+    // tracking first.
     arm::MotionStart operator()(const urscript::StopSuperposition& stop) const {
         return arm.superposition().tracksConveyor() ? arm.endConveyorTracking(stop.deceleration)
                                                     : arm.endPathOffset(stop.deceleration);
@@ -128,7 +129,7 @@ Result<void> ScriptMotion::startMotion(urscript::ThreadId thread, const urscript
     return {};
 }
 
-// If the target is at rest but the arm is still moving, a stop waits briefly for standstill.
+// After the target has stopped, a stop command waits briefly for the arm to settle.
 bool ScriptMotion::comesToRest(Motion& motion) const {
     const bool waits = plant_.assumptions().stopReturns == BehaviourOptions::StopReturns::Standing;
     if (waits && motion.settles && plant_.arm().state().standstillTime < kSettling &&
@@ -148,7 +149,7 @@ Result<bool> ScriptMotion::motionFinished(urscript::ThreadId thread) {
         case arm::MotionProgress::Running:
             return false;
         case arm::MotionProgress::Failed:
-            // The program is about to be paused. When resumed, it may continue after the move.
+            // The program is about to be paused and may continue after the move when it is resumed.
             return !plant_.safety().isProtectiveStopped() && !plant_.arm().protectiveStop();
         case arm::MotionProgress::Returned:
             if (!comesToRest(it->second)) {

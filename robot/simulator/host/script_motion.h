@@ -34,14 +34,14 @@ public:
     Result<void> screwDriving(double force, double speedLimit) override;
     Result<void> endScrewDriving() override;
 
-    /// Discards the motions of a program that has ended.
+    /// Discards the motions of an ended program.
     void forgetMotions() { motions_.clear(); }
 
 private:
     struct Motion {
         arm::MotionId id = 0;
-        bool settles = false;  ///< true for a stop, which waits until the arm is at rest
-        double settled = 0;    ///< time already waited for standstill [s]
+        bool settles = false;  ///< the command is a stop, which waits until the arm is at rest
+        double settled = 0;    ///< time waited for standstill [s]
     };
     bool comesToRest(Motion& motion) const;
     Result<void> begunForces(const arm::ForceModeParameters& parameters);

@@ -6,9 +6,9 @@
 namespace tiller::simulator {
 
 namespace {
-/// Number of bytes buffered in each of three places: the operating system, the socket, and this class.
+/// Size of each of three buffers [bytes]: operating system, socket, and this class.
 constexpr qsizetype kShare = 16 << 10;
-/// Buffer limit of this class while the program waits for the end of a longer message [bytes].
+/// Buffer limit of this class while the program waits for the end of a long message [bytes].
 constexpr qsizetype kMaxUnread = 4 << 20;
 }  // namespace
 
@@ -49,8 +49,8 @@ bool ScriptSockets::openSocket(std::string_view name, std::string_view address, 
     QTcpSocket* socket = connection.socket.get();
     QObject::connect(socket, &QTcpSocket::connected, socket,
                      [socket] { socket->setSocketOption(QAbstractSocket::LowDelayOption, 1); });
-    // The size of the system buffer is fixed when the connection is established. A host name can resolve to
-    // addresses of either family, so its socket keeps the default size.
+    // The buffer size must be set before the connection is established, which requires the address family. A
+    // host name can resolve to either family, so its socket keeps the default size.
     const QHostAddress literal(host);
     const bool is6 = literal.protocol() == QAbstractSocket::IPv6Protocol;
     if (!literal.isNull() && socket->bind(is6 ? QHostAddress::AnyIPv6 : QHostAddress::AnyIPv4)) {
@@ -73,7 +73,7 @@ ScriptSockets::State ScriptSockets::socketState(std::string_view name) const {
         case QAbstractSocket::ConnectingState:
             return State::Connecting;
         default:
-            // Data received before the connection ended can still be read.
+            // Data received before the end of the connection can still be read.
             return connection->socket->bytesAvailable() > 0 ? State::Open : State::Closed;
     }
 }

@@ -4,8 +4,8 @@
 // TCP client sockets of a running program, by name.
 //
 // Only a small amount of unread data is buffered, about as much as the program reads in one or two periods.
-// TCP then blocks a sender that writes faster than the program reads, so that the delay of its newest command
-// remains short. More data are buffered only when the program waits for the end of a long message.
+// TCP then blocks a sender that writes faster than the program reads, so that the newest command is read with
+// little delay. More data are buffered only while the program waits for the end of a long message.
 
 #include <QByteArray>
 #include <QString>
@@ -23,7 +23,7 @@ namespace tiller::simulator {
 /// Threads  the simulator thread, which processes events between control periods. No function blocks.
 class ScriptSockets : public virtual urscript::SocketHost {
 public:
-    /// Services of this controller that a program reaches at 127.0.0.1. `ports`: actual port by standard
+    /// Services of this controller that a program reaches at 127.0.0.1. `ports`: standard port to actual
     /// port.
     void setOwnServices(const QString& address, std::map<int, int> ports);
 
@@ -41,14 +41,13 @@ public:
     void closeAllSockets() { sockets_.clear(); }
     bool hasSockets() const { return !sockets_.empty(); }  ///< Sockets require event processing.
 
-    /// Reads the received data.
     void serviceSockets();
 
 private:
     struct Connection {
         std::unique_ptr<QTcpSocket> socket;
         QByteArray received;
-        mutable bool wantsMore = false;  ///< the program has read without consuming data
+        mutable bool wantsMore = false;  ///< the program has found the buffered data incomplete
 
         void takeIn();
     };
@@ -56,7 +55,7 @@ private:
 
     std::map<std::string, Connection, std::less<>> sockets_;
     QString ownAddress_;
-    std::map<int, int> ownPorts_;  ///< actual port by standard port
+    std::map<int, int> ownPorts_;  ///< standard port to actual port
     std::map<std::pair<QString, int>, int> devices_;
 };
 

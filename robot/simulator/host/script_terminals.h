@@ -19,7 +19,7 @@ class ScriptTerminals : public virtual urscript::RegisterHost, public virtual ur
 public:
     explicit ScriptTerminals(ControllerModel& plant) : plant_(plant) {}
 
-    /// Called when a program has started or ended, which changes some outputs.
+    /// Called when a program has started or ended. Sets the outputs that follow the program state.
     void programChanged(bool running);
     /// True if any input that acts as a freedrive button is high.
     bool freedriveWanted() const;

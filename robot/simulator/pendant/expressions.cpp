@@ -8,7 +8,7 @@ namespace tiller::simulator::pendant {
 
 namespace {
 
-/// The pendant stores some operators as single characters, which must remain unchanged inside strings.
+/// The pendant stores some operators as single characters. Inside strings, these characters must not change.
 QString withOperators(const QString& text) {
     static const std::pair<char16_t, const char*> kSigns[] = {
         {0x225F, "=="}, {0x2260, "!="}, {0x2264, "<="}, {0x2265, ">="}, {0x2254, "="},

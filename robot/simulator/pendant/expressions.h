@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Converts the expressions, variables, terminals and features that nodes refer to into URScript.
+// Converts the expressions, variables, terminals and features used by nodes into URScript.
 
 #include <QString>
 #include <map>
@@ -19,15 +19,15 @@ class Expressions {
 public:
     explicit Expressions(Translation& translation) : t_(translation) {}
 
-    /// Converts an element that contains the parts of an expression. An empty expression marks an unfinished
-    /// node.
+    /// Converts an expression from the element that contains its parts. An empty expression marks an
+    /// unfinished node.
     Expression of(const XmlElement& expression);
-    /// Converts the child with this name. If it is missing or empty, reports `what` as missing.
+    /// Converts the child with this name. If the child is missing or empty, reports `what` as missing.
     Expression in(const XmlElement& node, const char* child, const QString& what);
 
     /// The name of the variable referenced by `child` of a node; empty if the node is unfinished.
     QString variable(const XmlElement& node, const char* child = "variable");
-    /// A pose in the base frame, from the `feature` of a node or, if it has none, of `otherwise`.
+    /// A feature pose in the base frame: the `feature` of a node or, if it has none, `otherwise`.
     struct Frame {
         enum class Kind { Base, Tool, Other };
         Kind kind = Kind::Base;
@@ -44,7 +44,7 @@ public:
         const ModbusSignal* modbus = nullptr;
 
         bool isBoolean() const;
-        /// Returns a statement that sets the signal to the value of an expression; empty for an input.
+        /// Returns a statement that assigns the expression to the signal; empty for an input.
         QString write(const QString& value) const;
     };
     /// Returns the signal referenced by the `pin` of a node. Refuses a node with an unknown pin.

@@ -49,7 +49,7 @@ void readModbus(const XmlElement& units, Installation& to) {
     }
 }
 
-/// Points, lines and planes have the same wrapper. Only features with their own pose are supported.
+/// Points, lines and planes are stored in the same way. Only features with their own pose are supported.
 void readFeatures(const XmlElement& element, Installation& to) {
     const XmlElement* const position = element.child("toolPosition");
     const XmlElement* const rotation = element.child("toolAxisAngle");
@@ -79,7 +79,7 @@ void readPayloads(const XmlElement& root, Installation& to) {
             }
         }
     }
-    // Before software 5.10, the payload was one of the TCP settings.
+    // Before software 5.10, each TCP had a payload.
     const XmlElement* const tcps = root.child("TCPSettings");
     if (!to.defaultPayload && tcps != nullptr) {
         const QString mass = numberList(tcps->attribute("toolPayload"), 1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The part of a pendant's installation file that programs refer to: TCPs, payloads, features, names of
-// terminals, Modbus signals, the home position and the installation variables.
+// The part of a pendant's installation file that programs use: TCPs, payloads, features, names of terminals,
+// Modbus signals, the home position and the installation variables.
 
 #include <QByteArray>
 #include <QString>
@@ -18,7 +18,7 @@
 
 namespace tiller::simulator::pendant {
 
-/// A list of numbers as stored in the file, e.g. "0.1, 2"; empty if it does not contain `count` finite
+/// List of numbers as stored in the file, e.g. "0.1, 2"; empty if the text does not contain `count` finite
 /// numbers.
 QString numberList(const QString& text, int count);
 /// The numbers in a list returned by numberList().
@@ -33,7 +33,7 @@ struct Payload {
 
 struct Feature {
     QString pose;             ///< six numbers, base frame
-    bool isVariable = false;  ///< programs have a variable with the name of the feature
+    bool isVariable = false;  ///< the feature is a variable with the same name in programs
 };
 
 struct ModbusSignal {
@@ -69,7 +69,7 @@ struct Installation {
 };
 
 /// content    XML, gzipped or uncompressed
-/// variables  the file of installation variables next to it; empty: none
+/// variables  content of the installation variables file; empty: none
 /// Errors     FileCorrupt with the reason
 Result<Installation> readInstallation(const QString& file, const QByteArray& content,
                                       const QByteArray& variables);

@@ -15,7 +15,7 @@ constexpr const char* kHome = "0, -1.5707963268, 0, -1.5707963268, 0, 0";
 constexpr const char* kHomeSpeed = "1.05";         ///< [rad/s]
 constexpr const char* kHomeAcceleration = "1.40";  ///< [rad/s2]
 constexpr const char* kFarAway =
-    "1000.0";  ///< [m] distance of a direction without a limit: to the end of the workspace
+    "1000.0";  ///< [m] exceeds the workspace; for a direction without a distance limit
 constexpr const char* kRetractSpeed = "0.1";          ///< [m/s]
 constexpr const char* kForceEndDeceleration = "5.0";  ///< [m/s2]
 
@@ -24,13 +24,13 @@ const XmlElement& positionOf(const XmlElement& holder) {
     return position == nullptr ? holder : *position;
 }
 
-/// Six joint angles, in either spelling; empty if missing.
+/// Six joint angles, in old or new notation; empty if missing.
 QString anglesOf(const XmlElement& position) {
     const XmlElement* const joints = position.child("JointAngles");
     return numberList(joints == nullptr ? position.attribute("joints") : joints->attribute("angles"), 6);
 }
 
-/// The TCP used to teach a position; empty if the file does not contain it.
+/// The TCP with which a position was taught; empty if not in the file.
 QString tcpOf(const XmlElement& position) {
     const XmlElement* const tcp = position.child("TCPOffset");
     return tcp == nullptr ? QString() : numberList(tcp->attribute("pose"), 6);
@@ -48,7 +48,7 @@ bool isSamePose(const QString& a, const QString& b) {
                       [](double x, double y) { return std::abs(x - y) < kTolerance; });
 }
 
-/// The pose of a taught position as an expression; empty if the file does not contain one.
+/// The pose of a taught position as an expression; empty if not in the file.
 QString taughtPose(const XmlElement& position, const QString& joints, bool ofFlange) {
     if (!joints.isEmpty() && (ofFlange || !tcpOf(position).isEmpty())) {
         return QStringLiteral("get_forward_kin(%1, %2)")
@@ -73,10 +73,10 @@ bool isMotion(const XmlElement& node) {
 }  // namespace
 
 struct Motion::Definer {
-    const XmlElement* node = nullptr;  ///< null if there is none
+    const XmlElement* node = nullptr;  ///< null: no Until node
     QString function;
     bool ignoresTcp = false;  ///< positions refer to the flange
-    bool usesJoints = false;  ///< joint angles define the target, regardless of the TCP
+    bool usesJoints = false;  ///< joint angles define the target, independent of the TCP
     bool isOptimove = false;
 };
 
@@ -199,8 +199,8 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
         return {};
     }
     const bool hasJoints = !anglesOf(position).isEmpty();
-    // The feature may have been moved since the waypoint was taught. The file contains the pose of the
-    // feature at that time. Without an installation, the pose is assumed to be unchanged.
+    // The feature may have been moved since the waypoint was taught. The file contains the feature pose at
+    // that time. Without an installation, the feature is assumed to be unchanged.
     const XmlElement* const taughtFrame = waypoint.child("BaseToFeature");
     const QString then = taughtFrame == nullptr ? QString() : numberList(taughtFrame->attribute("pose"), 6);
     const auto feature = t_.installation.features.find(frame.name);
@@ -212,7 +212,7 @@ QString Motion::targetOf(const XmlElement& waypoint, const Definer& move, bool j
     if (directly) {
         return name + "_q";
     }
-    // If the file does not contain a TCP, the joint angles define the target, and its pose is that of the
+    // If the file does not contain a TCP, the joint angles define the target. Its pose then refers to the
     // current TCP.
     const bool isTcpUnknown =
         hasJoints && !move.ignoresTcp && tcpOf(position).isEmpty() && !position.has("pose");
@@ -351,7 +351,7 @@ void Motion::writeCircle(const XmlElement& node) {
                      .arg(mode->second));
 }
 
-/// Uses the position of the node, or else that of the installation, or else that of a new installation.
+/// Uses the home position of the node, of the installation, or of a new installation, in this order.
 void Motion::writeHome(const XmlElement& node) {
     t_.label(node, QStringLiteral("Home"));
     QString angles = anglesOf(positionOf(node));
@@ -518,7 +518,7 @@ void Motion::writeDirection(const XmlElement& node) {
     writeWatchedMove(node, statement, untils);
 }
 
-/// A thread moves the arm. The first condition that becomes true ends the thread.
+/// A thread moves the arm. The first condition that becomes true stops the thread.
 void Motion::writeWatchedMove(const XmlElement& node, const QString& statement,
                               const std::vector<Until>& untils) {
     const QString name = t_.uniqueName(QStringLiteral("until_%1").arg(t_.nextNumber()));
@@ -630,7 +630,7 @@ void Motion::writeForce(const XmlElement& node) {
             QStringLiteral("there is no feature '%1': %2").arg(frame.name, t_.installation.shownName()));
         return;
     }
-    QStringList limits;  // a speed for each compliant axis, and a deviation for the others
+    QStringList limits;  // speed for compliant axes, deviation for the other axes
     for (qsizetype i = 0; i < 6; ++i) {
         limits << (selection[i].toDouble() != 0 ? speeds[i] : deviations[i]).trimmed();
     }

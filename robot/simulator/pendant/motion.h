@@ -14,7 +14,7 @@ namespace tiller::simulator::pendant {
 
 class Motion {
 public:
-    /// writeChildren  writes the child nodes of a node, regardless of where they are stored
+    /// writeChildren  writes the child nodes of a node, including referenced nodes
     Motion(Translation& translation, Expressions& expressions,
            std::function<void(const XmlElement&)> writeChildren)
         : t_(translation), x_(expressions), writeChildren_(std::move(writeChildren)) {}

@@ -79,8 +79,7 @@ Result<PendantProgram> readUrpx(const QByteArray& content) {
             .toObject()
             .value(QLatin1String("script"));
     };
-    // The parts of the application (frames, functions, threads) and of the program are combined in one
-    // program.
+    // Combine the parts of the application (frames, functions, threads) and of the program.
     if (const QJsonValue program = part("program"); program.isString()) {
         return PendantProgram{"def program():\n" + part("application").toString().toStdString() + '\n' +
                               program.toString().toStdString() + "\nend\n"};

@@ -3,8 +3,8 @@
 
 // Reads programs saved by the pendant: `.urp` of PolyScope 3 and 5 (XML, gzipped) and `.urpx` of PolyScope X
 // (JSON). When the pendant plays a program, it converts the nodes to URScript. This module performs the same
-// conversion; it is independent of the simulated controller. If a node cannot be translated faithfully, the
-// whole program is refused, with line, node and reason. README.md of the simulator lists the nodes.
+// conversion. It is independent of the simulated controller. If a node cannot be translated faithfully, the
+// whole program is refused, with line, node and reason. README.md of the simulator lists the supported nodes.
 
 #include <QByteArray>
 #include <QString>
@@ -18,11 +18,10 @@
 
 namespace tiller::simulator::pendant {
 
-/// Reads another file of the programs folder, by the name used in a program. Empty if the file does not
-/// exist.
+/// Reads another file of the programs folder by the name used in a program. Empty if it does not exist.
 using FileReader = std::function<std::optional<QByteArray>(const QString& name)>;
 
-/// Everything needed to read a program.
+/// Input for reading a program.
 struct PendantSource {
     FileReader files;
     /// Installation for programs that do not name one or whose installation is missing.
@@ -30,14 +29,14 @@ struct PendantSource {
     SoftwareVersion software{5, 22, 0, 0};
     UrcapStandIns urcaps = UrcapStandIns::builtIn();
     UnknownUrcap unknownUrcap = UnknownUrcap::Refuse;
-    /// Reserved names of the language, which must not be used for functions of the program.
+    /// True for reserved words of the language, which are not permitted as function names.
     std::function<bool(const QString& name)> isReserved = {};
     bool eventNeedsEdge =
         false;  ///< an event runs once each time its condition becomes true, instead of while it is true
 };
 
 struct PendantProgram {
-    std::string script;  ///< a `def`
+    std::string script;  ///< complete function, starting with `def`
     /// The first unfinished node. A program with such a node can be loaded but cannot be played.
     std::optional<Error> unfinished = {};
 };

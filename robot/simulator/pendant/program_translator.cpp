@@ -29,8 +29,7 @@ bool continuesIf(const XmlElement& node) {
     return node.is("If") && (isElse(node) || node.attribute("type") == QLatin1String("ElseIf"));
 }
 
-/// The branches of an If that are stored as its children instead of next to it, without the branches of
-/// nested Ifs.
+/// Branches that are stored as children of an If instead of after it, without the branches of nested Ifs.
 std::vector<const XmlElement*> branchesBelow(const XmlElement& node) {
     std::vector<const XmlElement*> branches;
     const XmlElement* const children = node.child("children");
@@ -141,7 +140,7 @@ void ProgramTranslator::writePayload(const Payload& payload) {
             : QStringLiteral("set_payload(%1%2)").arg(payload.mass, center));
 }
 
-/// The initial value of a variable is stored where the program first uses the variable.
+/// The initial value of a variable is stored at its first use in the program.
 void ProgramTranslator::writeInitialValues(const XmlElement& element, bool suppressed) {
     for (const auto& child : element.children) {
         const bool off = suppressed || isSuppressed(*child);
@@ -152,7 +151,7 @@ void ProgramTranslator::writeInitialValues(const XmlElement& element, bool suppr
             const Translation::Reasons before = t_.reasons();
             const QString script = x_.of(*value).script;
             if (off && !before.refusal && t_.refusal()) {
-                t_.restore(before);  // disabled nodes need not be supported
+                t_.restore(before);  // unsupported nodes are permitted in disabled parts
             } else {
                 statement(QStringLiteral("global %1 = %2").arg(identifier(child->attribute("name")), script));
             }
@@ -229,8 +228,8 @@ void ProgramTranslator::writeThreads(const XmlElement& parts) {
     }
 }
 
-/// The nodes of an event run in a thread when the condition is true. While they run, the condition is not
-/// checked.
+/// The nodes of an event run in a thread when the condition is true. The condition is not checked while they
+/// run.
 void ProgramTranslator::writeEvent(const XmlElement& event) {
     const Expression condition = x_.in(event, "expression", QStringLiteral("the condition"));
     const QString name = t_.uniqueName(QStringLiteral("Event_%1").arg(t_.nextNumber()));
@@ -288,8 +287,8 @@ void ProgramTranslator::writeSubPrograms(const XmlElement& parts) {
         }
     };
     writeCalled();
-    // Scripts may call the remaining subprograms. Those that cannot be translated or are unfinished are
-    // omitted; calling them is an error.
+    // Scripts may call the remaining subprograms. Subprograms that cannot be translated or are unfinished are
+    // omitted, and calling them is an error.
     for (const auto& part : parts.children) {
         const XmlElement* const sub = part->is("SubProgram") ? part->resolved() : nullptr;
         if (sub == nullptr || subProgramOf_.contains(sub) || t_.refusal()) {
@@ -349,7 +348,7 @@ const XmlElement* ProgramTranslator::mainOfFile(const QString& name, const XmlEl
             return nullptr;
         }
         known = files_.emplace(name, std::move(*tree)).first;
-        // The definitions of the file belong to the beginning of the program instead of the position of the
+        // The definitions of the file belong to the beginning of the program, not to the position of the
         // call.
         ScriptText* const here = std::exchange(t_.out, &head_);
         writeInitialValues(*known->second, false);
@@ -393,7 +392,7 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
             continue;
         }
         if (continuesIf(*child)) {
-            // In older files, branches are stored as children of the If, which writes them itself.
+            // In older files, branches are children of the If node, which has already written them.
             if (!branches.empty()) {
                 branches.push_back(child.get());
             } else if (!node.is("If")) {
@@ -412,7 +411,7 @@ void ProgramTranslator::writeChildren(const XmlElement& node) {
     finish();
 }
 
-/// A continuously checked condition ends the nodes below it when it becomes false. The next branch is then
+/// A continuously checked condition ends its child nodes when it becomes false. The next branch is then
 /// evaluated.
 void ProgramTranslator::writeBranches(const std::vector<const XmlElement*>& branches, std::size_t first) {
     const XmlElement& node = *branches[first];
@@ -510,7 +509,7 @@ void ProgramTranslator::writeNode(const XmlElement& node) {
         t_.label(node, '\'' + node.attribute("comment") + '\'');
     } else if (node.is("Placeholder")) {
         t_.unfinished(node, QStringLiteral("it is empty"));
-    } else if (!node.is("Until")) {  // written by its direction or waypoint
+    } else if (!node.is("Until")) {  // written with its direction or waypoint
         t_.refuse(node, QStringLiteral("this node is not simulated"));
     }
 }
@@ -683,8 +682,7 @@ void ProgramTranslator::writeSet(const XmlElement& node) {
     statement(line);
 }
 
-/// Writes the tool settings of a Set node, which apply regardless of its action, and also if it has no
-/// action.
+/// Writes the tool settings of a Set node. They apply with or without an action.
 void ProgramTranslator::writeToolSettings(const XmlElement& node) {
     if (const XmlElement* const given = node.child("tcp")) {
         const XmlElement* const tcp = given->resolved();
@@ -703,7 +701,7 @@ void ProgramTranslator::writeToolSettings(const XmlElement& node) {
         if (mass.isEmpty() || (center.isEmpty() && !node.isTrue("tcpAsCog"))) {
             t_.refuse(node, QStringLiteral("this payload is not simulated"));
         }
-        // If there is no centre of gravity, the TCP is used.
+        // Without a centre of gravity, the TCP is used.
         writePayload({{}, mass, node.isTrue("tcpAsCog") ? QString() : center, {}});
     }
 }
@@ -722,7 +720,7 @@ void ProgramTranslator::writeSetPayload(const XmlElement& node) {
     }
 }
 
-/// The child nodes repeat in a thread, which ends when the condition is met.
+/// Repeats the child nodes in a thread that ends when the condition is met.
 void ProgramTranslator::writeWhileHolds(const XmlElement& node, const QString& condition) {
     const QString name = t_.uniqueName(QStringLiteral("check_%1").arg(t_.nextNumber()));
     statement(QStringLiteral("thread %1():").arg(name));
@@ -821,7 +819,7 @@ void ProgramTranslator::writeSwitch(const XmlElement& node) {
     }
 }
 
-/// A popup waits for the operator unless it ends the program.
+/// A popup waits for the operator unless it halts the program.
 void ProgramTranslator::writePopup(const XmlElement& node) {
     const QString type = node.attribute("type");
     const bool isWarning = type == QLatin1String("Warning"), isError = type == QLatin1String("Error");

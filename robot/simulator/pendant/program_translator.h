@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Translates the nodes of a pendant program to URScript, like the pendant when it plays the program.
+// Translates the nodes of a pendant program to URScript, as the pendant does when it plays the program.
 
 #include <QByteArray>
 #include <QString>
@@ -28,8 +28,8 @@ public:
 
     /// root  URProgram; must outlive this object
     /// Returns  a `def` with this name
-    /// Errors   FileCorrupt with line, node and reason. A program with a node that cannot be translated is
-    /// refused as a whole, because a partial program would not do what its author intended
+    /// Errors   FileCorrupt with line, node and reason. If one node cannot be translated, the whole program
+    /// is refused, because a partial program could behave differently
     Result<PendantProgram> translate(const XmlElement& root, const QString& name);
 
 private:
@@ -86,7 +86,7 @@ private:
     Expressions x_;
     Motion motion_;
     std::map<QString, std::unique_ptr<XmlElement>> files_;  ///< other program files, by name
-    ScriptText head_{1};       ///< values and functions at the beginning of the program
+    ScriptText head_{1};       ///< values and functions for the start of the program
     ScriptText functions_{1};  ///< subprograms
     ScriptText body_{1};
     std::vector<QString> timers_;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// URScript text under construction: indented lines, and labels that clients evaluate to show which node is
-// running.
+// URScript text under construction: indented lines, and labels from which clients determine the running node.
 
 #include <QString>
 #include <utility>
@@ -17,7 +16,7 @@ public:
         text_ += QString(2 * depth_, ' ') + text + '\n';
         ++statements_;
     }
-    /// number  0: the node has no line in the program tree
+    /// number  line in the program tree; 0: the node has no line
     void label(int number, QString text) {
         if (number > 0) {
             text.replace('"', '\'').replace('\n', ' ').replace('\r', ' ');

@@ -15,14 +15,14 @@ enum class TerminalValue { Boolean, Integer, Float, Analog };
 struct TerminalKind {
     const char* name;          ///< default name unless the installation defines another, e.g. "digital_in[3]"
     const char* namesElement;  ///< element of the installation that contains the list of names
-    const char* read;          ///< script function that takes the number
-    const char* write;         ///< script function that takes number and value; null for an input
+    const char* read;          ///< script function with the argument `number`
+    const char* write;         ///< script function with the arguments `number` and `value`; null: input
     int count;
     TerminalValue value;
     const char* label;  ///< text in the program tree, e.g. "DI[3]"
 };
 
-/// All kinds of terminals.
+/// All types of terminals.
 std::span<const TerminalKind> terminalKinds();
 
 struct Terminal {
@@ -30,7 +30,7 @@ struct Terminal {
     int number = 0;
 };
 
-/// Parses a name such as "digital_in[3]", in upper or lower case. Empty if there is no such terminal.
+/// Parses a name such as "digital_in[3]", in upper or lower case. Empty if the terminal does not exist.
 std::optional<Terminal> terminalByDefaultName(const QString& name);
 
 }  // namespace tiller::simulator::pendant

@@ -9,7 +9,7 @@ QString identifier(const QString& text) {
         if (c.unicode() < 128) {
             name += c.isLetterOrNumber() ? c : QChar('_');
         } else {
-            // Only needed to distinguish names that differ only in this letter.
+            // Distinguishes names that differ only in this character.
             name += QStringLiteral("_%1_").arg(c.unicode(), 4, 16, QChar('0'));
         }
     }
@@ -49,12 +49,12 @@ QString Translation::uniqueName(const QString& text) {
 
 void Translation::numberNodes(const XmlElement& container) {
     for (const auto& child : container.children) {
-        // A subprogram may be stored at the position of its call. The program tree determines its line.
+        // A subprogram may be stored at its call. Its line is determined by the program tree.
         const XmlElement* const node = child->is("SubProgram") ? child->resolved() : child.get();
         if (node == nullptr || !lines_.emplace(node, ++lastLine_).second) {
             continue;
         }
-        // A disabled node and its children have lines in the program tree.
+        // A disabled node and its children also have lines in the program tree.
         const XmlElement* const off = node->child("suppressedNode");
         if (const XmlElement* const children = (off == nullptr ? node : off)->child("children")) {
             numberNodes(*children);

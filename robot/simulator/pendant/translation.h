@@ -18,8 +18,7 @@
 
 namespace tiller::simulator::pendant {
 
-/// Converts a text to a valid name of the language, like the pendant: spaces and similar characters become
-/// underscores.
+/// Converts text to a valid identifier as the pendant does: spaces and similar characters become underscores.
 QString identifier(const QString& text);
 /// Returns the text as a string literal.
 QString quoted(QString text);
@@ -35,15 +34,15 @@ public:
     const SoftwareVersion software;
     ScriptText* out = nullptr;  ///< part of the script that is being written
 
-    /// Reports that the program cannot be translated. Only the first reason is stored.
+    /// Records that the program cannot be translated. Only the first reason is kept.
     void refuse(const XmlElement& at, const QString& why) { keep(refusal_, at, why); }
-    /// Reports that the program is unfinished, so that it can be loaded but cannot be played. Only the first
-    /// reason is stored.
+    /// Records that the program is unfinished: it can be loaded but not played. Only the first reason is
+    /// kept.
     void unfinished(const XmlElement& at, const QString& why) { keep(unfinished_, at, why); }
     const std::optional<Error>& refusal() const { return refusal_; }
     const std::optional<Error>& unfinishedNode() const { return unfinished_; }
-    /// The reasons so far. restore() discards reasons that were added later, by disabled parts of the
-    /// program.
+    /// Reasons recorded so far. restore() discards the reasons that disabled parts of the program have added
+    /// since.
     struct Reasons {
         std::optional<Error> refusal, unfinished;
     };

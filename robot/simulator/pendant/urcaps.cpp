@@ -15,7 +15,7 @@ namespace {
 
 constexpr qint64 kMaxStandIn = 1 << 20;
 
-/// Uses the protocol of the gripper's own service, which the simulated controller provides. Position, force
+/// Uses the protocol of the gripper service, which the simulated controller also provides. Position, force
 /// and speed are percentages; 0 % is open.
 constexpr const char* kRobotiqGripper = R"(# class: com.robotiq.urcap.gripper.GripperNode
 # default position: 100

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stand-ins for the nodes of URCaps: URScript that runs in place of a node, see README.md.
+// Stand-ins for URCap nodes: URScript that runs in place of a node. See README.md.
 
 #include <QString>
 #include <QStringList>
@@ -14,13 +14,13 @@
 
 namespace tiller::simulator::pendant {
 
-/// Common part of the owner and class names of the External Control nodes of all publishers.
+/// Part of the owner and class names that the External Control nodes of all publishers share.
 inline constexpr const char* kControlNodeOwner = ".externalcontrol";
-/// Marks the position of an External Control node in a program, where the script of another computer is
-/// inserted. The interpreter ignores the mark.
+/// Marks the position of an External Control node in a program, where the script of another PC is inserted.
+/// The interpreter ignores the mark.
 inline constexpr std::string_view kControlNode = "$ 0 \"External Control\"\n";
 
-/// Treatment of a URCap node without a stand-in.
+/// Handling of a URCap node without a stand-in.
 enum class UnknownUrcap {
     Refuse,  ///< the program does not load
     Ask,     ///< a popup names the node and waits for the operator
@@ -28,7 +28,7 @@ enum class UnknownUrcap {
 };
 
 struct UrcapStandIn {
-    QString nodeClass;                    ///< the whole strategyClass or the last part of it
+    QString nodeClass;                    ///< the whole strategyClass or its last part
     std::map<QString, QString> defaults;  ///< data of the node, by key
     QStringList setup;                    ///< lines for the beginning of the program, written only once
     QStringList body;                     ///< lines in place of the node; `{key}` is replaced by a value
@@ -39,7 +39,7 @@ public:
     /// Stand-ins for External Control, Robotiq 2F and OnRobot RG grippers.
     static UrcapStandIns builtIn();
 
-    /// Adds the stand-ins from the `*.script` files of a folder. They have priority over those added earlier.
+    /// Adds the stand-ins from the `*.script` files of a folder. They override stand-ins added earlier.
     /// Errors   FileNotReadable, FileCorrupt with file, line and reason
     Result<void> addFolder(const QString& folder);
     /// text  text of one stand-in: comment lines `# class: NAME`, `# default KEY: VALUE`, `# setup` and `#

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The elements of a pendant file (program, installation) as a tree. The pendant writes an object where it is
-// first used. In all other places, the element has an attribute `reference` with the path to the object.
+// The elements of a pendant file (program, installation) as a tree. The pendant writes an object at its first
+// use. At all other uses, the element has an attribute `reference` with the path to the object.
 
 #include <QByteArray>
 #include <QString>
@@ -30,8 +30,7 @@ struct XmlElement {
     bool isTrue(const char* wanted) const { return attribute(wanted) == QLatin1String("true"); }
     /// The first child with this name, or null.
     const XmlElement* child(const char* wanted) const;
-    /// The first child with this name, after following references; null if the child or the target of a
-    /// reference does not exist.
+    /// The first child with this name, or the target of its reference; null if either does not exist.
     const XmlElement* target(const char* wanted) const;
     /// The first descendant with this name, depth first; null if there is none.
     const XmlElement* descendant(const char* wanted) const;

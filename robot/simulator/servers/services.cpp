@@ -86,10 +86,10 @@ Result<void> Services::openOne(const Entry& entry, const QHostAddress& address,
     };
     const int wanted = options.anyFreePorts ? 0 : standard.*entry.port + options.portOffset;
     if (entry.server == &gripper_ && wanted > 65535) {
-        return {};  // this default port is so high that an offset may exceed the valid range
+        return {};  // with an offset, this port may exceed the valid range
     }
     const Result<void> opened = at(wanted);
-    // Most systems reserve port 80 or already run a web server on it.
+    // Most systems reserve port 80 or run a web server on it.
     constexpr int kOtherWebPort = 8080;
     return opened || entry.server != &robotApi_ || options.anyFreePorts
                ? opened
@@ -118,7 +118,7 @@ Result<void> Services::open(const SimulatorOptions& options) {
         devices_.push_back(std::make_unique<DeviceServer>(plant_, device.name, std::move(*table)));
         devices_.back()->setLink(&link_);
     }
-    // If the services listen on all addresses, programs reach them at 127.0.0.1.
+    // If the services listen on all addresses, programs can use 127.0.0.1.
     const bool everywhere = address == QHostAddress(QHostAddress::AnyIPv4);
     std::map<int, int> own;
     for (const Entry& entry : all_) {
@@ -194,7 +194,7 @@ void Services::service() {
 void Services::publish() {
     link_.setTime(plant_.elapsed());
     gripper_.step(plant_.stepTime(), plant_.telemetry().powered);
-    // Real-time data are sent first, so that the processing of messages (0.1 ms) does not delay them.
+    // Send real-time data first, because processing the messages takes 0.1 ms.
     rtde_.publish();
     realtime_.publish();
     realtimeReadOnly_.publish();

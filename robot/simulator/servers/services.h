@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All services of one controller, which are opened and served together. The set of services depends on the
-// software: PolyScope X has the Robot API instead of the dashboard.
+// All services of one controller. The set of services depends on the software: PolyScope X has the Robot API
+// instead of the dashboard.
 
 #include <memory>
 #include <vector>
@@ -34,15 +34,14 @@ public:
     void close();
     Ports ports() const;
 
-    /// Reads the data of all clients and sends replies. Does not advance time. The fault port is served
-    /// separately.
+    /// Reads data from all clients and sends replies. Does not advance time. Excludes the fault port.
     void service();
     /// Sends the results of the last control period.
     void publish();
     /// Closes all connections except those of the fault port.
     void closeClients();
-    /// Closes the script connections, like a robot that restricts them in Local when it enters or leaves
-    /// remote control.
+    /// Closes the script connections, as a robot does when it enters or leaves remote control with scripts
+    /// restricted in Local.
     void closeScriptClients();
 
     RtdeServer& rtde() { return rtde_; }
@@ -50,7 +49,8 @@ public:
     GripperServer& gripper() { return gripper_; }
     /// Null if there is no device with this name.
     DeviceServer* device(const QString& name) const;
-    /// Changes the presence of a device. A device that refuses connections does not listen.
+    /// Sets whether the device accepts connections and replies. A device that refuses connections does not
+    /// listen.
     /// Errors  same as Listener::open()
     Result<void> setPresence(DeviceServer& device, DeviceServer::Presence presence);
     FaultServer& faults() { return faults_; }

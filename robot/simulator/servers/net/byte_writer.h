@@ -41,7 +41,8 @@ public:
         return *this;
     }
 
-    /// Reserves a length field of four bytes, which closeLength() fills in. The length includes the field.
+    /// Reserves a length field of four bytes, which closeLength() fills in. The length includes the field
+    /// itself.
     std::size_t openLength() {
         const std::size_t at = out_.size();
         u32(0);

@@ -17,7 +17,7 @@ std::string lowered(std::string_view text) {
     return out;
 }
 
-/// In HTTP, only spaces and tabs count as whitespace.
+/// In HTTP, only spaces and tabs are whitespace.
 std::string_view withoutBlanks(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) {
         text.remove_prefix(1);
@@ -149,7 +149,7 @@ bool HttpParser::readHead() {
     while (const auto text = line()) {
         if (!request_.method.empty() && text->empty()) {
             if (chunked_ && sawLength_) {
-                fail(400);  // contradictory lengths are not permitted
+                fail(400);  // contradictory lengths are invalid
                 return false;
             }
             inBody_ = true;

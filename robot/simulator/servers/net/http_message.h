@@ -5,8 +5,7 @@
 // files.
 //
 // Qt's QHttpServer is not used because its license is GPL-3.0-only, whereas robot/ has the MIT license so
-// that others can link it. QHttpServer also owns its sockets, so that link faults could not be simulated on
-// them.
+// that others can link it. QHttpServer also owns its sockets, so that link faults could not be simulated.
 
 #include <cstdint>
 #include <functional>
@@ -40,18 +39,18 @@ struct HttpResponse {
     std::string toBytes(bool keepAlive, bool withBody) const;
 };
 
-/// Uses a limited amount of memory for any input.
+/// Memory use is limited for any input.
 class HttpParser {
 public:
     static constexpr std::size_t kLargestHead = 32 * 1024;
     static constexpr std::size_t kLargestBody = 16 * 1024 * 1024;
 
     void feed(std::string_view bytes);
-    /// Returns the next complete request. Empty if no request is complete, or after an error.
+    /// Returns the next complete request. Empty if no request is complete or after an error.
     std::optional<HttpRequest> next();
     /// HTTP status to send before closing the connection: 400, 413, 431, 501 or 505; 0 if there is no error.
     int fault() const { return fault_; }
-    /// Returns true once after a head that expects "100 Continue" before the body.
+    /// Returns true once for each request that expects "100 Continue" before its body.
     bool takeContinue() { return std::exchange(continue_, false); }
 
 private:

@@ -7,8 +7,7 @@ namespace tiller::simulator {
 
 namespace {
 constexpr std::size_t kMaxLineLength = 16 * 1024;
-/// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
-/// others.
+/// Maximum number of bytes read from one client per call, so that no client can block the others.
 constexpr std::size_t kLineShare = 64 * 1024;
 }  // namespace
 
@@ -51,7 +50,7 @@ void LineServer::read(Client& client) {
                 client.line += c;
                 client.answeredUnfinished = false;
             } else {
-                client.peer.close();  // not a valid client
+                client.peer.close();  // the line is too long
                 return;
             }
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A service with a protocol of text lines. If several requests are received in one segment, their replies are
-// sent in one segment, because some clients send several requests and read only once.
+// A service with a line-based text protocol. Replies to requests received in one segment are sent in one
+// segment, because some clients send several requests and read only once.
 
 #include <optional>
 #include <string>
@@ -22,12 +22,12 @@ protected:
         std::string text;  ///< including the newline, if any
         bool closes = false;
     };
-    /// Returns a tag that the service chooses for each new connection.
+    /// Tag of a new connection, passed to answer(). The service defines its meaning.
     virtual std::uint64_t tagOfNewClient() { return 0; }
     virtual std::string greeting() { return {}; }
     /// line  without the newline
     virtual LineAnswer answer(std::string_view line, std::uint64_t tag) = 0;
-    /// Processes an incomplete line. If this function returns a reply, the line counts as complete.
+    /// Processes an incomplete line. If it returns a reply, the line is complete.
     virtual std::optional<LineAnswer> answerUnfinished(std::string_view) { return std::nullopt; }
 
 private:
@@ -37,7 +37,7 @@ private:
         Peer peer;
         std::uint64_t tag;
         std::string line;
-        bool answeredUnfinished = false;  ///< the newline may follow later
+        bool answeredUnfinished = false;  ///< a newline may follow
     };
     void read(Client& client);
 

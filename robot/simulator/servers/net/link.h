@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The network cable between a controller and its clients, with simulated faults. One object serves all
-// connections of a controller. Without faults, its only cost is a branch.
+// The network link between a controller and its clients, with simulated faults. One object serves all
+// connections of a controller. Without faults, the only overhead is a branch.
 //
 // Times are controller times, so that a test in virtual time determines when a delayed package arrives.
 
@@ -17,13 +17,13 @@ namespace tiller::simulator {
 
 struct LinkConditions {
     double delay = 0;   ///< [s] in each direction
-    double jitter = 0;  ///< [s] maximum, added to the delay; does not change the order of bytes
+    double jitter = 0;  ///< maximum additional delay [s]; the order of bytes is kept
     std::size_t splitAt =
         0;  ///< data are delivered in two pieces, the first with this number of bytes; 0: unsplit
-    double coalesce = 0;  ///< [s] data sent within this time are delivered together
-    double drop = 0;      ///< fraction of RTDE data packages not sent, as with a busy controller
-    /// The cable is unplugged: no data are transmitted, and the connections do not detect this. When the
-    /// cable is plugged in again, buffered data are delivered.
+    double coalesce = 0;  ///< data sent within this time are delivered together [s]
+    double drop = 0;      ///< fraction of RTDE data packages that are dropped, as by a busy controller
+    /// The cable is unplugged: no data are transmitted, and neither end is notified. When the cable is
+    /// plugged in again, buffered data are delivered.
     bool lost = false;
 };
 
@@ -41,7 +41,7 @@ public:
     void setTime(double now) { now_ = now; }
     double now() const { return now_; }
 
-    /// Detects data that arrive at the controller.
+    /// Poller for data that arrive at the controller.
     SocketPoller& poller() { return poller_; }
     /// True if bytes pass unchanged and without delay.
     bool isPlain() const { return plain_; }
@@ -50,15 +50,15 @@ public:
     bool drops();
     /// Arrival time of data sent at the current time [s].
     double arrival();
-    /// Like arrival(), for data from the controller, which may be delayed so that they are sent together.
+    /// Like arrival(), for data from the controller, which may be held back so that they are sent together.
     double departure();
 
-    /// While this is set, connections closed by the controller do not notify the other end. They remain half
-    /// open until the cable is plugged in again, or until unbury() is called.
+    /// While this is set, closing a connection at the controller does not notify the client. The connection
+    /// stays half-open until the cable is plugged in again or unbury() is called.
     void setForgetting(bool forgetting) { forgetting_ = forgetting; }
-    /// Takes ownership of the descriptor of a closed connection if the other end must not be notified.
+    /// Takes ownership of the descriptor of a closed connection if the client must not be notified.
     bool bury(native_socket::Descriptor descriptor);
-    /// Closes the half-open connections. As on a real network, the other end only detects this when it sends
+    /// Closes the half-open connections. As on a real network, the client detects this only when it sends
     /// data.
     void unbury();
     std::size_t buried() const { return buried_.size(); }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A listening port that returns plain descriptors, which the simulator reads and writes without Qt's buffers.
+// A listening port that returns plain descriptors, because the simulator bypasses Qt's socket buffers.
 
 #include <QHostAddress>
 #include <QTcpServer>
@@ -12,7 +12,7 @@
 
 namespace tiller::simulator {
 
-/// Threads  the thread that constructed this object, which must process events regularly
+/// Threads  the constructing thread, which must process events regularly
 class Listener : public QTcpServer {
 public:
     /// service  name of the service for the message, e.g. "RTDE"
@@ -20,7 +20,8 @@ public:
     /// the address
     Result<void> open(const QHostAddress& address, std::uint16_t port, const char* service);
 
-    /// Returns the connections accepted since the last call, already configured. The caller takes ownership.
+    /// Returns the connections accepted since the last call, with all socket options set. The caller takes
+    /// ownership.
     std::vector<native_socket::Descriptor> takeAccepted();
 
 protected:

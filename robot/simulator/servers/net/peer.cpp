@@ -14,10 +14,11 @@ namespace {
 constexpr std::size_t kSystemBuffer = 256 * 1024;
 /// Large enough for the longest delay at the highest data rate [bytes].
 constexpr std::size_t kMaxBuffered = 16 * 1024 * 1024;
-/// If more segments than this are waiting, they are not split, because they could never be sent in time.
+/// Maximum number of waiting segments for splitting. Further segments are not split, because the queue could
+/// never be sent in time.
 constexpr std::size_t kMaxSplitWaiting = 64;
-/// Delay of the second piece of a split segment [s]. The piece is sent in the next control period, regardless
-/// of the cycles of the loop.
+/// Delay of the second piece of a split segment [s]. Any positive value defers the piece to the next control
+/// period.
 constexpr double kMoment = 1e-6;
 }  // namespace
 
@@ -66,7 +67,7 @@ std::size_t Peer::receiveNow(std::span<std::uint8_t> into) {
     const native_socket::Transfer got = native_socket::receive(descriptor_, into);
     switch (got.status) {
         case native_socket::Status::Ok:
-            // A partial read means that no more data are available.
+            // A partial read means that all data have been read.
             hasArrived_ = !isWatched_ || got.bytes == into.size();
             return got.bytes;
         case native_socket::Status::WouldBlock:
@@ -116,8 +117,8 @@ std::size_t Peer::receiveThroughCable(std::span<std::uint8_t> into) {
     return count;
 }
 
-// Data that the client sent during the outage arrive now, because the client retransmits unacknowledged data unless
-// it has reset the connection in the meantime.
+// Data that the client sent during the outage arrive now, because the client retransmits unacknowledged data
+// unless it has reset the connection.
 void Peer::receiveAfterOutage() {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::vector<std::uint8_t> all;
@@ -150,8 +151,8 @@ std::size_t Peer::sendNow(std::span<const std::uint8_t> bytes) {
     return done;
 }
 
-// Called after the client has closed the connection. Data that the client sent before are still processed,
-// e.g. a program whose sender did not wait for a reply.
+// Called after the client has closed the connection. Data sent before are still processed, e.g. a program
+// whose sender does not wait for a reply.
 void Peer::endSending() {
     isUnresponsive_ = true;
     std::array<std::uint8_t, 16 * 1024> buffer;
@@ -195,7 +196,7 @@ bool Peer::send(std::span<const std::uint8_t> bytes, std::optional<double> stamp
     return true;
 }
 
-// Called after sending. Data that the socket has not accepted do not count as delivered, because the client is not
+// Called after sending. Data that the socket has not accepted are not delivered, because the client is not
 // reading.
 void Peer::noteDelivered(std::optional<double> stamp) {
     if (stamp && pending() == 0) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One accepted connection: reads received data, sends as much as possible, and buffers a limited amount of
-// remaining data. Never blocks. This class applies the link conditions (see Link), so that services need not
-// handle them.
+// One accepted connection: reads data, sends as much as possible, and buffers a limited amount of remaining
+// data. Never blocks. This class applies the link faults (see Link), so that services need not handle them.
 
 #include <cstdint>
 #include <deque>
@@ -26,31 +25,30 @@ public:
     Peer(const Peer&) = delete;
     Peer& operator=(const Peer&) = delete;
 
-    /// The cable of the connection; must outlive this object.
+    /// Sets the link of the connection, which must outlive this object.
     void attach(Link* link);
 
     bool isOpen() const { return open_; }
     void close();
 
-    /// Reads from the socket once. Closes the connection if the client has ended it.
+    /// Reads from the socket once. Closes this end if the client has closed the connection.
     /// Returns  the number of bytes received
     std::size_t receive(std::span<std::uint8_t> into);
 
-    /// Sends the data, and buffers the bytes that the socket does not accept yet.
+    /// Sends the data, and buffers the bytes that the socket does not accept.
     /// stamp  time stamp of the bytes, for delivered()
-    /// Returns  false, without sending anything, if the data do not fit into the backlog because the client is not
-    /// reading
+    /// Returns  false, without sending anything, if the data do not fit into the backlog because the client
+    /// is not reading
     bool send(std::span<const std::uint8_t> bytes, std::optional<double> stamp = {});
     bool send(std::string_view text);
-    /// Time stamp of the newest bytes that the client can read completely; empty if these bytes have none.
+    /// Time stamp of the newest bytes that the client can read completely; empty if they have no time stamp.
     std::optional<double> delivered() const { return delivered_; }
     std::uint16_t port() const { return port_; }  ///< Port of the client.
     /// Sends all data that are due and that the socket accepts.
     void flush();
-    /// Number of bytes not yet accepted by the socket. Data delayed by a slow link do not count.
+    /// Number of bytes that the socket has not accepted yet. Excludes data delayed by the link.
     std::size_t pending() const { return out_.size() - sent_; }
 
-    /// Closes the connection when all data have been sent.
     void closeAfterFlush();
 
 private:
@@ -88,7 +86,7 @@ private:
     bool closing_ = false;
     bool isUnresponsive_ = false;  ///< data no longer reach the client
     bool wasLost_ = false;         ///< the cable was unplugged since the last data
-    bool ended_ = false;           ///< the client has closed the connection; remaining data were sent earlier
+    bool ended_ = false;           ///< the client has closed the connection; earlier data may still arrive
 };
 
 }  // namespace tiller::simulator

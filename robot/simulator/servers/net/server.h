@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Common base of all services of the controller. A service has one port and any number of clients, and works
-// in two steps: it reads in each cycle of the loop, and writes after each control period.
+// Common base of all services of the controller. A service has one port and any number of clients. It reads
+// in each cycle of the loop and writes after each control period.
 
 #include <QHostAddress>
 #include <cstdint>
@@ -21,7 +21,7 @@ class Server {
 public:
     virtual ~Server() = default;
 
-    /// Sets the cable between this service and its clients.
+    /// Sets the link between this service and its clients.
     void setLink(Link* link) { link_ = link; }
     /// poller  watches the port; must outlive this object
     Result<void> open(const QHostAddress& address, std::uint16_t port, const char* name,
@@ -46,7 +46,7 @@ public:
 
 protected:
     std::vector<native_socket::Descriptor> takeAccepted() { return listener_.takeAccepted(); }
-    /// For the peer of a new client: attach(link()).
+    /// For a new client: peer.attach(link()).
     Link* link() const { return link_; }
 
 private:

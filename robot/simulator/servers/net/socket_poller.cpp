@@ -23,7 +23,7 @@ SocketPoller::~SocketPoller() {
 
 bool SocketPoller::add(native_socket::Descriptor descriptor, bool* rung) {
     epoll_event event{};
-    event.events = EPOLLIN;  // includes the end or failure of a connection
+    event.events = EPOLLIN;  // also reports the end or failure of a connection
     event.data.ptr = rung;
     return descriptor_ >= 0 &&
            epoll_ctl(static_cast<int>(descriptor_), EPOLL_CTL_ADD, static_cast<int>(descriptor), &event) == 0;
@@ -37,8 +37,8 @@ void SocketPoller::remove(native_socket::Descriptor descriptor) {
 }
 
 bool SocketPoller::poll() {
-    // If more descriptors are ready than fit into the array, the next call reports them, because the kernel
-    // returns descriptors in rotation.
+    // If more descriptors are ready than fit into the array, the next call reports the others, because the
+    // kernel rotates the ready list.
     std::array<epoll_event, 64> events;
     const int count = descriptor_ < 0 ? 0
                                       : epoll_wait(static_cast<int>(descriptor_), events.data(),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Detects received data and new connections with one system call for all clients and ports. In most control
-// periods, there are none.
+// Detects received data and new connections with one system call for all clients and ports. Most control
+// periods have neither.
 
 #include "robot/core/native_socket.h"
 
@@ -17,8 +17,8 @@ public:
     SocketPoller(const SocketPoller&) = delete;
     SocketPoller& operator=(const SocketPoller&) = delete;
 
-    /// Makes poll() set `rung` whenever data or the end of the connection can be read. Call remove() before
-    /// the descriptor is closed.
+    /// Makes poll() set `rung` when data or the end of the connection can be read. Call remove() before
+    /// closing the descriptor.
     /// Returns  false if the descriptor cannot be watched
     bool add(native_socket::Descriptor descriptor, bool* rung);
     void remove(native_socket::Descriptor descriptor);

@@ -25,7 +25,7 @@ enum Kind : unsigned {
     Exception = 10
 };
 
-/// Writes the package frame and header around the content from `body`.
+/// Adds the package frame and header to the content written by `body`.
 template <class Body>
 Bytes message(std::uint64_t timestampNs, Source source, Kind kind, Body body) {
     Bytes bytes;
@@ -43,7 +43,7 @@ void counted(ByteWriter& out, std::string_view text) {
     out.u8(static_cast<unsigned>(text.size())).text(text);
 }
 
-/// Limits the length of a text, because clients drop packages of 4092 bytes and more.
+/// Limits the length of a text, because clients drop packages of 4092 bytes or more.
 std::string_view bounded(std::string_view text) {
     return text.substr(0, 3800);
 }
@@ -51,7 +51,7 @@ std::string_view bounded(std::string_view text) {
 }  // namespace
 
 Bytes version(const SoftwareVersion& software) {
-    // Robots send this value, with all bits set, instead of a time stamp. Source: recorded messages.
+    // Robots send this value instead of a time stamp. Source: recorded messages.
     constexpr std::uint64_t kNoTime = ~std::uint64_t{0};
     return message(kNoTime, RobotInterface, Version, [&](ByteWriter& out) {
         counted(out, "URControl");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The messages of the primary interface as bytes: messages shown on the pendant, and messages that clients
-// wait for.
+// Messages of the primary interface as bytes: messages shown on the pendant, and messages for which clients
+// wait.
 
 #include <cstdint>
 #include <string>
@@ -47,7 +47,7 @@ struct PopupMessage {
 };
 /// kind  requestedType: 0 boolean, 1 integer, 2 float, 3 string
 Bytes requestValue(std::uint64_t timestampNs, std::uint32_t id, std::uint32_t kind, std::string_view text);
-/// software  before 3.12 and 5.6, the message has no request ID and no type; older clients read this layout
+/// software  before 3.12 and 5.6, the message has neither request ID nor type, as older clients expect
 Bytes popup(std::uint64_t timestampNs, const PopupMessage& popup, const SoftwareVersion& software);
 
 }  // namespace tiller::simulator::primary

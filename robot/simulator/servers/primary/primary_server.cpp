@@ -74,11 +74,11 @@ void PrimaryServer::sendMessages(const std::vector<primary::Bytes>& messages) {
     for (auto message = messages.begin(); message != messages.end(); ++message) {
         const bool safety = primary::isSafetyMode(*message);
         if (safety && message + 1 != last.base()) {
-            continue;  // a later mode of this period replaces this one, so no state contains it
+            continue;  // a later mode in this period replaces this mode, which no state contains
         }
         for (const auto& client : clients_) {
             if (!safety || client->hasState) {
-                client->peer.send(*message);  // buffered up to the backlog limit
+                client->peer.send(*message);  // limited by the backlog
             }
         }
     }

@@ -2,12 +2,12 @@
 #pragma once
 
 // The primary and secondary services, ports 30001 and 30002, and their read-only versions 30011 and 30012.
-// They send RobotState ten times a second and messages when they occur, and receive scripts. A client that
-// is not reading misses packages, but it is not disconnected and does not delay other clients.
+// They send RobotState ten times a second and messages when they occur, and receive scripts. A client that is
+// not reading misses packages. It is not disconnected and does not delay other clients.
 //
 // A safety mode message is never sent before a RobotState with the same mode, because clients wait for the
 // message and then read their newest state. A change of the safety mode therefore triggers an additional
-// state. If the buffer of a client is too full for that state, the client does not get the message either.
+// state. If that state does not fit into the buffer of a client, the client does not get the message either.
 // Source: client interface manual.
 
 #include "robot/simulator/servers/net/server.h"
@@ -18,7 +18,7 @@ namespace tiller::simulator {
 
 class PrimaryServer final : public Server {
 public:
-    /// messages  true for primary: all messages; otherwise, only the version message when a client connects
+    /// messages  true (primary): all messages; false (secondary): only the version message for a new client
     PrimaryServer(ControllerModel& plant, bool messages, bool acceptsScripts);
 
     void service() override;
@@ -34,9 +34,9 @@ private:
             : peer(descriptor, 64 * 1024), intake(mayWrite) {}
         Peer peer;
         ScriptIntake intake;
-        std::uint64_t program = 0;  ///< program whose variables were received
-        std::uint64_t knows = 0;    ///< received version of KinematicsInfo and ConfigurationData
-        bool hasState = false;      ///< the state of this control period was sent to the client
+        std::uint64_t program = 0;  ///< program for which the variable names were sent
+        std::uint64_t knows = 0;    ///< version of KinematicsInfo and ConfigurationData that was sent
+        bool hasState = false;      ///< the state of this control period was sent
     };
 
     void sendStates(bool evenToTheSlow);
@@ -47,7 +47,7 @@ private:
     std::vector<primary::Bytes> lastValues_;
     bool messages_;
     bool acceptsScripts_;
-    double nextState_ = 0;  ///< [s] since the start of the simulation
+    double nextState_ = 0;  ///< time since the start of the simulation [s]
     std::vector<std::unique_ptr<Client>> clients_;
 };
 

@@ -10,23 +10,23 @@ namespace tiller::simulator::primary {
 namespace {
 
 constexpr unsigned kRobotState = 16;
-/// Internal field of MasterboardData and SafetyData. Its meaning is specific to the manufacturer.
+/// Manufacturer-specific field of MasterboardData and SafetyData.
 constexpr std::uint32_t kInternalWord = 1475618907;
 
-/// The manual lists these additions for "newer software" than the recorded layouts of 5.8. The limit of 5.10
-/// is an assumption.
+/// The manual lists these additions for "newer software" than the recorded 5.8. The first version, 5.10, is
+/// an assumption.
 bool isNewer(const Telemetry& now) {
     return now.software >= SoftwareVersion{5, 10, 0, 0};
 }
 
-/// From this version on, the masterboard data have one more byte. Clients treat a package of another size as
-/// damaged. Source: urcl reads all 75 bytes of software 3.14; ur_modern_driver reads 74 bytes of 3.2 and
-/// fails with 3.10 and 5.4.
+/// From this version on, the masterboard data have one more byte. Clients reject packages of another size.
+/// Source: urcl reads all 75 bytes of software 3.14; ur_modern_driver reads 74 bytes of 3.2 and fails with
+/// 3.10 and 5.4.
 bool hasSafetyStatus(const SoftwareVersion& software) {
     return software >= (software.isCb3() ? SoftwareVersion{3, 10, 0, 0} : SoftwareVersion{5, 4, 0, 0});
 }
 
-/// In older software, type 5 was a different package, which clients skip. Source: urx.
+/// In older software, type 5 was a different package, which clients ignore. Source: urx.
 bool hasKinematics(const SoftwareVersion& software) {
     return software >= SoftwareVersion{3, 6, 0, 0};
 }
@@ -112,8 +112,8 @@ void masterboardData(ByteWriter& out, const Telemetry& now) {
         out.flag(now.reduced).u8(0);
         out.u32(kInternalWord);
         if (now.software >= SoftwareVersion{3, 2, 0, 0}) {
-            // Mode selector: 0 for MANUAL, otherwise 1, which a robot without a selector also reports.
-            // Unconfirmed.
+            // Mode selector: 0 for MANUAL, otherwise 1. A robot without a selector also reports 1
+            // (unconfirmed).
             out.u8(now.operationalMode == OperationalMode::Manual ? 0 : 1);
             out.flag(now.safetyStatus != SafetyMode::SystemThreePositionEnablingStop);
         }
@@ -161,8 +161,7 @@ void configurationData(ByteWriter& out, const Telemetry& now) {
         out.i32(6).i32(controllerBoxType(*now.model)).i32(now.model->robotType);
         out.i32(now.model->isCb3() ? 2 : 3);
         if (isNewer(now)) {
-            // Types of the control box and the tool flange. Older software does not report them; there the
-            // fields are reserved.
+            // Types of the control box and the tool flange. Reserved fields in older software.
             const bool told = now.software >= (now.software.isPolyScopeX() ? SoftwareVersion{10, 13, 0, 0}
                                                                            : SoftwareVersion{5, 26, 0, 0});
             out.u16(told ? 5 : 0).u16(told ? 1 : 0);
@@ -177,7 +176,7 @@ void forceModeData(ByteWriter& out, const Telemetry& now) {
 void smallParts(ByteWriter& out, const Telemetry& now) {
     part(out, 8, [&] { out.flag(now.freedriveButton).flag(true).flag(false).u8(1); });
     part(out, 10, [&] { out.u32(kInternalWord).u8(1).u8(1).f64(0).f64(0).f64(0).f64(0); });
-    if (!now.software.isCb3()) {  // the tool connector of CB3 has neither
+    if (!now.software.isCb3()) {  // not available on the CB3 tool connector
         part(out, 11, [&] {
             const Pins::ToolCommunication& tool = now.pins->toolCommunication;
             out.flag(tool.enabled).i32(tool.baudRate).i32(tool.parity).i32(tool.stopBits);

@@ -2,7 +2,7 @@
 #pragma once
 
 // The RobotState package of the primary and secondary interfaces, sent ten times a second. Source: client
-// interface manual; sizes and order were recorded from the vendor's simulator.
+// interface manual; sizes and order recorded from the vendor's simulator.
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace tiller::simulator::primary {
 
-/// first  whether to include KinematicsInfo and ConfigurationData, which a client receives only once
+/// first  whether to include KinematicsInfo and ConfigurationData, which a client gets only once
 std::vector<std::uint8_t> robotState(const Telemetry& now, bool first);
 
 }  // namespace tiller::simulator::primary

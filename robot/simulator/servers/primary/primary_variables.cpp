@@ -16,8 +16,8 @@ using urscript::Value;
 
 constexpr unsigned kProgramState = 25;
 enum Content : unsigned { kSetup = 0, kUpdate = 1 };
-enum : unsigned { kNone = 0, kString = 3 };  // same numbers in all software versions
-/// Numbers of the other types, which changed when matrices were introduced.
+enum : unsigned { kNone = 0, kString = 3 };  // identical in all software versions
+/// Numbers of the other types, which changed with the introduction of matrices.
 struct TypeNumbers {
     unsigned pose, boolean, integer, real, list, matrix;
 };
@@ -29,12 +29,12 @@ const TypeNumbers& numbersOf(const SoftwareVersion& software) {
         software >= (software.isCb3() ? SoftwareVersion{3, 14, 0, 0} : SoftwareVersion{5, 9, 0, 0});
     return matrices ? kSinceMatrices : kBefore;
 }
-/// Clients drop packages of 4092 bytes and more.
+/// Maximum package size [bytes]. Clients drop packages of 4092 bytes or more.
 constexpr std::size_t kLargest = 3000;
-/// Maximum size of one value of any type.
+/// Maximum size of one value of any type [bytes].
 constexpr std::size_t kLargestValue = 2800;
 
-/// Divides a sequence of items into packages.
+/// Distributes items over packages.
 /// item  appends the item with the given index
 std::vector<Bytes> packed(Content kind, std::size_t count,
                           const std::function<void(std::size_t, Bytes&)>& item) {

@@ -2,9 +2,9 @@
 #pragma once
 
 // The global variables of the running program for primary clients, package type 25. The names are sent once,
-// and the values when they change. Source: client interface manual, "Variable values", and clients that read
-// this package: every value ends with a line break, but the elements of a list do not. A struct has no
-// encoding and is sent as None.
+// and the values when they change. Every value ends with a line break; the elements of a list do not. A
+// struct has no encoding and is sent as None. Source: client interface manual, "Variable values", and clients
+// that read this package.
 
 #include <cstdint>
 #include <vector>
@@ -18,12 +18,12 @@ class Value;
 
 namespace tiller::simulator::primary {
 
-/// The variables in one or more packages, each small enough for every client. The bodies contain no time
-/// stamp, so that they can be compared.
+/// The variables in one or more packages, each small enough for every client. The bodies have no time stamp,
+/// so that they can be compared.
 struct VariableBodies {
     std::vector<Bytes> names, values;
 };
-/// Variables of the program's own globals; empty if the program has none.
+/// Global variables of the program; empty if it has none.
 VariableBodies variablesOf(const urscript::Interpreter& program, const SoftwareVersion& software);
 /// Adds the package frame to a body.
 Bytes variablePackage(std::uint64_t timestampNs, const Bytes& body);

@@ -21,7 +21,7 @@ void unused(ByteWriter& out, int count) {
     }
 }
 
-/// Writes a double, like all other fields, or a 64-bit integer, as noted in the vendor's table; see
+/// Writes a double, like all other fields, or a 64-bit integer, as in the vendor's table. See
 /// BehaviourOptions::realtimeBits.
 void bits(ByteWriter& out, const Telemetry& now, std::uint64_t pins) {
     if (now.bitsAsIntegers) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The realtime service, port 30003, and its read-only version on port 30013. It sends one record in every
+// The realtime service, port 30003, and its read-only version, port 30013. It sends one record in every
 // control period and receives scripts. A client that never reads stays connected and misses records.
 
 #include "robot/simulator/servers/net/server.h"

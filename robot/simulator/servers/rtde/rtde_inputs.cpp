@@ -82,12 +82,13 @@ void RtdeInputs::release(ClientId client) {
     }
 }
 
-// Returns which fields of a package are applied in the next period.
+// Returns the fields of a package that are applied in the next period.
 std::vector<bool> RtdeInputs::lateFields(std::size_t count) const {
     std::vector<bool> late(count, false);
     const BehaviourOptions::Inputs reading = plant_.assumptions().inputs;
     for (std::size_t i = 0; i < count; ++i) {
-        // Any fixed pattern is suitable. If the pattern changed, older values could overwrite newer ones.
+        // Any pattern is suitable, but it must be fixed. Otherwise, older values could overwrite newer
+        // values.
         const bool scattered = (i * 2654435761U >> 7U & 1U) != 0;
         late[i] = reading == BehaviourOptions::Inputs::FirstHalf   ? i >= count / 2
                   : reading == BehaviourOptions::Inputs::LastHalf  ? i < count / 2
@@ -126,7 +127,7 @@ bool RtdeInputs::apply(const InputRecipe& recipe, rtde::ByteView wire) {
     if (!rtde::decodeValues(recipe.layout, wire, values_)) {
         return false;
     }
-    // The remaining fields of an earlier package must not be applied after this one.
+    // Apply the rest of the previous package first, so that it cannot overwrite this one.
     applyRest();
     const std::vector<bool> late = lateFields(recipe.fields.size());
     storeFields(recipe, values_, late);
@@ -184,7 +185,7 @@ void RtdeInputs::store(const rtde::Field& field, const double* value) {
 }
 
 void RtdeInputs::applyMasks(const InputRecipe& recipe) {
-    // Applies only the inputs of this package. An old mask of another client must not be applied again.
+    // Apply only inputs of this package. The old mask of another client must not take effect again.
     bool slider = false, standard = false, configurable = false, tool = false, analog = false;
     for (const std::size_t index : recipe.fields) {
         const std::string_view name = rtde::inputFields()[index].name;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The inputs written by RTDE clients: their owners, their values, and their effects on the robot. An input
-// keeps its value until its owner changes it. A mask selects the values that a package applies. Source: RTDE
-// guide.
+// Inputs written by RTDE clients: owners, values, and effects on the robot. An input keeps its value until
+// its owner changes it. A mask selects the values that a package applies. Source: RTDE guide.
 
 #include <cstdint>
 #include <optional>
@@ -39,14 +38,14 @@ public:
     /// Takes ownership of all names, or of none.
     /// protocol  version used by the client, which determines some types
     Claim claim(ClientId client, const std::vector<std::string>& names, rtde::ProtocolVersion protocol);
-    /// Frees the inputs of the client. A behaviour option determines whether their values are kept.
+    /// Releases the inputs of the client. A behaviour option determines whether they keep their values.
     void release(ClientId client);
 
-    /// Applies one data package. Returns false without any change if its length does not match the recipe.
+    /// Applies one data package. Returns false without any change if the length does not match the recipe.
     bool apply(const InputRecipe& recipe, rtde::ByteView values);
 
-    /// Must be called once per control period, before reading. Applies the remaining fields of packages of
-    /// which only a part was applied in the previous period.
+    /// Must be called once per control period, before reading. Applies the rest of packages that were
+    /// partially applied in the previous period.
     void applyRest();
 
     /// Number of packages applied so far.
@@ -70,7 +69,7 @@ private:
     ControllerModel& plant_;
     SoftwareVersion software_;
     std::vector<ClientId> owners_;  ///< client ID for each field; 0: none
-    std::vector<double> values_;    ///< buffer used by apply()
+    std::vector<double> values_;    ///< buffer for apply()
     std::vector<Rest> rests_;
     std::uint64_t packages_ = 0;
 

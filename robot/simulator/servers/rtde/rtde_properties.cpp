@@ -12,7 +12,7 @@ constexpr std::uint32_t hardware(std::uint32_t kind, std::uint32_t subtype) {
     return (kind << 24) | (subtype << 16);
 }
 
-/// Appends the value of a property. Returns the name of its type; empty for an unknown property.
+/// Appends the value of a property. Returns the name of its type; empty if the property is unknown.
 std::string_view append(ByteWriter& values, std::string_view name, const SoftwareVersion& software) {
     if (name == "v1.software.version") {
         // The lowest 16 bits are reserved.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Properties that newer controllers report over RTDE in addition to their version, by name.
+// Properties that newer controllers report over RTDE, by name, in addition to their version.
 
 #include <string>
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace tiller::simulator {
 
-/// Returns whether this software replies to RTDE_READ_PROPERTIES, which requires protocol version 3. Older
-/// software ignores the request.
+/// Returns whether this software replies to RTDE_READ_PROPERTIES in protocol version 3. Older software
+/// ignores the request.
 bool hasProperties(const SoftwareVersion& software);
 
 /// Writes the reply: the types, NOT_FOUND for unknown names, and the values only if all names are known.

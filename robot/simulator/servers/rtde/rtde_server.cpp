@@ -11,14 +11,13 @@ namespace tiller::simulator {
 
 namespace {
 constexpr std::size_t kMaxInputRecipes = 255;
-/// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
-/// others.
+/// Maximum number of bytes read from one client per call, so that no client can block the others.
 constexpr std::size_t kRtdeShare = 256 * 1024;
-/// Maximum number of clients of a CB3. An additional client completes its handshake and is closed after
-/// kExtraCb3Client [s]. Source: Universal Robots forum, threads 2793 and 3673
+/// Maximum number of clients of a CB3. The connection of an additional client is closed kExtraCb3Client [s]
+/// after its handshake. Source: Universal Robots forum, threads 2793 and 3673
 constexpr int kMaxCb3Clients = 3;
 constexpr double kExtraCb3Client = 1.0;
-/// Owner of the inputs that an injected fault holds. Client IDs start at 1.
+/// Owner of inputs held by an injected fault. Client IDs start at 1.
 constexpr RtdeInputs::ClientId kReservedClient = ~RtdeInputs::ClientId{0};
 }  // namespace
 
@@ -34,8 +33,8 @@ void RtdeServer::service() {
     for (const auto& client : clients_) {
         read(*client);
         if (!client->peer.isOpen()) {
-            // Release the inputs immediately instead of at the end of the loop, because the same program may
-            // already have reconnected and request them again.
+            // Release the inputs at once, because the same program may already have reconnected and request
+            // them again.
             inputs_.release(client->id);
         }
         client->peer.flush();
@@ -44,8 +43,8 @@ void RtdeServer::service() {
 }
 
 void RtdeServer::greet(Client& client) {
-    // This is the only unsolicited text message. Only PolyScope X with an unconfirmed safety configuration
-    // sends it, because some clients take the first message for the reply they wait for.
+    // The only unsolicited text message. Some clients take the first message for the expected reply, so only
+    // PolyScope X with an unconfirmed safety configuration sends it.
     if (plant_.options().software.isPolyScopeX() && plant_.power().mode() == RobotMode::ConfirmSafety) {
         reply_.clear();
         rtde::writeControllerText(
@@ -111,7 +110,7 @@ void RtdeServer::handle(Client& client, const rtde::PackageView& package) {
             onData(client, package.payload);
             break;
         case rtde::PackageType::TextMessage:
-            break;  // received, but never replied to, as described in the guide
+            break;  // no reply, as described in the guide
         case rtde::PackageType::ReadProperties:
             if (hasProperties(plant_.options().software)) {
                 writeProperties(reply_, rtde::readPropertiesRequest(package.payload),
@@ -154,8 +153,7 @@ unsigned RtdeServer::dividerFor(double frequency) const {
     if (!(frequency > 0) || frequency >= most) {
         return 1;
     }
-    // The small margin ensures that a rounded third of the maximum frequency still selects every third
-    // period.
+    // The margin compensates for rounding: a third of the maximum frequency must select every third period.
     return static_cast<unsigned>(std::floor(most / std::max(frequency, 1.0) + 1e-9));
 }
 
@@ -233,7 +231,7 @@ void RtdeServer::send(Client& client, rtde::ByteView package) {
     if (client.peer.send(package, plant_.telemetry().timestamp)) {
         sent_.fetch_add(1, std::memory_order_acq_rel);
     } else {
-        client.peer.close();  // for a client that is not reading, as described in the guide
+        client.peer.close();  // the client is not reading; the guide requires this
     }
 }
 

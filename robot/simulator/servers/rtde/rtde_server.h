@@ -5,11 +5,11 @@
 // behaves as follows:
 //
 // - A size field below 3 ends the connection, because the following bytes cannot be parsed.
-// - A well-framed package of unknown type is ignored. The reply to a request with an invalid payload refuses
-//   it (version not accepted, recipe ID 0). A data package with an unknown recipe or wrong length is not
-//   applied. No text message is sent, because clients would take it for the reply they wait for.
+// - A well-framed package of unknown type is ignored. The reply to a request with an invalid payload is a
+// refusal (version not accepted, recipe ID 0). A data package with an unknown recipe or wrong length is not
+// applied. No text message is sent, because clients would take it for the expected reply.
 // - A frequency that is above the maximum or is not a positive number is set to the maximum. A frequency
-//   below 1 Hz is set to 1 Hz.
+// below 1 Hz is set to 1 Hz.
 // - A setup after START replaces the recipe from the next package on. An invalid setup stops the stream.
 // - START without a valid output recipe is refused; PAUSE is always accepted.
 // - PolyScope X notifies new clients while its safety configuration is unconfirmed.
@@ -43,11 +43,11 @@ public:
     void closeClients() override;
 
     /// Marks inputs as owned by a client that is not simulated, e.g. a fieldbus or a crashed client. Returns
-    /// false without any change if one of the inputs does not exist or already has an owner.
+    /// false without any change if an input does not exist or already has an owner.
     bool holdInputs(const QStringList& names);
     void releaseHeldInputs();
 
-    /// Number of packages of all clients since the start.
+    /// Number of packages received from all clients since the start.
     /// Threads  any
     std::uint64_t inputPackages() const { return packages_.load(std::memory_order_acquire); }
     std::uint64_t outputPackages() const { return sent_.load(std::memory_order_acquire); }
@@ -61,8 +61,8 @@ private:
         Client(native_socket::Descriptor descriptor, RtdeInputs::ClientId number)
             : peer(descriptor, kBacklog), id(number) {}
 
-        /// Maximum amount of unread data, in addition to the system's own buffer, before the client is
-        /// disconnected [bytes].
+        /// Maximum amount of unsent data per client, in addition to the system's socket buffer, before the
+        /// client is disconnected [bytes].
         static constexpr std::size_t kBacklog = 64 * 1024;
 
         Peer peer;
@@ -72,9 +72,9 @@ private:
         std::optional<OutputRecipe> output;
         unsigned divider = 1;  ///< a package is sent in every n-th control period
         bool started = false;
-        std::optional<double> leaves;     ///< time at which this surplus client is closed [s]
-        std::uint64_t startPeriod = 0;    ///< the period in which START was confirmed
-        std::vector<InputRecipe> inputs;  ///< index + 1 is the recipe ID
+        std::optional<double> leaves;     ///< time at which this surplus client is disconnected [s]
+        std::uint64_t startPeriod = 0;    ///< period in which START was confirmed
+        std::vector<InputRecipe> inputs;  ///< recipe ID - 1 is the index
         struct Waiting {
             double due;  ///< [s]
             rtde::Bytes package;
@@ -92,7 +92,7 @@ private:
     unsigned dividerFor(double frequency) const;
     void reply(Client& client);
     void send(Client& client, rtde::ByteView package);
-    /// Time at which a package created in this period is sent [s].
+    /// Send time of a package created in this period [s].
     double departure() const;
     void sendDue(Client& client);
     bool placesAreTaken() const;

@@ -217,7 +217,7 @@ OutputRecipe::OutputRecipe(const std::vector<std::string>& names, const Software
     values_.resize(layout_.components());
     package_.resize(rtde::dataPackageSize(layout_.wireBytes(), true));
     if (package_.size() > rtde::kMaxPackageSize) {
-        valid_ = false;  // the protocol cannot report the size of this package to the client
+        valid_ = false;  // the package is too large for the size field
     }
 }
 

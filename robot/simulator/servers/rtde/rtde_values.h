@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sources of the values of all RTDE output fields. All values are simulated. Fields of missing equipment
-// (Euromap, conveyor encoders) have the values of unconnected equipment.
+// Sources of the values of all RTDE output fields. All values are simulated. Fields of equipment that does
+// not exist (Euromap, conveyor encoders) have the values of unconnected equipment.
 
 #include <optional>
 #include <string_view>
@@ -23,17 +23,17 @@ struct FieldSource {
     std::size_t components = 1;
 };
 
-/// Empty if this catalogue entry has no source. A test checks that every output field has one.
+/// Source of a catalogue entry; empty if there is none. A test checks that every output field has a source.
 std::optional<FieldSource> fieldSource(const rtde::Field& field);
 
 /// The fields of one output recipe.
 class OutputRecipe {
 public:
-    /// answers() lists for each name whether the field exists in this software.
+    /// answers() lists for each name whether this software has the field.
     OutputRecipe(const std::vector<std::string>& names, const SoftwareVersion& software,
                  bool isListed = false);
 
-    /// One answer for each name, in the same order.
+    /// One answer per name, in the same order.
     const std::vector<rtde::FieldAnswer>& answers() const { return answers_; }
     /// True if there is at least one name and all were found.
     bool isValid() const { return valid_; }

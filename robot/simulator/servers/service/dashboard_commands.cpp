@@ -37,7 +37,7 @@ std::string upper(std::string text) {
 
 }  // namespace
 
-// If one command is the beginning of another, the longer command comes first.
+// If one command is the start of another, the longer command must be first.
 const DashboardCommands::KnownCommand DashboardCommands::kCommands[] = {
     {"load installation", &C::loadInstallation, true, true, {3, 2, 0, 0}, {}},
     {"load", &C::load, true, true, {}, {}},
@@ -85,13 +85,13 @@ const DashboardCommands::KnownCommand DashboardCommands::kCommands[] = {
 };
 
 DashboardCommands::Rights DashboardCommands::rightsOfNewClient() const {
-    // A connection opened in local control never gains the rights to control the robot.
+    // A connection opened in local control never gets the right to control the robot.
     return plant_.isRemoteControl() ? plant_.controlEpoch() + 1 : 0;
 }
 
 bool DashboardCommands::mayControl(Rights rights) const {
-    // Clients on the controller itself are exempt. For a simulator on this machine, this applies to every
-    // client unless gateLoopbackClients is set.
+    // Clients on the controller itself are exempt. With a simulator on this PC, these are all clients, unless
+    // gateLoopbackClients is set.
     const SimulatorOptions& options = plant_.options();
     const bool loopback = options.listenAddress.startsWith(QLatin1String("127."));
     const bool gated = options.gateLocalControl && (!loopback || options.gateLoopbackClients);
@@ -189,7 +189,7 @@ std::string DashboardCommands::play(const std::string&) {
         return "Starting program";
     }
     if (programs.state() == RuntimeState::Stopping || programs.isStopRequested()) {
-        programs.stopNow();  // "stop" has been confirmed, so "play" may follow immediately
+        programs.stopNow();  // "stop" has been confirmed, so "play" may follow at once
     }
     if (!store_.isLoaded() || programs.isActive()) {
         return failed;
@@ -208,8 +208,7 @@ std::string DashboardCommands::play(const std::string&) {
 }
 
 std::string DashboardCommands::stop(const std::string&) {
-    // Also successful if no program runs, because clients rely on this when they stop a program that has just
-    // ended.
+    // Succeeds if no program is running, because clients may stop a program that has just ended.
     plant_.programs().requestStop();
     return "Stopped";
 }
@@ -229,12 +228,11 @@ std::string DashboardCommands::running(const std::string&) {
 
 std::string DashboardCommands::programState(const std::string&) {
     if (!store_.isLoaded()) {
-        // The name is always included, because some clients wait for it and no known client has problems with
-        // it.
+        // Always include a name, because some clients wait for it.
         return "STOPPED <unnamed>";
     }
     const ProgramRunner& programs = plant_.programs();
-    // This command does not refer to scripts sent over a socket.
+    // Scripts sent over a socket are not included.
     const char* state = !programs.isFileProgram() ? "STOPPED" : programs.isPaused() ? "PAUSED" : "PLAYING";
     return state + (" " + store_.name());
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 // The commands of the dashboard, each with its exact reply. Source: Dashboard Server guide. Replies that
-// clients compare literally are copied from the vendor's simulator.
+// clients compare literally are recorded from the vendor's simulator.
 
 #include <cstdint>
 #include <deque>
@@ -20,8 +20,8 @@ class DashboardCommands {
 public:
     DashboardCommands(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
-    /// Rights of a connection. They are determined when the connection is opened and revoked when the
-    /// Local/Remote switch on the pendant changes.
+    /// Rights of a connection. They are determined when the connection is opened and end when the
+    /// Local/Remote switch of the pendant changes.
     using Rights = std::uint64_t;
     Rights rightsOfNewClient() const;
 
@@ -40,7 +40,7 @@ private:
         bool controls = false;  ///< refused in local control
         SoftwareVersion cb3{};
         SoftwareVersion eSeries{};
-        SoftwareVersion listedCb3{};  ///< where sources disagree, the latest of the first versions
+        SoftwareVersion listedCb3{};  ///< latest first version if sources disagree
         SoftwareVersion listedESeries{};
     };
     static const KnownCommand kCommands[];

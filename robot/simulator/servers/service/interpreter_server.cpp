@@ -19,14 +19,14 @@ using urscript::InterpreterMode;
 constexpr std::size_t kInterpreterShare = 256 * 1024;  ///< bytes read from one client at a time
 
 std::string discard(std::string_view reason, std::string_view line) {
-    // Remove the colon at the end of the reason, because the statement follows.
+    // The statement follows the reason, so remove the colon.
     while (!reason.empty() && reason.back() == ':') {
         reason.remove_suffix(1);
     }
     return "discard: " + std::string(reason) + ": " + std::string(line) + "\n";
 }
 
-/// Returns the reply to a command that is executed immediately; empty if the line is a statement.
+/// Returns the reply to a command that is executed at once; empty if the line is a statement.
 std::string stateReply(InterpreterMode* mode, const std::string& line) {
     const InterpreterMode::Counts counts = mode == nullptr ? InterpreterMode::Counts() : mode->counts();
     std::uint32_t number = 0;
@@ -108,7 +108,7 @@ void InterpreterServer::answer(Client& client, int& lines) {
         }
         client.lines.pop_front();
         if (!client.peer.send(reply)) {
-            client.peer.close();  // the client is not reading its replies, and buffering is limited
+            client.peer.close();  // the client is not reading its replies
             return;
         }
     }

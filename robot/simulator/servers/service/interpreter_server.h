@@ -20,11 +20,10 @@ class InterpreterServer final : public Server {
 public:
     /// Maximum length of a line [bytes]. A longer line is refused with a message.
     static constexpr std::size_t kMaxLine = 64 * 1024;
-    /// Maximum number of lines per client that may wait for a clear_interpreter(). Reading stops at this
-    /// limit.
+    /// Maximum number of lines per client that wait for clear_interpreter(). Reading stops at this limit.
     static constexpr std::size_t kMaxWaiting = 1000;
 
-    /// Maximum number of lines compiled per cycle, so that many lines do not delay the robot.
+    /// Maximum number of lines compiled per cycle, so that compiling does not delay the robot.
     static constexpr int kLinesAtOnce = 32;
 
     explicit InterpreterServer(ControllerModel& plant) : plant_(plant) {}
@@ -38,7 +37,7 @@ private:
             : peer(descriptor, 1 << 20), mayWrite(writes) {}
         Peer peer;
         bool mayWrite;
-        bool overlong = false;  ///< true while receiving a line that is too long
+        bool overlong = false;  ///< the current line is too long
         std::string line;       ///< incomplete line
         std::deque<std::string> lines;
     };

@@ -178,8 +178,8 @@ HttpResponse RobotApi::docs(const HttpRequest&, const std::string&) {
 
 // ---- robot ----------------------------------------------------------------------------------------------
 
-// The response is sent when the robot has completed the request, because clients immediately query the new
-// state or request the next step.
+// The response is sent when the robot has completed the request, because clients then query the new state or
+// request the next step at once.
 HttpResponse RobotApi::putRobotState(const HttpRequest& request, const std::string&) {
     const auto body = bodyOf(request);
     const QString action = body ? body->value(QLatin1String("action")).toString() : QString();
@@ -241,7 +241,7 @@ HttpResponse RobotApi::controlMode(const HttpRequest&, const std::string&) {
 }
 
 HttpResponse RobotApi::operationalMode(const HttpRequest&, const std::string&) {
-    // This mode is always reported. Without a mode selector, programs can run.
+    // A mode is always reported. Without a mode selector, programs can run.
     return mode(plant_.safety().operationalMode() == OperationalMode::Manual ? QStringLiteral("MANUAL")
                                                                              : QStringLiteral("AUTOMATIC"));
 }
@@ -324,7 +324,7 @@ HttpResponse RobotApi::play(bool resuming) {
     if (runner.isActive()) {
         return notNow(QStringLiteral("A program is running"));
     }
-    // The default program of a new controller has no nodes.
+    // The default program of a controller has no nodes.
     const Result<std::string> text =
         store_.isLoaded() ? store_.script() : Result<std::string>("def Default_program():\nend\n");
     if (!text) {
@@ -422,7 +422,7 @@ HttpResponse RobotApi::store(const HttpRequest& request, bool mustExist) {
     if (!document.isObject()) {
         return refuse(400, QStringLiteral("Bad upload"), QStringLiteral("the file is no program (JSON)"));
     }
-    // The name stored in the program has priority over the file name.
+    // The name in the program overrides the file name.
     const QJsonObject root = document.object();
     QString name = informationOf(root).value(QLatin1String("name")).toString();
     name = name.isEmpty() ? root.value(QLatin1String("name")).toString() : name;

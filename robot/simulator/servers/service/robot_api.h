@@ -2,7 +2,7 @@
 #pragma once
 
 // The Robot API of PolyScope X: action and response for each method and path. Source: Robot API documentation
-// of the manufacturer and the tests of its client library.
+// and tests of the manufacturer's client library.
 
 #include <QJsonObject>
 #include <string>
@@ -20,14 +20,15 @@ class RobotApi {
 public:
     RobotApi(ControllerModel& plant, ProgramStore& store) : plant_(plant), store_(store) {}
 
-    /// For requests that take time, the response is delayed until they are completed; see HttpResponse::due.
+    /// If a request takes time, the response is delayed until the request is completed. See
+    /// HttpResponse::due.
     HttpResponse run(const HttpRequest& request);
 
 private:
     using Handler = HttpResponse (RobotApi::*)(const HttpRequest& request, const std::string& rest);
     struct Route {
         std::string_view method;
-        std::string_view path;  ///< relative to the base; if it ends with '*', the handler receives the rest
+        std::string_view path;  ///< relative to the base; final '*': the handler gets the rest
         Handler handler;
         bool changes = false;   ///< refused in local control
         bool since1012 = true;  ///< true: exists from 10.12 on; false: from 10.11 on

@@ -8,10 +8,9 @@
 namespace tiller::simulator {
 
 namespace {
-/// Maximum number of bytes read from one client at a time, so that a flooding client does not block the
-/// others.
+/// Maximum number of bytes read from one client per call, so that no client can block the others.
 constexpr std::size_t kRequestShare = 256 * 1024;
-/// Maximum time for which a response waits for the robot [s]. The vendor's client has a timeout of 10 s.
+/// Maximum delay of a response that waits for the robot [s]. The vendor's client has a timeout of 10 s.
 constexpr double kMaxAnswerTime = 8.0;
 }  // namespace
 
@@ -31,7 +30,7 @@ void RobotApiServer::service() {
 void RobotApiServer::read(Client& client) {
     std::array<std::uint8_t, 16 * 1024> buffer;
     std::size_t total = 0;
-    // Requests received while a response is delayed remain in the network buffers, which are limited.
+    // While a response is delayed, further requests stay in the network buffers, which are limited.
     while (client.peer.isOpen() && !client.next && total < kRequestShare) {
         const std::size_t got = client.peer.receive(buffer);
         if (got == 0) {
@@ -76,7 +75,7 @@ bool RobotApiServer::sendNext(Client& client) {
         return true;
     }
     Client::HttpAnswer& answer = *client.next;
-    // In virtual time, a client could not wait, because time advances only after its request has been
+    // In virtual time, the client cannot wait, because time advances only after its request has been
     // answered.
     if (answer.response.due && plant_.options().time == Time::Real && !answer.response.due()) {
         if (plant_.elapsed() - answer.asked < kMaxAnswerTime) {

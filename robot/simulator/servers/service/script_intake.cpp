@@ -10,7 +10,7 @@
 namespace tiller::simulator {
 
 namespace {
-constexpr std::size_t kScriptShare = 256 * 1024;  ///< bytes read from one client at a time
+constexpr std::size_t kScriptShare = 256 * 1024;  ///< maximum number of bytes read from one client per call
 constexpr std::int32_t kReadOnlyInLocal = 210;
 }  // namespace
 

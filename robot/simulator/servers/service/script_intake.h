@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The receiving side of a script port for one client. Passes received programs to the runner.
+// Receives scripts from one client of a script port and passes them to the runner.
 
 #include "robot/simulator/servers/net/peer.h"
 #include "robot/simulator/urscript/source_splitter.h"
@@ -12,7 +12,7 @@ class ControllerModel;
 
 class ScriptIntake {
 public:
-    /// mayWrite  false: received scripts do not run, because the robot is in local control
+    /// mayWrite  false: scripts are not run, because the robot is in local control
     explicit ScriptIntake(bool mayWrite) : mayWrite_(mayWrite) {}
 
     /// Reads the received data.

@@ -22,7 +22,7 @@ QByteArray zipOf(const QByteArray& fileName, const QByteArray& content) {
     const auto sum = static_cast<quint32>(
         crc32(0, reinterpret_cast<const Bytef*>(content.constData()), static_cast<uInt>(content.size())));
     const auto size = static_cast<quint32>(content.size());
-    // Header of the entry. It is written twice: before the content and in the directory at the end.
+    // The header is written twice: before the content and in the directory at the end.
     QByteArray entry;
     put(entry, kVersion);
     put(entry, quint16(0));
