@@ -18,7 +18,8 @@ constexpr qsizetype kLargestInstallation = 64 << 20;
 constexpr qsizetype kLargestScript = 4 << 20;
 constexpr qint64 kWaitTimeoutMs = 2000;
 
-/// Moves the lines between two marks out of the script. The marks are comments and may remain.
+/// Moves the lines between the two header marks out of the script. The marks are comments, so they may
+/// remain.
 std::string takeHeader(std::string& script) {
     constexpr std::string_view kBegin = "# HEADER_BEGIN";
     constexpr std::string_view kEnd = "# HEADER_END";
@@ -67,14 +68,14 @@ std::string withControlScript(std::string program, std::string script) {
          at = program.find(kControlNode, at + script.size())) {
         program.replace(at, kControlNode.size(), script);
     }
-    const std::size_t body = program.find('\n') + 1;  // after the line of the program's `def`
+    const std::size_t body = program.find('\n') + 1;  // start of the line after the `def` of the program
     return program.insert(body, header);
 }
 
 ControlScriptRequest::ControlScriptRequest(const ScriptProvider& provider, std::chrono::milliseconds silence)
     : silence_(silence) {
     socket_.connectToHost(provider.host, provider.port);
-    socket_.write("request_program\n");  // sent when connected
+    socket_.write("request_program\n");  // sent once the connection is established
     asked_.start();
 }
 

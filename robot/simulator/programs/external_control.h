@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The program node "External Control", with which the pendant runs a script from another computer. When the
-// program is played, the robot requests the script from that computer and inserts it in place of the node.
-// The request is one line of text; the end of the script is not marked. The part between the header marks of
-// the script is placed at the beginning of the program and runs first.
+// The program node "External Control", with which the pendant runs a script from another PC. When the program
+// is played, the robot requests the script from that PC with one line of text and inserts it in place of the
+// node. The end of the script is not marked. The part between the header marks of the script is placed at the
+// beginning of the program and runs first.
 
 #include <QByteArray>
 #include <QElapsedTimer>
@@ -17,25 +17,26 @@
 
 namespace tiller::simulator {
 
-/// Address of the computer that provides the script, with the defaults of a new installation.
+/// Address of the PC that provides the script. The defaults are those of a new installation.
 struct ScriptProvider {
     QString host = QStringLiteral("192.168.56.1");
     std::uint16_t port = 50002;
 };
 
-/// Reads the address from an installation file (gzipped XML). Empty if the file contains none.
+/// Reads the address from an installation file (gzipped XML). Empty if the file does not contain one.
 std::optional<ScriptProvider> scriptProviderOf(const QByteArray& installation);
 
 /// Inserts the script in place of the External Control nodes of the program.
 std::string withControlScript(std::string program, std::string script);
 
-/// Threads  one that processes events. No function blocks.
+/// Threads  a thread that processes events. No function blocks.
 class ControlScriptRequest {
 public:
-    /// silence  pause in the data after which the script is considered complete
+    /// silence  if no data have arrived for this time, the script is complete
     ControlScriptRequest(const ScriptProvider& provider, std::chrono::milliseconds silence);
 
-    /// The script; an empty text if it could not be read, no value while it is being received.
+    /// Returns the script, or an empty string if it could not be read. No value while the script is being
+    /// received.
     std::optional<std::string> poll();
 
 private:

@@ -23,7 +23,7 @@ ProgramRunner::ProgramRunner(ControllerModel& plant, ScriptHost& host) : plant_(
 
 void ProgramRunner::endAll() {
     controlled_.reset();
-    runningSecondary_ = true;  // secondary programs end without affecting the arm
+    runningSecondary_ = true;  // a secondary program does not affect the arm when it ends
     secondaries_.clear();
     runningSecondary_ = false;
     main_.reset();
@@ -42,8 +42,7 @@ bool ProgramRunner::submitText(std::string_view text) {
 }
 
 void ProgramRunner::submitControlled(std::string text, ScriptProvider provider) {
-    // A controller that listens only on this machine can reach its script provider only on this machine as
-    // well.
+    // A controller that listens only on this PC can only reach a script provider on this PC.
     const QHostAddress here(plant_.options().listenAddress);
     if (here.isLoopback() && !QHostAddress(provider.host).isLoopback()) {
         provider.host = QStringLiteral("127.0.0.1");
@@ -101,7 +100,7 @@ void ProgramRunner::runCommand(std::string_view words) {
     } else if (words.starts_with(kSetSpeed)) {
         setSpeed(words.substr(kSetSpeed.size()));
     }
-    // "set sim", "set real" and other commands are accepted without effect.
+    // Other commands, such as "set sim" and "set real", are accepted without effect.
 }
 
 void ProgramRunner::setSpeed(std::string_view fraction) {
@@ -226,7 +225,7 @@ void ProgramRunner::stepMain() {
         if (main_->error() && main_->error()->overrun) {
             plant_.safety().protectiveStop();  // exceeding the time limit causes a protective stop
         }
-        ended_ = true;  // the last period still counts as playing
+        ended_ = true;  // this period still counts as playing
     }
 }
 
@@ -275,7 +274,7 @@ void ProgramRunner::stopNow() {
 void ProgramRunner::finishStopping() {
     main_.reset();
     ended_ = false;
-    plant_.arm().resume();  // if the program was paused, the arm is still held
+    plant_.arm().resume();  // a paused program still holds the arm
     state_ = RuntimeState::Stopped;
     plant_.publish(primary::key(plant_.timestampNs(), primary::kProgramStopped, name_));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs programs with the program states of a controller: one main program at a time, and secondary programs
-// in parallel. A new main program replaces the running program, unless it does not compile. Source: client
-// interface manual, dashboard guide.
+// Runs programs with the program states of a controller: one main program and any number of secondary
+// programs in parallel. A new main program replaces the running program, unless it does not compile. Source:
+// client interface manual, dashboard guide.
 
 #include <chrono>
 #include <deque>
@@ -29,7 +29,7 @@ public:
     /// Minimum duration of a stop [s], so that clients can observe the state STOPPING.
     static constexpr double kStopTime = 0.02;
 
-    /// Minimum duration of a program [s], so that clients that do not poll in every period can observe it.
+    /// Minimum duration of a program [s], so that clients that do not sample every period can observe it.
     static constexpr double kMinPlayingTime = 0.01;
 
     ProgramRunner(ControllerModel& plant, ScriptHost& host);
@@ -37,13 +37,13 @@ public:
     ProgramRunner(const ProgramRunner&) = delete;
     ProgramRunner& operator=(const ProgramRunner&) = delete;
 
-    /// Accepts a unit from a script port. The unit is compiled immediately and runs from the next period on.
+    /// Accepts a unit from a script port. The unit is compiled at once and runs from the next period on.
     /// Compile errors are reported to primary clients.
     void submit(const urscript::SourceSplitter::Unit& unit);
     /// Like submit(), for the text of a program file. Returns false if the text does not compile.
     bool submitText(std::string_view text);
-    /// Runs a program with External Control nodes after the provider's script has arrived. If no script
-    /// arrives, the program shows a message to the operator in place of the node and waits.
+    /// Runs a program with External Control nodes when the provider's script has arrived. If no script
+    /// arrives, the program shows a message in place of the node and waits for the operator.
     void submitControlled(std::string text, ScriptProvider provider);
 
     void requestStop();
@@ -69,20 +69,20 @@ public:
     /// True if the main program came from a program file; false if it was sent over a socket.
     bool isFileProgram() const { return isActive() && fromFile_; }
     std::uint32_t currentLine() const;
-    /// The main program; null if no program runs.
+    /// The main program; null if no program is running.
     const urscript::Interpreter* mainProgram() const { return ended_ ? nullptr : main_.get(); }
-    /// Like mainProgram(), but also between the end of the main body and the report of this end.
+    /// Like mainProgram(), but also non-null between the end of the main body and the report of this end.
     const urscript::Interpreter* unreportedProgram() const { return main_.get(); }
     /// The error of the last main program; empty if it did not fail.
     const std::optional<urscript::RuntimeError>& failure() const { return failure_; }
     /// Number of main programs started.
     std::uint64_t starts() const { return starts_; }
-    /// Interpreter mode of the main program; null if no program runs.
+    /// Interpreter mode of the main program; null if no program is running.
     urscript::InterpreterMode* interpreterMode() { return main_ && !ended_ ? &main_->mode() : nullptr; }
 
     void step();
 
-    /// For the host during a frame: true if the program that is ending is the main program.
+    /// For the host during a frame: true if the ending program is the main program.
     bool isEndingMain() const { return !runningSecondary_; }
 
 private:
@@ -116,7 +116,7 @@ private:
     ControllerModel& plant_;
     ScriptHost& host_;
     std::deque<NextProgram> requests_;
-    std::unique_ptr<Controlled> controlled_;  ///< program that waits for its script
+    std::unique_ptr<Controlled> controlled_;  ///< program that is waiting for its script
     std::unique_ptr<urscript::Interpreter> main_;
     std::vector<std::unique_ptr<urscript::Interpreter>> secondaries_;
     std::string name_;  ///< name of the main program

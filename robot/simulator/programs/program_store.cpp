@@ -29,7 +29,7 @@ Error notThere(const QString& name) {
 
 }  // namespace
 
-/// Returns whether the file exists and is in the folder after all links have been followed.
+/// Returns whether the file exists within the folder, after resolving links.
 bool ProgramStore::isWithin(const QString& path) const {
     const QString root = QDir(folder_).canonicalPath();
     const QString real = QFileInfo(path).canonicalFilePath();
@@ -48,7 +48,7 @@ std::optional<QString> ProgramStore::find(const QString& name) const {
             candidates << folder + name.mid(QLatin1String(root).size());
         }
     }
-    // Absolute paths are used unchanged. isWithin() checks them after resolving links.
+    // Absolute paths are not changed. isWithin() checks them after resolving links.
     candidates << (QDir::isAbsolutePath(name) ? name : folder + name);
     const auto found = std::ranges::find_if(
         candidates, [this](const QString& path) { return QFileInfo(path).isFile() && isWithin(path); });
@@ -61,7 +61,7 @@ std::optional<QByteArray> ProgramStore::read(const QString& name) const {
     return path ? contentOf(*path) : std::nullopt;
 }
 
-/// Reads an already resolved path. Resolving it again could match a folder `/programs/` on this machine.
+/// Reads a resolved path. Resolving it a second time could match a folder `/programs/` on this PC.
 std::optional<QByteArray> ProgramStore::readPath(const QString& path) const {
     return isWithin(path) ? contentOf(path) : std::nullopt;
 }
@@ -86,7 +86,7 @@ Result<pendant::PendantProgram> ProgramStore::programAt(const QString& path) con
     }
     pendant::PendantSource source = source_();
     source.installation = installation_;
-    // Names are relative to the program, or to the folder of all programs.
+    // Names are relative to the program or to the programs folder.
     source.files = [this, &file](const QString& name) {
         const std::optional<QByteArray> beside =
             QDir::isAbsolutePath(name) ? std::nullopt : readPath(file.dir().filePath(name));
@@ -179,7 +179,7 @@ QString ProgramStore::pathOf(const QString& bareName) const {
         return {};
     }
     const QFileInfo file(QDir(folder_).filePath(bareName));
-    // Writing to a dangling link would follow the link.
+    // Writing to a dangling link would create its target.
     const bool free = !file.exists() && !file.isSymLink();
     return free || isWithin(file.filePath()) ? file.filePath() : QString();
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The syntax tree between parser and code generator. Nodes are stored in the deques of a Tree and point to
-// each other. They are never freed individually, so no input can cause deep recursion on destruction.
+// The syntax tree between parser and code generator. Nodes are stored in the deques of a Tree and refer to
+// each other by pointers. They are never freed individually, so no input can cause deep recursion on
+// destruction.
 
 #include <cstdint>
 #include <deque>
@@ -94,7 +95,7 @@ struct Stmt {
     Position at;
     AssignScope scope = AssignScope::Unqualified;
     Expr* target = nullptr;         ///< for Assign
-    Expr* value = nullptr;          ///< for Assign, Expression, Return (may be absent), Join, Kill
+    Expr* value = nullptr;          ///< for Assign, Expression, Return (optional), Join, Kill
     std::vector<Expr*> conditions;  ///< for If: one per branch; for While: one
     std::vector<Block> blocks;      ///< for If: one per condition, plus one for else; for While: one
     Function* definition = nullptr;

@@ -53,8 +53,8 @@ struct CallContext {
 
 inline constexpr const char* kTooMuchBehind = "Runtime is too much behind";
 
-/// One call of a builtin. A builtin that cannot finish returns Status::Again. It is then executed again with
-/// the same arguments, once in every later frame, until it returns Done.
+/// One call of a builtin. A builtin that is not finished returns Status::Again. It is then executed again
+/// with the same arguments, once in every following frame, until it returns Done.
 class Call {
 public:
     Call(CallContext& context, const Builtin& builtin, ThreadId threadId, std::span<Value> arguments)
@@ -71,17 +71,17 @@ public:
     std::int64_t waitedNs = 0;
 
     // set by the builtin
-    std::int64_t consumedNs = 0;  ///< physical time taken from the thread's slice
+    std::int64_t consumedNs = 0;  ///< simulated time charged to the thread's slice
     bool endFrame = false;        ///< uses the rest of the slice
     std::int64_t cost = 0;        ///< extra operations, for builtins that process much data
-    bool readSocket = false;      ///< data were read; the frame ends after many of these reads
+    bool readSocket = false;      ///< data were read; limits the number of reads per frame
 
     const Limits& limits() const { return context_.limits; }
     std::int64_t stepNs() const { return context_.stepNs; }
     double random();
 
     const std::string& name() const;
-    const char* needs() const;  ///< for absent() builtins: the missing equipment
+    const char* needs() const;  ///< for absent() builtins: the unavailable equipment
     CallContext& context() { return context_; }
 
     /// For motion builtins: starts the command in the first execution, then waits for its end.
@@ -94,7 +94,7 @@ public:
         return motionUnfinished() ? Status::Again : Status::Done;
     }
 
-    // ---- arguments; a wrong type causes a fault with an error text
+    // ---- arguments; a wrong type throws a Fault
     bool given(std::size_t i) const { return !args[i].isUnset(); }
     double number(std::size_t i) const;
     double finite(std::size_t i) const;         ///< number that is neither NaN nor infinite
@@ -165,26 +165,26 @@ struct Since {
     FirstVersions first;
     std::optional<FirstVersions> listed = {};
 
-    /// isListed  use the later version
+    /// isListed  use the later of the possible first versions
     bool availableIn(const SoftwareVersion& version, bool isListed = false) const {
         return (isListed && listed ? *listed : first).isIn(version);
     }
 };
 inline constexpr Since kPolyScopeX{{kNever, 0, kNever}, FirstVersions{kNever, 11, kNever}};
-/// Missing in the list of 3.3, but present in the lists of 2019 (3.11 and 5.5).
+/// Not in the list of 3.3, but in the lists of 2019 (3.11 and 5.5).
 inline constexpr Since kAfter33{{0, 0, 4}, FirstVersions{5, 0, 11}};
-/// Missing in the lists of 2019, but present in those of 5.15.
+/// Not in the lists of 2019, but in those of 5.15.
 inline constexpr Since kAfter2019{{6}, FirstVersions{15}};
-/// As above, but already present in a list of 2021 (5.11) or 2022 (5.12).
+/// As kAfter2019, but already in a list of 2021 (5.11) or 2022 (5.12).
 inline constexpr Since kAfter2019By2021{{6}, FirstVersions{11}};
 inline constexpr Since kAfter2019By2022{{6}, FirstVersions{12}};
-/// Missing in the lists of 5.15, but present in those of 5.24 and 10.11.
+/// Not in the lists of 5.15, but in those of 5.24 and 10.11.
 inline constexpr Since kAfter515{{16, 0, kNever}, FirstVersions{24, 11, kNever}};
 inline constexpr Since kStructSince{{0, 0, 6}};
 inline constexpr Since kStringsSince{{2, 0, 8}};
 inline constexpr Since kSeries5{{0, 0, kNever}};
 
-/// An entry as written in the tables.
+/// A row of the tables as written in the source.
 struct BuiltinRow {
     const char* signature;  ///< e.g. "movej(q, a=1.4, v=1.05, t=0, r=0)"; `?` after a name: optional, no
                             ///< fixed default; `t|t_min`: an alternative name
@@ -192,7 +192,7 @@ struct BuiltinRow {
     unsigned flags = kPlain;
     Since since = {};
     const char* needs = nullptr;   ///< for absent(): the equipment, e.g. "a ROS network"
-    const char* partly = nullptr;  ///< the part of the effect that is not simulated
+    const char* partly = nullptr;  ///< part of the effect that is not simulated
 };
 
 struct Builtin {
@@ -211,7 +211,7 @@ const std::vector<Builtin>& builtins();
 /// Index into builtins(), or -1.
 int findBuiltin(std::string_view name);
 
-// The tables, each in a separate file.
+// The tables, one per file.
 std::span<const BuiltinRow> motionBuiltins();
 std::span<const BuiltinRow> forceBuiltins();
 std::span<const BuiltinRow> superpositionBuiltins();

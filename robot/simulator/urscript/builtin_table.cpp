@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Converts the signatures of all tables to rows that can be searched.
+// Converts the signatures of all tables to rows for lookup.
 
 #include <algorithm>
 #include <charconv>
@@ -83,7 +83,7 @@ int FirstVersions::ofSeries3() const {
     if (minor3 != kInStep || minor5 == 0) {
         return std::max(minor3, 0);
     }
-    // 5.0 was released with 3.6, and 5.6 with 3.12. Afterwards, series 3 skipped one release.
+    // 5.0 was released with 3.6, and 5.6 with 3.12. After that, series 3 skipped one release.
     constexpr int kLast = 10;
     return minor5 > kLast ? kNever : minor5 + (minor5 <= 6 ? 6 : 5);
 }

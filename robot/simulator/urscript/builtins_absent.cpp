@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Known functions for equipment that is not simulated. Programs that contain them compile, but fail when they
-// call one.
+// call them.
 
 #include "robot/simulator/urscript/builtin.h"
 

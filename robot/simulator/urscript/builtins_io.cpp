@@ -26,7 +26,7 @@ Status setDigitalOut(Call& c) {
     return Status::Done;
 }
 
-// The older functions number all pins consecutively: 0..7 standard, 8 and 9 tool.
+// The older functions use one number range: 0..7 standard, 8 and 9 tool.
 struct Pin {
     DigitalBank bank;
     int number;
@@ -134,8 +134,8 @@ Status runState(Call& c) {
     return Status::Done;
 }
 
-/// The listed outputs are high while a program runs. The other outputs are independent of the program.
-/// Exported programs contain these calls for the outputs of the installation.
+/// Sets outputs that are high while a program is running. Exported programs contain these calls for the
+/// outputs of the installation. Other outputs are independent of the program.
 template <RuledOutput output, int last>
 Status runStateOutputs(Call& c) {
     constexpr int kIndependent = 0, kHighWhileRunning = 3;

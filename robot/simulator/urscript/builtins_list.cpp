@@ -13,7 +13,7 @@ namespace {
 using Type = Value::Type;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Matrix inversion has cubic cost, and a frame takes only two milliseconds.
+// Matrix inversion has cubic cost, but a frame has only two milliseconds.
 constexpr std::size_t kMaxInverse = 32;
 
 Status norm(Call& c) {

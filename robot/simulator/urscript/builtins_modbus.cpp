@@ -39,7 +39,7 @@ Status addSignal(Call& c) {
             signal.kind = Kind::Input;
             break;
         case 1:
-        case 15:  // the function code for writing multiple values
+        case 15:  // function code for writing multiple values
             signal.kind = Kind::Coil;
             break;
         case 2:
@@ -108,7 +108,7 @@ Status getInvalidTime(Call& c) {
     return Status::Done;
 }
 
-/// Reads an argument that is either one value or a list of values.
+/// Reads an argument that is a value or a list of values.
 std::vector<std::int32_t> valuesAt(Call& c, std::size_t i, bool digital) {
     std::vector<double> given;
     if (c.args[i].is(Value::Type::List)) {

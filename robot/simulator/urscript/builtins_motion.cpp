@@ -81,7 +81,7 @@ Value frameInBase(const Call& c, const std::string& frame, const Pose& inFrame) 
 }
 
 MotionCommand optimove(Call& c, Move::Kind kind) {
-    // A goal may be the name of a frame or struct(pose, frame).
+    // A goal may be a frame name or struct(pose, frame).
     if (c.args[0].is(Value::Type::String)) {
         c.args[0] = frameInBase(c, c.string(0), {});
     } else if (c.args[0].is(Value::Type::Struct)) {
@@ -108,7 +108,7 @@ Status optimovel(Call& c) {
     return c.motion([&] { return optimove(c, Move::Kind::OptimoveL); });
 }
 
-// The parameters a and v (1 and 2) are accepted without effect, as on the controller.
+// The parameters a and v (1 and 2) have no effect, as on the controller.
 Status servoj(Call& c) {
     return c.motion([&] {
         ServoJ servo;
@@ -130,7 +130,7 @@ std::optional<double> duration(const Call& c, std::size_t i) {
     return c.given(i) ? std::optional(std::max(c.finite(i), 0.0)) : std::nullopt;
 }
 
-// May be infinite, because scripts compute it by dividing by a remaining time.
+// May be infinite, because scripts divide by a remaining time.
 double acceleration(const Call& c, std::size_t i) {
     const double a = c.number(i);
     if (std::isnan(a)) {
@@ -176,7 +176,7 @@ Status stopl(Call& c) {
     });
 }
 
-// Two versions of the signature: (torques, friction_comp) and (torque, viscous_scale, coulomb_scale).
+// Two signatures: (torques, friction_comp) and (torque, viscous_scale, coulomb_scale).
 Status directTorque(Call& c) {
     return c.motion([&] {
         DirectTorque torque;

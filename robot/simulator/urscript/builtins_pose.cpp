@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pose algebra. In the comments below, R(p) is the rotation of pose p, and t(p) is its position.
+// Pose algebra. In the comments below, R(p) is the rotation of pose p, and t(p) is its translation.
 
 #include <cmath>
 
@@ -48,7 +48,7 @@ Status poseDist(Call& c) {
     return Status::Done;
 }
 
-// Straight line and shortest rotation; alpha outside of 0..1 extrapolates both.
+// Straight line and shortest rotation. alpha outside of 0..1 extrapolates both.
 Status interpolatePose(Call& c) {
     const Pose from = c.pose(0);
     const Pose to = c.pose(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time, messages, and interaction of the program with the controller.
+// Time, messages, and control of the running program.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ Status sleep(Call& c) {
     if (!(seconds >= 0)) {
         fault("sleep: time must not be negative");
     }
-    // A year is practically unlimited and does not overflow the nanosecond value.
+    // Limited to one year, because a larger value could overflow the nanoseconds.
     c.consumedNs = std::llround(std::min(seconds, 3.2e7) * 1e9);
     return Status::Done;
 }

@@ -30,7 +30,7 @@ Status writeBool(Call& c) {
     return Status::Done;
 }
 Status writeInt(Call& c) {
-    // Scripts also write bools, which are stored as 1 or 0.
+    // Bools are stored as 1 or 0.
     const bool question = c.args[1].is(Value::Type::Bool);
     c.host.setIntOutput(c.integerIn(0, 0, kNumbers), question ? std::int32_t{c.boolean(1)} : c.integer(1));
     return Status::Done;
@@ -60,7 +60,7 @@ Status readPortRegister(Call& c) {
     c.result = std::int32_t{c.host.portRegister(c.integerIn(0, 0, RegisterHost::kPorts - 1))};
     return Status::Done;
 }
-// 16 bits, passed either as a signed or as an unsigned number.
+// A 16-bit value, either signed or unsigned.
 Status writePortRegister(Call& c) {
     c.host.setPortRegister(c.integerIn(0, 0, RegisterHost::kPorts - 1),
                            static_cast<std::int16_t>(c.integerIn(1, -32768, 65535)));

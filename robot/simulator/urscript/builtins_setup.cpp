@@ -93,7 +93,7 @@ Status targetPayloadInertia(Call& c) {
     return Status::Done;
 }
 
-// Returns the rows of six numbers in a list of poses (as returned by get_tcp_force()) or in a matrix.
+// Returns the rows of six numbers of a matrix or of a list of poses, as returned by get_tcp_force().
 std::vector<Vector6> rowsAt(const Call& c, std::size_t i) {
     std::vector<Vector6> out;
     if (c.args[i].is(Value::Type::Matrix) && c.args[i].matrix().cols == 6) {
@@ -115,8 +115,8 @@ std::vector<Vector6> rowsAt(const Call& c, std::size_t i) {
     return out;
 }
 
-// Estimates mass and centre of gravity from wrenches in base orientation about the flange: F = -m g, and tau
-// = (R cog) x F = -[F]x R cog, solved by least squares.
+// Estimates mass and centre of gravity by least squares from wrenches in base orientation about the flange: F
+// = -m g, and tau = (R cog) x F = -[F]x R cog.
 Status estimatePayload(Call& c) {
     const std::vector<Vector6> poses = rowsAt(c, 0);
     const std::vector<Vector6> wrenches = rowsAt(c, 1);

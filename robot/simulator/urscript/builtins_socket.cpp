@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// TCP sockets of the program. Reads check the received data in each frame until there are enough data, the
-// connection ends, or the timeout expires.
+// TCP sockets of the program. Read functions check the received data in each frame until there are enough
+// data, the connection ends, or the timeout expires.
 
 #include <algorithm>
 #include <charconv>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t kConnectNs = 2'000'000'000;
 constexpr int kMaxReadCount = 30;
 
-// The script of a gripper manufacturer uses numbers for its sockets: 1 is the socket "1".
+// The script of a gripper manufacturer passes socket numbers: 1 is the socket "1".
 const std::string& socketName(Call& c, std::size_t i) {
     if (c.args[i].isNumber()) {
         c.args[i] = Value(toStr(c.args[i], kMaxStringLength));
@@ -30,8 +30,8 @@ bool expired(const Call& c, std::size_t timeoutArgument) {
 }
 
 // Returns true if no more bytes can arrive. Must be called only if the received bytes are not sufficient. A
-// read that fails immediately uses the rest of the frame, so that a loop around it on a closed socket does
-// not use up the operation limit.
+// read that fails at once uses the rest of the frame. Otherwise, a loop that reads from a closed socket would
+// exceed the operation limit.
 bool over(Call& c, const std::string& socket, std::size_t timeoutArgument) {
     const bool ended = c.host.socketState(socket) != SocketHost::State::Open || expired(c, timeoutArgument);
     c.endFrame = ended && c.first;
@@ -48,8 +48,8 @@ void consume(Call& c, const std::string& socket, std::size_t bytes) {
 
 Status socketOpen(Call& c) {
     const std::string& name = socketName(c, 2);
-    // A failing connection attempt, e.g. without a network, also takes a period, so that a loop around it
-    // does not use up the operation limit.
+    // A failed connection attempt, e.g. without a network, also takes a period. Otherwise, a loop that
+    // retries would exceed the operation limit.
     if (c.first && !c.host.openSocket(name, c.string(0), c.integerIn(1, 1, 65535))) {
         c.result = false;
         c.endFrame = true;
@@ -122,7 +122,7 @@ Status readByteList(Call& c) {
     return Status::Done;
 }
 
-// A message such as "( 1.4 , 3.1 )" extends to the closing bracket.
+// A message such as "( 1.4 , 3.1 )" ends at the closing bracket.
 Status readAsciiFloat(Call& c) {
     const auto count = static_cast<std::size_t>(c.integerIn(0, 0, kMaxReadCount));
     const std::string& name = socketName(c, 1);
@@ -180,7 +180,7 @@ Status readString(Call& c) {
         end = suffix.empty() ? bytes.size() : bytes.find(suffix, text);
         if (end != std::string_view::npos) {
             c.result = Value(std::string(bytes.substr(text, std::min(end - text, kMaxStringLength))));
-            // Text beyond the maximum string length remains for the next read.
+            // Text beyond the maximum string length is kept for the next read.
             const std::size_t taken =
                 end - text > kMaxStringLength ? text + kMaxStringLength : end + suffix.size();
             consume(c, name, taken);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Functions for strings, which consist of bytes indexed from zero.
+// Functions for strings. Strings consist of bytes with indices from zero.
 
 #include <charconv>
 #include <cmath>
@@ -18,7 +18,7 @@ Value bounded(std::string text) {
     return Value(std::move(text));
 }
 
-// Types accepted by to_str and str_cat: string, bool, number, pose, and lists of those.
+// to_str and str_cat accept string, bool, number, pose, and lists of those.
 void checkPrintable(const Call& c, std::size_t i) {
     const Value& v = c.args[i];
     const bool structs = v.is(Value::Type::List) && v.list().kind == ListData::Kind::Other &&
@@ -83,7 +83,7 @@ Status strSub(Call& c) {
     return Status::Done;
 }
 
-// Leading blanks, sign, decimal or 0x. The result is a float if there is a decimal point or an exponent.
+// Accepts leading blanks, a sign, decimal or 0x. Returns a float if there is a decimal point or an exponent.
 Status toNum(Call& c) {
     std::string_view s = c.string(0);
     const std::size_t start = s.find_first_not_of(" \t");

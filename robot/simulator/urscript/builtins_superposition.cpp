@@ -81,7 +81,7 @@ Status encoderRange(Call& c) {
     c.check(c.host.setEncoderRange(c.integerIn(0, 0, 1), c.integerIn(1, 0, 4)));
     return Status::Done;
 }
-// Difference between two tick counts, taking overflow of the 32-bit counter into account.
+// Difference between two tick counts with overflow of the 32-bit counter.
 Status encoderUnwind(Call& c) {
     c.integerIn(0, 0, 1);
     c.result = std::remainder(c.finite(1), 4294967296.0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The executable form of a program: code of a stack machine, one sequence per function. Every variable is a
-// slot number and every callee is an index. Names are not looked up at run time.
+// The executable form of a program: code of a stack machine, one sequence per function. Variables are slot
+// numbers and callees are indices, so that no names are looked up at run time.
 
 #include <cstdint>
 #include <string>
@@ -22,7 +22,7 @@ enum class Op : std::uint8_t {
     PushTrue,
     PushFalse,
     PushNone,
-    PushUnset,  // for a missing argument
+    PushUnset,  // for an omitted argument
     LoadLocal,
     LoadGlobal,
     StoreLocal,
@@ -57,9 +57,9 @@ enum class Op : std::uint8_t {
     // control; b = target
     Jump,
     JumpIfFalse,
-    JumpIfFalseKeep,  // keeps the bool for `and`, `or`; pops it if it does not jump
+    JumpIfFalseKeep,  // keeps the bool for `and`, `or` only if it jumps
     JumpIfTrueKeep,
-    JumpIfSet,  // a = local; skips the default value of a parameter that was passed
+    JumpIfSet,  // a = local; skips the default value of a passed parameter
     // calls
     Call,         // b = function, a = arguments
     CallBuiltin,  // b = builtin, a = arguments
@@ -84,15 +84,14 @@ struct Instruction {
     std::int32_t b = 0;
 };
 
-/// Target of a nested assignment or a method call: a variable, and the steps from the variable to the
-/// element.
+/// Target of a nested assignment or a method call: a variable and the steps to the element.
 struct Path {
     enum class Step : std::uint8_t { Index, Index2, Member };
     bool global = false;
     int slot = 0;
     using Part = std::pair<Step, std::string>;
     std::vector<Part> steps;
-    int indexValues = 0;  ///< number of values on the stack used by the steps
+    int indexValues = 0;  ///< number of stack values used by the steps
 };
 
 enum class Method : std::uint8_t {
@@ -123,11 +122,11 @@ struct FunctionCode {
     ast::FunctionKind kind = ast::FunctionKind::Def;
     int parameters = 0;
     int locals = 0;  ///< parameters included
-    int stack = 0;   ///< maximum number of operands
+    int stack = 0;   ///< maximum stack depth for operands
     std::vector<Instruction> code;
-    std::vector<ast::Position> positions;  ///< same index as the instruction in `code`
+    std::vector<ast::Position> positions;  ///< one per instruction in `code`
     std::vector<std::string> localNames;
-    std::vector<bool> optional;  ///< for each parameter, whether it has a default
+    std::vector<bool> optional;  ///< for each parameter: true if it has a default
     bool outermost = false;      ///< defined directly in the program or in a line of interpreter mode
 };
 
@@ -140,7 +139,7 @@ struct Bytecode {
     CompileOptions options;               ///< also used for the lines of interpreter mode
     std::vector<FunctionCode> functions;  ///< [0] is the main body
     std::vector<Value> constants;
-    std::vector<std::string> globals;  ///< for a line of interpreter mode: the globals that it adds
+    std::vector<std::string> globals;  ///< for an interpreter mode line: globals that it adds
     std::vector<Path> paths;
     std::vector<MethodCall> methods;
     std::vector<std::vector<std::string>> shapes;  ///< member names of struct literals

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arguments of builtins: the values that each type accepts, and the messages for wrong values.
+// Arguments of builtins: the accepted values of each type, and the messages for wrong values.
 
 #include <cmath>
 #include <limits>
@@ -47,7 +47,7 @@ const char* Call::needs() const {
 }
 
 double Call::random() {
-    // splitmix64, which is small and generates the same numbers on every machine for the same seed.
+    // splitmix64. For the same seed, it generates the same numbers on every machine.
     std::uint64_t z = (context_.random += 0x9E3779B97F4A7C15ULL);
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
@@ -101,7 +101,7 @@ std::int32_t Call::integer(std::size_t i) const {
     }
     if (args[i].is(Value::Type::Float)) {
         const double d = args[i].asFloat();
-        // Clients that calculate a value by division pass 2.0 instead of 2.
+        // Clients that calculate an integer by division pass 2.0 instead of 2.
         if (d == std::floor(d) && std::abs(d) <= std::numeric_limits<std::int32_t>::max()) {
             return static_cast<std::int32_t>(d);
         }

@@ -35,7 +35,7 @@ void CodeNames::collectGlobals(const Block& block, bool outermost) {
     for (const Stmt* s : block) {
         if (s->kind == StmtKind::Assign && (outermost || s->scope == AssignScope::Global)) {
             const Expr* target = rootOf(s->target);
-            // An element assignment does not declare a variable unless it is marked `global`.
+            // An element assignment does not declare a variable, unless it is marked `global`.
             if (target == s->target || s->scope == AssignScope::Global) {
                 if (surroundings_ != nullptr && s->scope == AssignScope::Global &&
                     findGlobal(target->text) < 0) {
@@ -111,7 +111,7 @@ CodeNames::Slot CodeNames::resolve(std::string_view name) {
     if (const int slot = findGlobal(name); slot >= 0) {
         return {true, slot};
     }
-    // `local x` appears later in the text. In a loop, the variable may already have a value here.
+    // `local x` appears later in the text. In a loop, the variable may already have a value at this point.
     if (explicitLocals_.contains(name)) {
         return {false, localSlot(name)};
     }
@@ -130,7 +130,7 @@ CodeNames::Callee CodeNames::findFunction(std::string_view name) const {
             return here(scope);
         }
     }
-    // Use the newest function with this name, because lines may redefine a function.
+    // Use the newest function with this name, because interpreter mode lines can redefine functions.
     for (std::size_t i = surroundings_ == nullptr ? 0 : surroundings_->functions.size(); i > 1; --i) {
         const FunctionCode* f = surroundings_->functions[i - 1].function;
         if (f->outermost && f->name == name) {
@@ -140,7 +140,7 @@ CodeNames::Callee CodeNames::findFunction(std::string_view name) const {
     return {};
 }
 
-// The interpreter numbers the functions of a line after all existing functions.
+// Functions of a line are numbered after all existing functions.
 int CodeNames::indexOf(const Function& f) const {
     return surroundings_ == nullptr || f.index == 0
                ? f.index
@@ -152,7 +152,7 @@ bool CodeNames::isOutermost(const Function& f) const {
 }
 
 void CodeNames::report(Position at, std::string text) {
-    // Keep the first error in the text, regardless of the order in which functions are compiled.
+    // Keep the error that is first in the text, because functions are not compiled in the order of the text.
     if (!error_ || std::pair(at.line, at.column) < std::pair(error_->line, error_->column)) {
         error_ = CompileError{at.line, at.column, std::move(text)};
     }

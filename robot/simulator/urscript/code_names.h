@@ -2,7 +2,7 @@
 #pragma once
 
 // Resolves names of variables and functions: globals and functions of the text, and locals of the function
-// being compiled. For a line of interpreter mode, also the names of the program to which the line is added.
+// being compiled. For an interpreter mode line, also the names of the program.
 
 #include <map>
 #include <memory>
@@ -23,7 +23,7 @@ public:
     const std::optional<CompileError>& error() const { return error_; }
 
 protected:
-    /// surroundings  the program to which a line of interpreter mode is added; null for a whole program
+    /// surroundings  the program to which an interpreter mode line is added; null for a whole program
     CodeNames(const ast::Tree& tree, const LinkedCode* surroundings)
         : tree_(tree), surroundings_(surroundings) {}
 
@@ -34,17 +34,17 @@ protected:
     void collectGlobals();
     void collectLocals(const ast::Block& block);
     static const ast::Expr* rootOf(const ast::Expr* target);
-    /// Returns the slot, or -1 if there is no such global.
+    /// Returns the slot; -1 if the global does not exist.
     int findGlobal(std::string_view name) const;
     int globalSlot(std::string_view name);
     int localSlot(std::string_view name);
     Slot resolve(std::string_view name);
-    /// A function that can be called or run, regardless of where it is defined.
+    /// A function that can be called or run.
     struct Callee {
         int index = -1;
         ast::FunctionKind kind = ast::FunctionKind::Def;
-        const ast::Function* here = nullptr;      // in this text, or ...
-        const FunctionCode* elsewhere = nullptr;  // ... compiled earlier
+        const ast::Function* here = nullptr;      // in this text, or
+        const FunctionCode* elsewhere = nullptr;  // compiled earlier
         explicit operator bool() const { return index >= 0; }
     };
     Callee findFunction(std::string_view name) const;

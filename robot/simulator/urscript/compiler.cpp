@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every name is resolved at compile time, so a program that calls an unknown function never starts.
+// All names are resolved at compile time, so a program that calls an unknown function does not start.
 
 #include "robot/simulator/urscript/compiler.h"
 
@@ -70,7 +70,7 @@ void Compiler::function(const Function& f) {
 void Compiler::defaultOf(const Function& f, const ast::Parameter& parameter) {
     const int slot = localSlot(parameter.name);
     if (parameter.defaultValue == nullptr) {
-        return;  // the caller always passes a parameter without a default
+        return;  // the caller must pass a parameter without a default
     }
     const int skip = emit(Op::JumpIfSet, f.at, 0, slot);
     expression(parameter.defaultValue);
@@ -181,7 +181,7 @@ void Compiler::assign(const Stmt& s) {
     if (root != s.target && root->text == "digital_out" && s.target->kind == ExprKind::Index &&
         s.target->children.size() == 2 && s.scope == AssignScope::Unqualified &&
         resolve(root->text).index < 0) {
-        // `digital_out[n] = True` is the output syntax of old controllers, which python-urx still uses.
+        // `digital_out[n] = True` sets an output on old controllers. python-urx still uses it.
         expression(s.target->children[1]);
         expression(s.value);
         emit(Op::CallBuiltin, s.at, findBuiltin("set_digital_out"), 2, -1);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The code generator, which translates the syntax tree to bytecode statement by statement. Other files
-// include program.h instead.
+// Code generator: translates the syntax tree to bytecode, statement by statement. Other files include
+// program.h instead.
 
 #include <memory>
 #include <string_view>
@@ -14,7 +14,7 @@ namespace tiller::simulator::urscript {
 
 class Compiler : public ExpressionCompiler {
 public:
-    /// surroundings  the program to which a line of interpreter mode is added; null for a whole program
+    /// surroundings  the program to which an interpreter mode line is added; null for a whole program
     Compiler(const ast::Tree& tree, const CompileOptions& options, const LinkedCode* surroundings = nullptr)
         : ExpressionCompiler(tree, options, surroundings) {}
 
@@ -34,13 +34,13 @@ private:
     std::vector<int> breaks_;
 };
 
-/// Result for a line of interpreter mode: either code or an error.
+/// Code of an interpreter mode line, or an error.
 struct LineOutcome {
     std::unique_ptr<Bytecode> code;
     CompileError error;
 };
 /// Compiles statements that are added to a running program. They can use its globals and outermost functions,
-/// and the definitions of earlier lines. New variables are local to the statements; new globals are an error.
+/// and the definitions of earlier lines. New variables are local to the statements. New globals are an error.
 LineOutcome compileLine(std::string_view text, const LinkedCode& surroundings);
 
 }  // namespace tiller::simulator::urscript

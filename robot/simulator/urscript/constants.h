@@ -10,7 +10,7 @@
 
 namespace tiller::simulator::urscript {
 
-/// Parses a number, True, False, a quoted text, a list, a pose `p[...]` or a struct of such values.
+/// Parses a number, True, False, a quoted string, a list, a pose `p[...]` or a struct of such values.
 /// Errors  ScriptError with the reason
 Result<Value> constantValue(std::string_view text);
 

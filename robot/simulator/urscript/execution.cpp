@@ -30,10 +30,10 @@ Execution::Execution(const Program& program, Host& host, const Limits& limits)
     globals_.resize(code_.globals.size());
 }
 
-// Executes a thread. The frequent cases (numbers, jumps, variables) are handled here, and all others in
+// Executes a thread. Numbers, jumps and variables are handled here for speed, all other cases in
 // operators.cpp.
 void Execution::execute(ScriptThread& thread) {
-    // Cached data of the current call. Call `reload` after every call or return.
+    // Cached data of the current call. Use `reload` after every call or return.
     const FunctionCode* function = nullptr;
     const Bytecode* unit = nullptr;
     const Value* constants = nullptr;
@@ -54,7 +54,7 @@ void Execution::execute(ScriptThread& thread) {
         locals = thread.stack.data() + call.base;
         sp = thread.stack.data() + thread.top;
     };
-    // Updates the state of the thread before any operation that may fault, block or read this state.
+    // Stores the cached data in the thread. Required before any operation that may fault, block or read them.
     const auto save = [&] {
         thread.calls.back().pc = pc;
         thread.top = static_cast<std::size_t>(sp - thread.stack.data());
@@ -204,7 +204,7 @@ void Execution::execute(ScriptThread& thread) {
                 sp[-6] = makePose(sp - 6);
                 sp -= 5;
                 for (int i = 0; i < 5; ++i) {
-                    sp[i].forget();  // these are numbers, otherwise makePose would have failed
+                    sp[i].forget();  // these are numbers, because makePose has succeeded
                 }
                 break;
             case Op::MakeList: {
@@ -382,7 +382,7 @@ void Execution::execute(ScriptThread& thread) {
             }
             case Op::EnterCritical:
             case Op::ExitCritical:
-                break;  // no-op: threads switch only when they block, which critical sections do not prevent
+                break;  // no effect: threads switch only when they block, even in critical sections
             case Op::Halt:
                 save();
                 settle();
@@ -427,14 +427,14 @@ void Execution::push(ScriptThread& thread, const LinkedCode::Callee& callee, int
     thread.calls.push_back({&f, callee.unit, 0, base});
 }
 
-// Runs the next line of interpreter mode like a call at the position of interpreter_mode().
+// Runs the next interpreter mode line as a call from interpreter_mode().
 void Execution::enterLine(ScriptThread& thread) {
     const Unit& unit = mode_.begin();
     globals_.resize(std::max(globals_.size(), code_.globals.size()));
     push(thread, {&unit.code->functions.front(), &unit}, 0);
 }
 
-// Returns to the caller with the result. Returns false if the thread has left its outermost function.
+// Returns to the caller with the result. Returns false if the outermost function has ended.
 bool Execution::leave(ScriptThread& thread, Value result) {
     const CallFrame done = thread.calls.back();
     for (std::size_t i = done.base; i < thread.top; ++i) {
@@ -450,14 +450,14 @@ bool Execution::leave(ScriptThread& thread, Value result) {
     }
     thread.calls.pop_back();
     if (done.unit->owned != nullptr && done.function == &done.unit->code->functions.front()) {
-        mode_.lineDone();  // the result of the line is discarded
+        mode_.lineDone();  // the line has no result
     } else {
         thread.stack[thread.top++] = std::move(result);
     }
     return true;
 }
 
-// Returns Wait if the builtin must be executed again or if the slice has been used.
+// Returns Wait if the builtin must be executed again or if the slice is used up.
 Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction& instruction) {
     const Builtin& builtin = builtins()[static_cast<std::size_t>(instruction.b)];
     const std::size_t first = thread.top - instruction.a;
@@ -472,7 +472,7 @@ Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction&
         forgetLines();
     }
     thread.operations -= 8 + call.cost;
-    // Reading must take time, regardless of how much a client sends and how often the program reads.
+    // End the frame after many reads, so that reading takes time even if the client always sends more data.
     call.endFrame =
         call.endFrame || (call.readSocket && limits_.threadOperationsPerFrame - thread.operations >=
                                                  limits_.readingOperationsPerFrame);
@@ -505,7 +505,7 @@ Execution::After Execution::callBuiltin(ScriptThread& thread, const Instruction&
     if (call.endFrame) {
         thread.sliceNs = std::min<std::int64_t>(thread.sliceNs, 0);
     }
-    // A thread that has used some of its time yields to threads with more remaining time.
+    // A thread that has used part of its slice waits, so that threads with more remaining time run first.
     return thread.sliceNs > 0 && call.consumedNs == 0 && !isStopRequested() ? After::GoOn : After::Wait;
 }
 
@@ -516,7 +516,7 @@ bool Execution::callRemote(ScriptThread& thread, std::int32_t handle, const Meth
         fault(kTooMuchBehind);
     }
     if (call.name == "closeXMLRPCClientConnection") {
-        result = Value::none();  // every call has a separate connection
+        result = Value::none();  // every call has its own connection
         return true;
     }
     if (!thread.again) {
@@ -578,7 +578,7 @@ void Execution::storePath(ScriptThread& thread, const Path& path) {
     thread.top -= static_cast<std::size_t>(end - first);
 }
 
-// Returns false if the thread waits for the result.
+// Returns false if the thread must wait for the result.
 bool Execution::callMethod(ScriptThread& thread, const MethodCall& call) {
     Value* const end = thread.stack.data() + thread.top;
     Value* const arguments = end - call.arguments;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Executes the bytecode of a script thread within the thread's share of the frame, until the thread waits,
-// ends or fails. The scheduler (virtual_machine.h) assigns the shares.
+// Executes the bytecode of a script thread within its time slice, until the thread waits, ends or fails. The
+// scheduler (virtual_machine.h) assigns the slices.
 
 #include <cstdint>
 #include <span>
@@ -46,7 +46,7 @@ private:
     virtual ThreadId handleOf(const Value& v) const = 0;
     virtual void endThread(ScriptThread& thread) = 0;
     virtual void killTree(ThreadId id) = 0;
-    /// Discards the lines of interpreter mode and ends the threads that run in them.
+    /// Discards the interpreter mode lines and ends the threads that run in them.
     virtual void forgetLines() = 0;
     virtual void finish() = 0;
     virtual void requestPause() = 0;

@@ -260,8 +260,7 @@ void ExpressionCompiler::call(const Expr* e) {
          pushed, 1 - pushed);
 }
 
-// Emits one value per parameter, in the order of the parameters. Wrong arguments are reported when the call
-// is executed.
+// Emits one value per parameter, in parameter order. Wrong arguments are reported when the call is executed.
 int ExpressionCompiler::arguments(const Expr* e, const std::vector<Formal>& formals) {
     std::vector<const Expr*> given(formals.size(), nullptr);
     std::string problem;
@@ -278,7 +277,7 @@ int ExpressionCompiler::arguments(const Expr* e, const std::vector<Formal>& form
         if (place >= formals.size()) {
             problem = e->names[i].empty() ? "takes at most " + std::to_string(formals.size()) + " arguments"
                                           : "has no argument named '" + std::string(e->names[i]) + "'";
-            expression(e->children[i]);  // resolves the names in the argument
+            expression(e->children[i]);  // reports unknown names in the argument
             emit(Op::Pop, e->at, 0, 0, -1);
         } else if (given[place] != nullptr) {
             problem = "got argument '" + std::string(formals[place].name) + "' twice";

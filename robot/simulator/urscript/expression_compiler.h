@@ -60,7 +60,7 @@ private:
         std::string_view name;
         std::string_view alias;
         bool required;
-        const Value* value;  // for a default value of a builtin
+        const Value* value;  // default value of a builtin parameter
     };
     void call(const ast::Expr* e);
     static const Builtin& row(int builtin) { return builtins()[static_cast<std::size_t>(builtin)]; }

@@ -142,7 +142,7 @@ Expr* ExpressionParser::primary() {
         case TokenKind::LeftParen: {
             Expr* e = expression();
             if (accept(TokenKind::Comma)) {
-                // python-urx sends "(x, y, z)" instead of a list.
+                // python-urx sends "(x, y, z)" for a list.
                 std::vector<Expr*> elements = items(TokenKind::RightParen);
                 elements.insert(elements.begin(), e);
                 return newExpr(ExprKind::ListLiteral, token, std::move(elements));
@@ -187,7 +187,7 @@ std::vector<Expr*> ExpressionParser::items(TokenKind close) {
     return out;
 }
 
-// After `p[`, six elements form a pose. One or two elements are indices into a variable named p.
+// After `p[`, six elements are a pose. One or two elements are indices into a variable named p.
 Expr* ExpressionParser::poseOrIndex(const Token& name) {
     const Token& bracket = take();
     std::vector<Expr*> elements = items(TokenKind::RightBracket);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Parser for expressions, including access to tokens and creation of nodes. The parser of statements
-// (parser.cpp) uses these functions as well.
+// Parser for expressions, with access to tokens and creation of nodes. The statement parser (parser.cpp) also
+// uses these functions.
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +14,7 @@
 
 namespace tiller::simulator::urscript {
 
-// Thrown and caught inside the parser only, so that the parse functions do not have to return errors.
+// Thrown and caught only in the parser, so that the parse functions need no error return value.
 struct ParseFailure {
     CompileError error;
 };
@@ -49,7 +49,7 @@ protected:
         }
         return take();
     }
-    // Member names may be keywords: time() returns `sec`.
+    // Member names may be keywords: time() returns a struct with `sec`.
     const Token& memberName() {
         if (peek().kind < TokenKind::KwDef && peek().kind != TokenKind::Identifier) {
             fail(peek());
@@ -68,7 +68,7 @@ protected:
         throw ParseFailure{syntaxError(source_, token.line, token.column)};
     }
 
-    /// True if the text assigns a value to a variable with this name anywhere.
+    /// True if the text contains an assignment to a variable with this name.
     bool isAssigned(std::string_view name) const {
         const auto assigns = [name](const Token& token, const Token& next) {
             return token.kind == TokenKind::Identifier && token.text == name &&
@@ -77,7 +77,7 @@ protected:
         return std::adjacent_find(tokens_.begin(), tokens_.end(), assigns) != tokens_.end();
     }
 
-    // Limits the recursion of the parse functions, and therefore the stack size.
+    // Limits the recursion depth of the parse functions, and therefore the stack size.
     class Level {
     public:
         explicit Level(TreeBuilder& builder) : builder_(builder) {

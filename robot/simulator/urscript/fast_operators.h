@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Inlined operations on numbers, which make up most statements. All other operations are in operators.h.
+// Inlined operations on numbers, which are the most frequent. All other operations are in operators.h.
 
 #include <algorithm>
 #include <cstdint>
@@ -10,8 +10,7 @@
 
 namespace tiller::simulator::urscript {
 
-// Additional operation cost of list operations, so that the operation limit of the frame also limits their
-// time.
+// Number of operations charged for a list operation, so that the operation limit also bounds its time.
 inline std::int64_t elementCount(const Value& v) {
     return static_cast<std::int64_t>(v.is(Value::Type::List)     ? v.list().size()
                                      : v.is(Value::Type::Matrix) ? v.matrix().numbers.size()

@@ -7,9 +7,9 @@
 //
 // Conventions for all interfaces: SI units; base frame unless stated otherwise; called only from the thread
 // that calls Interpreter::runFrame(); never blocking. Operations that take time are started by one call and
-// polled by another, once per frame. An Error ends the program with a runtime exception, whose text is the
-// error's controllerMessage, or its context if controllerMessage is empty. Methods with a default
-// implementation are for optional equipment.
+// polled by another, once per frame. An Error ends the program with a runtime exception. Its text is the
+// controllerMessage of the error or, if that is empty, the context. Methods with a default implementation are
+// for optional equipment.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -28,18 +28,17 @@
 
 namespace tiller::simulator::urscript {
 
-/// Identifies a script thread within one program: 0 is the main body, and the handles returned by `run` are
-/// 1, 2, 3 ...
+/// Identifies a script thread within one program: 0 is the main body. `run` returns 1, 2, 3 ...
 using ThreadId = std::int32_t;
 
-/// The error that a host returns for unsupported functions.
+/// Error for functions that a host does not support.
 Error notSimulated(std::string_view what);
-/// Creates an error whose text becomes the text of the runtime exception.
+/// Error whose text becomes the text of the runtime exception.
 Error scriptError(std::string text);
 
 // ---- motion commands
 
-/// Target of a move: joint positions [rad] or a TCP pose in the base frame. The host converts them as needed:
+/// Target of a move: joint positions [rad] or a TCP pose in the base frame. The host converts the target:
 /// forward kinematics for movel, inverse kinematics near the current joint positions for movej.
 using MoveTarget = std::variant<JointPositions, Pose>;
 
@@ -51,7 +50,7 @@ struct Move {
     std::optional<MoveTarget> via;  ///< movec only; only the position of a pose is used
     double acceleration = 0;  ///< [rad/s2] leading axis (J), [m/s2] (L, P, C), fraction (0,1] (Optimove)
     double velocity = 0;      ///< [rad/s], [m/s], fraction (0,1]
-    double duration = 0;      ///< [s]; 0: not given; has priority over acceleration and velocity
+    double duration = 0;      ///< [s]; 0: not given; overrides acceleration and velocity
     double blend = 0;         ///< [m]
     int orientationMode = 0;  ///< movec: 0 unconstrained, 1 fixed relative to the arc
 };
@@ -91,8 +90,8 @@ struct StopL {
 
 struct DirectTorque {
     JointTorques torque;               ///< without gravity
-    bool frictionCompensation = true;  ///< used if the command has a single switch
-    std::optional<Vector6> viscous;    ///< used if the command has scales 0..1
+    bool frictionCompensation = true;  ///< for the command with a single switch
+    std::optional<Vector6> viscous;    ///< for the command with scales 0..1
     std::optional<Vector6> coulomb;
 };
 
@@ -126,15 +125,14 @@ class MotionHost {
 public:
     virtual ~MotionHost() = default;
 
-    /// Starts `command` for `thread`. The arm may still be moving because of an earlier command, even if the
-    /// thread of that command has been killed. An error ends the program (no inverse solution, target outside
-    /// of the joint range ...).
+    /// Starts `command` for `thread`. An earlier command may still move the arm, even if its thread has been
+    /// killed. An error ends the program, e.g. no inverse solution, or target outside of the joint range.
     virtual Result<void> startMotion(ThreadId thread, const MotionCommand& command) = 0;
-    /// Polled at the beginning of each later frame, but not in the frame of the start. Returns true when the
-    /// calling thread may continue: at standstill at the target, in the blend zone, after the duration (in
-    /// program time, which is longer if the speed slider is below 100 %), or at standstill after a stop.
+    /// Polled at the beginning of each following frame. Returns true when the calling thread may continue: at
+    /// standstill at the target, in the blend zone, after the duration (in program time, which is longer if
+    /// the speed slider is below 100 %), or at standstill after a stop.
     virtual Result<bool> motionFinished(ThreadId thread) = 0;
-    /// Called if the thread was killed, or ended, with an unfinished command. The arm keeps its speed until
+    /// Called if the thread was killed or has ended with an unfinished command. The arm keeps its speed until
     /// another thread issues a command or the program ends.
     virtual void motionAbandoned(ThreadId thread) = 0;
 
@@ -193,10 +191,10 @@ public:
     virtual Pose tcpPose(Source) const = 0;
     virtual Twist tcpSpeed(Source) const = 0;
     virtual Pose flangePose() const = 0;      ///< actual pose, without the TCP offset
-    virtual Pose targetWaypoint() const = 0;  ///< target of the active move, otherwise the target TCP pose
+    virtual Pose targetWaypoint() const = 0;  ///< target of the active move, or the target TCP pose
     virtual Wrench tcpForce() const = 0;
     virtual bool isSteady() const = 0;
-    /// Number of control periods back to the one just before a contact along `direction` (zero: any
+    /// Number of control periods back to the last period before a contact along `direction` (zero: any
     /// direction); 0: no contact.
     virtual int toolContact(const Eigen::Vector3d& direction) const = 0;
 
@@ -208,12 +206,12 @@ public:
 
     using FieldValue =
         std::variant<bool, std::int32_t, double, std::vector<double>, std::vector<std::int32_t>>;
-    /// Value of an RTDE output field by name, delayed by one control period.
+    /// Value of an RTDE output field, delayed by one control period.
     virtual Result<FieldValue> rtdeValue(std::string_view field) const;
 };
 
-/// Kinematics and dynamics of the calibrated arm. If `tcp` or `q` is empty, the active TCP or the current
-/// joint positions are used.
+/// Kinematics and dynamics of the calibrated arm. Defaults: active TCP for an empty `tcp`, current joint
+/// positions for an empty `q`.
 class KinematicsHost {
 public:
     virtual ~KinematicsHost() = default;
@@ -250,14 +248,14 @@ struct ExternalForceSensor {
         true;  ///< ft_rtde_input_enable; false: enable_external_ft_sensor (torques of opposite sign)
 };
 
-/// Equipment mounted on the arm, and the mounting of the arm. The settings are kept between programs.
+/// Mounting of the arm and equipment on the arm. The settings are kept between programs.
 class SetupHost {
 public:
     virtual ~SetupHost() = default;
     virtual Pose tcpOffset() const = 0;
     virtual Result<void> setTcpOffset(const Pose& flangeToTcp, std::string_view name) = 0;
     virtual Payload payload() const = 0;
-    /// `transition`: time for blending from the old to the new payload [s]. `zeroSensor`: true for the older
+    /// `transition`: time to change linearly from the old to the new payload [s]. `zeroSensor`: for the older
     /// functions, which also zero the force/torque reading.
     virtual Result<void> setPayload(const Payload& payload, double transition, bool zeroSensor) = 0;
     virtual Eigen::Vector3d gravity() const = 0;  ///< [m/s2]; 0 0 9.82 when upright
@@ -266,9 +264,9 @@ public:
     virtual Result<void> setBaseAcceleration(const Eigen::Vector3d& acceleration);
     virtual void zeroForceSensor() = 0;
     virtual Result<void> setExternalForceSensor(const ExternalForceSensor& sensor) = 0;
-    /// Settings that a simulation may ignore, identified by builtin name, with their numbers:
-    /// "position_deviation_warning", "set_baselight_solid", "motion_version_set" ... The default
-    /// implementation accepts them without effect.
+    /// Settings that a simulation may ignore, identified by builtin name, with their numbers, e.g.
+    /// "position_deviation_warning", "set_baselight_solid", "motion_version_set". The default implementation
+    /// accepts them without effect.
     virtual Result<void> applySetting(std::string_view builtin, std::span<const double> values);
 };
 
@@ -305,7 +303,7 @@ struct ToolCommunication {
     double rxIdleChars = 1.5, txIdleChars = 3.5;
 };
 
-/// Outputs that may follow the program state, and inputs that may act as a freedrive button.
+/// Outputs that can follow the program state, and inputs that can act as a freedrive button.
 enum class RuledOutput { Standard, Configurable, Tool, Analog, Register };
 enum class RuledInput { Standard, Configurable, Tool, Register };
 
@@ -339,11 +337,10 @@ public:
     virtual ~SocketHost() = default;
     enum class State { Closed, Connecting, Open };
 
-    /// Starts connecting, after closing an open socket with this name. Returns false if the attempt fails
-    /// immediately.
+    /// Closes an open socket with this name and starts to connect. Returns false if the attempt fails at
+    /// once.
     virtual bool openSocket(std::string_view name, std::string_view address, int port) = 0;
-    /// The state is Open until either side closes the connection. Bytes received before that can still be
-    /// read afterwards.
+    /// Open until either side closes the connection. Bytes received before that can still be read.
     virtual State socketState(std::string_view name) const = 0;
     virtual void closeSocket(std::string_view name) = 0;  ///< unknown names are ignored
     /// Sends all bytes. Returns false if the socket is not open.
@@ -376,7 +373,7 @@ public:
     virtual std::optional<RequestAnswer> requestedValue(int id);
 };
 
-/// A signal of a Modbus device. The controller reads it, or writes and reads it, periodically.
+/// A signal of a Modbus device. The controller periodically reads it, or writes and reads it.
 struct ModbusSignal {
     enum class Kind { Input, Coil, InputRegister, Register };
     std::string name;
@@ -398,19 +395,19 @@ struct ModbusStatus {
 };
 enum class ModbusErrorSource { Combined, Device, Connection };
 
-/// Modbus devices, of which the controller is a client. Optional. Signals remain when the program ends. All
-/// functions return an error if there is no signal with this name.
+/// The controller as client of Modbus devices. Optional. Signals are kept when the program ends. All
+/// functions return an error for an unknown signal name.
 class ModbusHost {
 public:
     virtual ~ModbusHost() = default;
-    virtual Result<void> addModbusSignal(const ModbusSignal& signal);  ///< replaces one with the same name
+    virtual Result<void> addModbusSignal(const ModbusSignal& signal);  ///< replaces a signal of the same name
     virtual Result<void> deleteModbusSignal(std::string_view name);
-    /// Returns the values read last. Error: no values were read for longer than the signal's watchdog time.
+    /// Returns the last values read. Error: no values have been read within the signal's watchdog time.
     virtual Result<ModbusStatus> modbusStatus(std::string_view name) const;
     virtual Result<std::int32_t> modbusError(std::string_view name, ModbusErrorSource source) const;
     virtual Result<double> modbusInvalidTime(std::string_view name) const;  ///< [s], 0: valid
-    /// Sets an output. If `values` has fewer elements than the output, the other values remain unchanged.
-    /// Error: the signal is not an output, or is of a different kind.
+    /// Sets an output. If `values` has fewer elements than the output, the remaining elements do not change.
+    /// Error: the signal is not an output, or has a different type.
     virtual Result<void> setModbusOutput(std::string_view name, bool digital,
                                          std::span<const std::int32_t> values);
     virtual Result<void> setModbusFrequency(std::string_view name,
@@ -432,17 +429,18 @@ public:
     virtual double stepTime() const = 0;                ///< [s] 0.002 or 0.008; length of one frame
     virtual std::int64_t controllerTimeNs() const = 0;  ///< monotonic, since the start of the controller
     virtual std::int64_t systemTimeNs() const = 0;      ///< UTC since 1970
-    /// Informs the safety system immediately. The program continues to the end of its frame; call
+    /// Notifies the safety system at once. The program continues to the end of its frame; call
     /// Interpreter::pause().
     virtual Result<void> protectiveStop() = 0;
     virtual void powerDown() = 0;
     virtual Result<void> setWatchdog(std::string_view field, double minFrequency, WatchdogAction action) = 0;
     /// Main program: decelerates, ends force mode and freedrive, removes watchdogs, closes sockets. Secondary
-    /// program: no action. Called exactly once for each interpreter that ran, also after errors and stop().
+    /// program: no effect. Called exactly once for each interpreter that has run, also after errors and
+    /// stop().
     virtual void programEnded(ProgramKind kind) = 0;
 };
 
-/// Named frames, which are kept between programs.
+/// Named frames. Kept between programs.
 class WorldHost {
 public:
     virtual ~WorldHost() = default;
@@ -452,8 +450,8 @@ private:
     WorldModel world_;
 };
 
-/// All interfaces accessible to a script. They are virtual bases, so that a host can be composed of classes
-/// that each implement one or more interfaces.
+/// All interfaces of a script. They are virtual bases, so that a host can be composed of classes that each
+/// implement one or more interfaces.
 class Host : public virtual MotionHost,
              public virtual SuperpositionHost,
              public virtual StateHost,

@@ -2,10 +2,9 @@
 #pragma once
 
 // Runs one program, one controller frame at a time. Within a frame, every script thread runs until it blocks,
-// ends or has used its time slice; no thread runs between frames. The order is deterministic. The thread with
-// the largest remaining slice runs first. If several slices are equal, the oldest thread runs first, except
-// that the main program runs last (see Limits::mainFirst). A thread started in a frame still runs in this
-// frame.
+// ends or has used its time slice. No thread runs between frames. The order is deterministic: the thread with
+// the largest remaining slice runs first. Among equal slices, the oldest thread runs first, except that the
+// main program runs last (see Limits::mainFirst). A thread started in a frame still runs in this frame.
 //
 // The host calls runFrame() once in each control period and then steps the arm. The destructor and stop() end
 // the program and notify the host.
@@ -27,7 +26,7 @@ struct RuntimeError {
     int line = 0;
     int column = 0;
     std::string text;
-    bool overrun = false;  ///< a loop without waiting
+    bool overrun = false;  ///< infinite loop without waiting
 };
 
 struct Limits {
@@ -40,9 +39,9 @@ struct Limits {
     int threads = 128;
     std::size_t listLength = 100'000;
     std::uint64_t randomSeed = 1;
-    /// If true, the main program runs first among threads with equal slices. If false, it runs last. Programs
-    /// in which a thread copies an input for the main program, e.g. the vendor's example of an RTDE control
-    /// loop, then use the newest copy.
+    /// Order among threads with equal slices. True: the main program runs first. False: it runs last, so that
+    /// programs in which a thread copies an input for the main program use the newest copy. An example is the
+    /// vendor's RTDE control loop.
     bool mainFirst = false;
     bool threadsBeginNextFrame = false;     ///< false: threads begin in the period in which they are started
     bool remoteServersMayBeAbsent = false;  ///< rpc_factory() does not check its server
@@ -55,7 +54,7 @@ public:
     enum class State {
         Running,
         Paused,
-        Finished,  ///< main body has ended, or `halt`
+        Finished,  ///< the main body has ended, or `halt`
         Stopped,   ///< after stop()
         Failed,    ///< see error()
     };
@@ -65,14 +64,14 @@ public:
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
 
-    /// Advances the program by one frame of host().stepTime(). Does nothing unless the program is running. A
-    /// secondary program always ends within its first frame.
-    /// Threads  always the same one; hosts may call pause(), resume() and stop() from inside this function
+    /// Runs one frame of host().stepTime(). No effect unless the program is running. A secondary program
+    /// always ends within its first frame.
+    /// Threads  always the same thread; hosts may call pause(), resume() and stop() from inside this function
     State runFrame();
 
-    void pause();  ///< from the next frame on; pending sleeps and read timeouts are paused
+    void pause();  ///< from the next frame on; sleeps and read timeouts pause too
     void resume();
-    void stop();  ///< ends the program; inside runFrame(): when the current statement returns
+    void stop();  ///< ends the program; inside runFrame(): after the current statement
 
     State state() const;
     bool ended() const { return state() >= State::Finished; }
@@ -83,7 +82,7 @@ public:
     int currentLine() const;
     std::int64_t frame() const;  ///< number of frames run
     int threadCount() const;     ///< including the main body
-    /// Current value of a global variable; null if there is none. Valid until the next frame.
+    /// Current value of a global variable; null if it does not exist. Valid until the next frame.
     const Value* global(std::string_view name) const;
     /// For lines sent by clients while the program is in interpreter_mode().
     InterpreterMode& mode();

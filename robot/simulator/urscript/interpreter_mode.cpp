@@ -36,7 +36,7 @@ InterpreterMode::Reply InterpreterMode::submit(std::string_view line) {
     return {Reply::Kind::Ack, counts_.lastInterpreted, {}};
 }
 
-// Lines with definitions are kept until they are cleared. All other lines can be removed.
+// Lines with definitions are kept until they are cleared. Other lines are removed at once.
 void InterpreterMode::retire(std::unique_ptr<Unit> unit) {
     if (unit != nullptr && unit->code->functions.size() > 1) {
         definitions_.push_back(std::move(unit));
@@ -95,7 +95,7 @@ const Unit& InterpreterMode::begin() {
 void InterpreterMode::lineDone() {
     inLine_ = false;
     if (running_->code->clearsInterpreter && !clearing_) {
-        awaitsClear_ = false;  // the clear_interpreter() of the line was not executed
+        awaitsClear_ = false;  // the line has not executed its clear_interpreter()
     }
 }
 

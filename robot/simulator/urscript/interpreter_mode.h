@@ -18,12 +18,11 @@ namespace tiller::simulator::urscript {
 /// Threads  the thread of Interpreter::runFrame(), between frames
 class InterpreterMode {
 public:
-    /// Maximum number of waiting lines. Additional lines are discarded.
+    /// Maximum number of waiting lines. Further lines are discarded.
     static constexpr std::size_t kMaxWaiting = 2'000;
-    /// Maximum number of functions and variables that lines may define before they are cleared.
+    /// Maximum number of functions and variables defined by lines before they must be cleared.
     static constexpr std::size_t kMaxDefinitions = 2'000;
-    /// Maximum number of lines executed in one frame. The remaining lines are executed in the following
-    /// frames.
+    /// Maximum number of lines executed in one frame. The next frames execute the remaining lines.
     static constexpr int kLinesPerFrame = 100;
 
     explicit InterpreterMode(LinkedCode& code) : code_(code) {}
@@ -37,7 +36,7 @@ public:
         enum class Kind {
             Ack,      ///< queued, with an ID counted from 1
             Discard,  ///< refused, with the reason
-            Wait,     ///< a clear_interpreter() is pending: retry later
+            Wait,     ///< a clear_interpreter() is pending; retry later
         };
         Kind kind = Kind::Discard;
         std::uint32_t id = 0;
@@ -60,8 +59,7 @@ public:
 
     // ---- called by the program
 
-    /// Result of proceed(), which is called when the program reaches interpreter_mode(), initially and after
-    /// each line.
+    /// Result of proceed(), which is called when the program reaches interpreter_mode() and after each line.
     enum class Next { Line, Nothing, End };
     Next proceed(bool clearQueueOnEnter, bool clearOnEnd);
     bool isInLine() const { return inLine_; }
@@ -90,14 +88,14 @@ private:
     LinkedCode& code_;
     std::deque<Line> queue_;
     std::unique_ptr<Unit> running_;
-    std::vector<std::unique_ptr<Unit>> definitions_;  ///< lines whose definitions other lines may use
+    std::vector<std::unique_ptr<Unit>> definitions_;  ///< lines with definitions for later lines
     Counts counts_;
     int linesLeft_ = kLinesPerFrame;
     bool active_ = false;
     bool ending_ = false;
     bool clearing_ = false;  ///< clear after the current line
     bool clearOnEnd_ = true;
-    bool awaitsClear_ = false;  ///< the last queued line clears, so later lines must wait for it
+    bool awaitsClear_ = false;  ///< the last queued line clears; later lines must wait for it
     bool inLine_ = false;
     bool abort_ = false;
     bool forget_ = false;

@@ -151,15 +151,15 @@ private:
         if (result.ec == std::errc::result_out_of_range) {
             return false;
         }
-        // An integer beyond 32 bits is read as a float. 2147483648 must be accepted because its negative is
-        // an int.
+        // An integer beyond 32 bits becomes a float. 2147483648 must be accepted, because its negative is an
+        // int.
         if (!isFloat && token.number <= std::numeric_limits<std::int32_t>::max()) {
             token.kind = TokenKind::Integer;
             token.integer = static_cast<std::int32_t>(token.number);
         } else {
             token.kind = TokenKind::Float;
         }
-        // "12abc" is rejected, because it is neither a number nor two valid tokens.
+        // "12abc" is rejected.
         return result.ptr == last && !isLetter(peek());
     }
 
@@ -193,7 +193,7 @@ private:
         return true;
     }
 
-    // $ 3 "Robot Program": a line with the name of the following node of the program tree.
+    // $ 3 "Robot Program": label for the next node of the program tree.
     bool readLabel(Token& token) {
         ++at_;
         const auto blanks = [this] {
@@ -320,7 +320,7 @@ CompileError syntaxError(std::string_view source, int line, int column) {
     if (!text.empty() && text.back() == '\r') {
         text.remove_suffix(1);
     }
-    // Limit the length, because a corrupted transmission may consist of a single line.
+    // Limit the length of the message, because corrupted input may consist of a single line.
     text = text.substr(0, 200);
     return {line, column, "syntax_error_on_line:" + std::to_string(line) + ":" + std::string(text) + ":"};
 }

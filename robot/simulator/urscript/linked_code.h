@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The code run by a virtual machine: the program, followed by the lines added in interpreter mode. Functions
-// and globals are numbered across both, so that a later line can use the definitions of an earlier one.
+// The code run by a virtual machine: the program and the lines added in interpreter mode. Functions and
+// globals are numbered across both, so that a later line can use the definitions of earlier lines.
 
 #include <map>
 #include <memory>
@@ -50,7 +50,7 @@ struct LinkedCode {
             globals.push_back(name);
         }
     }
-    /// Removes the functions and globals of the lines, so that only those of the program remain.
+    /// Removes the functions and globals of all lines. Those of the program remain.
     void dropLines() {
         functions.resize(program.code->functions.size());
         while (globals.size() > program.code->globals.size()) {

@@ -58,7 +58,7 @@ double apply(Op op, double a, double b) {
     }
 }
 
-// 32-bit arithmetic that wraps around, as on the controller.
+// 32-bit arithmetic with wrap-around, as on the controller.
 std::int32_t applyInt(Op op, std::int32_t a, std::int32_t b) {
     const auto ua = static_cast<std::uint32_t>(a);
     const auto ub = static_cast<std::uint32_t>(b);
@@ -77,7 +77,7 @@ std::int32_t applyInt(Op op, std::int32_t a, std::int32_t b) {
     }
 }
 
-// The numbers of a list or a matrix, with the integer flag of their source.
+// The numbers of a list or matrix, and whether all are integers.
 struct Elements {
     const std::vector<double>* numbers = nullptr;
     double scalar = 0;

@@ -9,14 +9,13 @@
 
 namespace tiller::simulator::urscript {
 
-/// Op::Add ... Op::Modulo for numbers, for lists and matrices element by element, for matrix products, and
+/// Op::Add ... Op::Modulo for numbers, element by element for lists and matrices, for matrix products, and
 /// for strings with `+`.
 Value arithmetic(Op op, const Value& left, const Value& right);
 Value negated(const Value& v);
 /// Op::Equal ... Op::GreaterEqual.
 bool compare(Op op, const Value& left, const Value& right);
-/// Converts a value to a condition. Bools, numbers (nonzero is true) and strings (nonempty is true) are
-/// accepted.
+/// Converts a value to a condition: a bool, a number (true if nonzero) or a string (true if nonempty).
 bool truth(const Value& v);
 
 /// `[a, b, ...]`: a list, or a matrix if the elements are lists of numbers.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A compiled script: fully checked, with resolved names, and ready to run any number of times. A program is
+// A compiled script: fully checked, with resolved names, ready to run any number of times. A program is
 // immutable, so that threads can share it.
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace tiller::simulator::urscript {
 
 struct Bytecode;
 
-/// The reason why a text cannot run. Line and column are counted from 1 in this text.
+/// Why a text cannot run. Line and column are counted from 1.
 struct CompileError {
     int line = 0;
     int column = 0;
@@ -25,13 +25,13 @@ struct CompileError {
 };
 
 struct CompileOptions {
-    /// Software version whose builtins are available; empty: all builtins.
+    /// Software version that determines the available builtins; empty: all builtins.
     std::optional<SoftwareVersion> version;
     /// If sources only give a range for the first version of a builtin, use the end of the range.
     bool isListed = false;
-    /// Builtins that are missing although this software version has them.
+    /// Builtins that are unavailable although this software version has them.
     std::vector<std::string> missing;
-    /// Name of a program without `def`.
+    /// Program name for text without `def`.
     std::string rawName = "unnamed";
 };
 
@@ -44,10 +44,10 @@ public:
 
     const std::string& name() const;
     ProgramKind kind() const;
-    /// True for bare statements without a `def`.
+    /// True for bare statements without `def`.
     bool isRaw() const;
-    /// True if the program calls a builtin that moves the arm. A raw statement with such a call replaces the
-    /// running program.
+    /// True if the program calls a builtin that moves the arm. Such a raw statement replaces the running
+    /// program.
     bool commandsMotion() const;
     const Bytecode& code() const { return *code_; }
 
@@ -62,11 +62,12 @@ struct CompileOutcome {
     explicit operator bool() const { return program != nullptr; }
 };
 
-/// Compiles one unit: a `def`, a `sec`, or bare statements (which run as a separate program).
+/// Compiles one unit: a `def`, a `sec`, or bare statements, which run as a separate program.
 /// Threads  any. Depth and memory are limited for any input.
 CompileOutcome compile(std::string_view text, const CompileOptions& options = {});
 
-/// True if the name is a keyword or a builtin of any software version. A function must not have such a name.
+/// True if the name is a keyword or a builtin of any software version, and therefore not permitted for
+/// functions.
 bool isReservedName(std::string_view name);
 
 }  // namespace tiller::simulator::urscript

@@ -21,17 +21,17 @@ class RemoteCalls {
 public:
     explicit RemoteCalls(SocketHost& host) : host_(host) {}
 
-    /// Returns a handle for a server that may not be reachable yet.
+    /// Returns a handle without checking whether the server is reachable.
     Result<std::int32_t> declare(std::string_view url);
     /// Returns a handle and starts to check whether the server accepts connections.
     Result<std::int32_t> open(std::string_view url);
-    /// Returns true when the server accepts connections. Poll this function until then.
+    /// Returns true when the server accepts connections. Poll until then.
     Result<bool> opened(std::int32_t handle);
 
     /// Starts a call and returns its number.
     Result<std::int64_t> begin(std::int32_t handle, std::string_view method,
                                std::span<const Value> arguments);
-    /// Returns the result of a call. Poll this function until the result is available.
+    /// Returns the result of a call; empty while it is not available. Poll until then.
     Result<std::optional<Value>> result(std::int64_t call);
 
 private:
@@ -42,7 +42,7 @@ private:
         std::string request;
         bool sent = false;
     };
-    /// The name contains a character that socket names in scripts cannot contain.
+    /// The newline prevents conflicts, because socket names in scripts cannot contain it.
     static std::string socketOf(std::int64_t call) { return "\nrpc" + std::to_string(call); }
 
     SocketHost& host_;

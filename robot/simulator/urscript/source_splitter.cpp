@@ -11,7 +11,7 @@ namespace tiller::simulator::urscript {
 
 namespace {
 
-// Commands that end an unfinished unit, because the sender has abandoned the unit.
+// Commands that end an unfinished unit, which the sender has abandoned.
 constexpr std::array<std::string_view, 6> kUrgent{"stop program",  "power on",   "power off",
                                                   "set robotmode", "set unlock", "pause program"};
 
@@ -23,7 +23,7 @@ bool isWordCharacter(char c) {
 struct LineShape {
     std::string_view text;  // trimmed, without the comment
     TokenKind firstWord = TokenKind::End;
-    bool command = false;  // e.g. "set speed 0.8": a word followed by another word or the line end
+    bool command = false;  // e.g. "set speed 0.8": a word followed by another word or the end of the line
     int blocks = 0;
     int brackets = 0;
 };
@@ -117,7 +117,7 @@ void SourceSplitter::takeLine() {
     const bool firstColumn = !blank && line_.front() != ' ' && line_.front() != '\t';
     if (!begun_) {
         if (blank) {
-            // Comments before a unit belong to it, so that line numbers match the sender's text.
+            // Comments before a unit are part of it, so that line numbers match the sender's text.
             if (!unit_.empty() || !trimmed(line_).empty()) {
                 unit_ += line_;
             }
@@ -138,7 +138,7 @@ void SourceSplitter::takeLine() {
         return;
     } else if ((shape.firstWord == TokenKind::KwDef || shape.firstWord == TokenKind::KwSec) &&
                (blocks_ == 0 || (firstColumn && (indented_.value_or(false) || misplacedEnd_)))) {
-        // An open bracket in a bare statement or a missing `end` must not absorb the following program.
+        // An open bracket in a bare statement or a missing `end` must not absorb the next program.
         const std::string line = std::move(line_);
         line_.clear();
         finish();

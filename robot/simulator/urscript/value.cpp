@@ -166,7 +166,7 @@ bool Value::equals(const Value& other) const {
         return number() == other.number();
     }
     if (type_ != other.type_) {
-        // A bool compares with the numbers 0 and 1. All other values of different types are unequal.
+        // A bool equals the numbers 0 and 1. Other values of different types are unequal.
         if (type_ == Type::Bool && other.isNumber()) {
             return (u_.b ? 1.0 : 0.0) == other.number();
         }

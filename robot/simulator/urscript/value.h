@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A URScript value. Numbers, bools and poses are stored inside the object. Strings, lists, matrices and
-// structs are shared until one owner writes to them (copy on write), which implements the by-value semantics
-// of the language at the cost of a pointer. Values of one program belong to one host thread, because the
-// reference counts are not atomic.
+// A URScript value. Numbers, bools and poses are stored in the object. Strings, lists, matrices and structs
+// are shared until one owner writes to them (copy on write), which implements the by-value semantics of the
+// language at the cost of a pointer. All values of a program must be used in the same host thread, because
+// the reference counts are not atomic.
 
 #include <array>
 #include <cstdint>
@@ -77,7 +77,7 @@ public:
     bool isNumber() const noexcept { return type_ == Type::Int || type_ == Type::Float; }
     bool is(Type t) const noexcept { return type_ == t; }
 
-    // Not checked: the caller must have checked type().
+    // Not checked. The caller must check type() first.
     bool asBool() const noexcept { return u_.b; }
     std::int32_t asInt() const noexcept { return u_.i; }
     double asFloat() const noexcept { return u_.d; }
@@ -121,17 +121,17 @@ public:
     /// Sets to Unset; this value must be plain.
     void forget() noexcept { type_ = Type::Unset; }
 
-    /// Returns a copy that shares no data, for constants passed to another host thread.
+    /// Returns a deep copy, for constants passed to another host thread.
     Value detached() const;
     /// Name of the type for error messages: "int", "float", "pose" ...
     const char* typeName() const noexcept;
     /// True for the same type and content. 2 and 2.0 are equal; NaN is not equal to itself.
     bool equals(const Value& other) const;
-    /// Returns whether the value is nested at most `depth` levels deep and contains at most `budget` values.
-    /// Their number is subtracted from `budget`. Every value created by a program is kept within these
-    /// limits, so that copies, comparisons and destruction are fast.
+    /// Returns whether the value has at most `depth` levels of nesting and `budget` values. Subtracts their
+    /// number from `budget`. All values of a program are kept within these limits, so that copies,
+    /// comparisons and destruction are fast.
     bool withinBounds(int depth, std::size_t& budget) const noexcept;
-    /// True for a struct, or for a list of values that are not numbers.
+    /// True for a struct, or for a list whose elements are not numbers.
     bool nested() const noexcept;
 
 private:
@@ -170,7 +170,7 @@ private:
         std::int32_t i;
         double d;
         std::array<double, 6> pose;
-        std::uint32_t* counter;  // all shared data start with their reference count
+        std::uint32_t* counter;  // all shared data start with the reference count
         StringData* string;
         ListData* list;
         MatrixData* matrix;
@@ -183,8 +183,8 @@ struct StringData {
     std::string text;
 };
 
-/// All elements of a list have the same type. Numbers and bools are stored as doubles (which represent int32
-/// exactly), others as values.
+/// All elements of a list have the same type. Numbers and bools are stored as doubles, which represent int32
+/// exactly, other types as values.
 struct ListData {
     enum class Kind : std::uint8_t { Bool, Int, Float, Other };
 
@@ -197,8 +197,8 @@ struct ListData {
     std::size_t size() const { return kind == Kind::Other ? values.size() : numbers.size(); }
     bool isNumeric() const { return kind == Kind::Int || kind == Kind::Float; }
     Value at(std::size_t i) const;
-    /// Returns false if the element type does not fit. Ints and floats can be mixed, which converts the list
-    /// to floats.
+    /// Returns false if the element type does not fit. Ints and floats can be mixed; the list is then
+    /// converted to floats.
     bool set(std::size_t i, const Value& v);
     bool insert(std::size_t i, const Value& v);
     void erase(std::size_t i);
@@ -225,7 +225,7 @@ struct StructData {
 };
 
 /// Conversion for to_str and str_cat: six decimals without trailing zeros, ", " between elements. The result
-/// may be longer than the language allows, but ends soon after `limit` characters.
+/// may exceed the maximum string length, but ends within a few characters after `limit`.
 std::string toStr(const Value& v, std::size_t limit = 2048);
 /// Conversion for textmsg: six significant digits, "," between elements.
 std::string toMessageText(const Value& v, std::size_t limit = 65536);

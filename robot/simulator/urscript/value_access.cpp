@@ -13,8 +13,8 @@ namespace {
 
 using Type = Value::Type;
 
-// The first value of a variable determines its family of types. Types can be mixed within a family: number
-// types with each other, and poses with lists, because existing scripts assign one to the other.
+// The first value of a variable determines its type family. Number types can be mixed, and poses with lists,
+// because existing scripts assign one to the other.
 int family(const Value& v) {
     switch (v.type()) {
         case Type::Bool:

@@ -2,7 +2,7 @@
 #pragma once
 
 // Rules of assignment, access to elements and members, and the methods of values. All functions throw Fault
-// where the language forbids the operation.
+// for operations that the language does not permit.
 
 #include <cstddef>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace tiller::simulator::urscript {
 
-/// name  name of the variable for messages
+/// name  variable name for messages
 void assign(Value& variable, Value v, const std::string& name);
 /// Returns the value `steps` levels down, unshared for writing. Advances `indices` past the indices used.
 Value& descend(Value& root, const Path& path, std::size_t steps, const Value*& indices);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts values to text. The two styles also differ on the controller: to_str prints six decimals, and
-// textmsg prints six significant digits without blanks.
+// Converts values to text in two styles, as on the controller: to_str prints six decimals, textmsg prints six
+// significant digits without blanks.
 
 #include <cmath>
 #include <cstdio>

@@ -26,8 +26,8 @@ Interpreter::State Interpreter::Machine::runFrame() {
     hostNotified_ = false;
     ++frame_;
     beginFrame();
-    // Scheduling is cooperative: a thread runs until it blocks. No other thread runs between two of its
-    // statements. While it waits, the other threads run, regardless of critical sections.
+    // Scheduling is cooperative: a thread runs until it blocks. While it waits, other threads run, even in a
+    // critical section.
     while (!over_) {
         ScriptThread* const thread = next();
         if (thread == nullptr) {
@@ -55,8 +55,7 @@ Interpreter::State Interpreter::Machine::runFrame() {
 void Interpreter::Machine::beginFrame() {
     frameOperations_ = limits_.frameOperations;
     for (const auto& thread : threads_) {
-        // If a thread has exceeded its time, the excess is deducted from its next slices. Unused time is
-        // lost.
+        // Time used beyond a slice is deducted from the next slices. Unused time is lost.
         thread->sliceNs = std::min(context_.stepNs, thread->sliceNs + context_.stepNs);
         thread->operations = limits_.threadOperationsPerFrame;
         if (thread->state == ScriptThread::State::Polling) {
@@ -69,7 +68,7 @@ void Interpreter::Machine::beginFrame() {
     abortMove();
 }
 
-// `abort` in interpreter mode replaces the move by a stop. The command completes when the stop does.
+// `abort` in interpreter mode replaces the move by a stop. The move command completes with the stop.
 void Interpreter::Machine::abortMove() {
     constexpr double kDeceleration = 4.0;  // [rad/s2]
     if (mode_.takeAbort() && context_.motionOwner == 0 && context_.abortable) {
@@ -77,8 +76,8 @@ void Interpreter::Machine::abortMove() {
     }
 }
 
-// Called before all threads, because a thread that waits for its motion must not block another thread that
-// may start a command in this frame.
+// Must be called before any thread runs. Otherwise, a thread that is still waiting for its motion could block
+// a thread that starts a command in this frame.
 void Interpreter::Machine::pollMotion() {
     if (context_.motionOwner < 0) {
         return;
@@ -101,8 +100,7 @@ bool Interpreter::Machine::runnable(const ScriptThread& thread) const {
            (thread.state == ScriptThread::State::Joining && find(thread.joined) == nullptr);
 }
 
-// Returns the thread with the most remaining time in the frame. If several have the same time, the oldest is
-// returned.
+// Returns the thread with the most remaining time; the oldest one if several have the same time.
 ScriptThread* Interpreter::Machine::next() const {
     const auto precedes = [this](const ScriptThread& later, const ScriptThread& best) {
         const bool mainWaits = !limits_.mainFirst && best.id == 0;
@@ -138,7 +136,7 @@ void Interpreter::Machine::run(ScriptThread& thread) {
 
 ast::Position Interpreter::Machine::position(const ScriptThread& thread) {
     const CallFrame& call = thread.calls.back();
-    // pc is the next instruction, except in a waiting builtin, where pc is the call of the builtin.
+    // pc is the next instruction or, in a waiting builtin, the call of that builtin.
     const int pc = std::max(thread.again ? call.pc : call.pc - 1, 0);
     return call.function->positions[static_cast<std::size_t>(pc)];
 }
@@ -244,7 +242,7 @@ void Interpreter::Machine::endThread(ScriptThread& thread) {
         context_.motionOwner = -1;
         host_.motionAbandoned(thread.id);
     }
-    // The children of the thread are assigned to its parent, so that killing an ancestor also ends them.
+    // The parent adopts the children of the thread, so that killing an ancestor also ends them.
     for (const auto& other : threads_) {
         if (other->parent == thread.id) {
             other->parent = thread.parent;
@@ -278,7 +276,7 @@ ThreadId Interpreter::Machine::handleOf(const Value& v) const {
     if (!v.isNumber()) {
         fault(std::string("Type error: a thread handle is an integer, not ") + v.typeName());
     }
-    // The main body has no handle; 0 means no thread.
+    // 0 is not a thread handle, because the main body has none.
     const double d = v.number();
     return d >= 1 && d < static_cast<double>(nextId_) ? static_cast<ThreadId>(d) : -1;
 }
@@ -297,7 +295,7 @@ int Interpreter::Machine::threadCount() const {
     }));
 }
 
-// Threads that run in removed code are ended.
+// Threads that run in removed code must end.
 void Interpreter::Machine::forgetLines() {
     for (const auto& thread : threads_) {
         if (thread->id != 0 && thread->state != ScriptThread::State::Ended &&

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Implementation of Interpreter: the scheduler that divides the frame among the script threads, and the life
-// cycle of the program.
+// Implementation of Interpreter: the scheduler for the script threads, and the life cycle of the program.
 
 #include <memory>
 #include <optional>

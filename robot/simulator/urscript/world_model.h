@@ -3,7 +3,7 @@
 
 // The named frames of PolyScope X: a tree below "world" that always contains "base", "flange" and "tcp".
 // Frames attached to the flange or the TCP move with the arm. Source: world model list of the script
-// directory. Each function documents behaviour that the source does not specify.
+// directory. Behaviour that the source does not specify is documented at each function.
 
 #include <Eigen/Geometry>
 #include <map>
@@ -28,17 +28,17 @@ class WorldModel {
 public:
     static constexpr std::size_t kMaxFrames = 1000;
 
-    /// Adds a frame with a new name.
+    /// Adds a frame. The name must be unique.
     /// pose  relative to `ref`, which becomes the parent
     Result<void> add(const std::string& name, const Pose& pose, const std::string& ref);
-    /// Changes the parent of `child`, which keeps its position. Cycles are refused.
+    /// Changes the parent of `child` without moving it. Cycles are refused.
     Result<void> attach(const std::string& child, const std::string& parent, const ArmFrames& arm);
-    /// Moves a frame without changing its parent. Of the permanent frames, only the base can be moved (within
-    /// the world); frames attached to the world then do not move.
+    /// Moves a frame without changing its parent. Of the permanent frames, only the base can be moved (in the
+    /// world). Frames attached to the world then do not move.
     /// pose  relative to `ref`
     Result<void> move(const std::string& name, const Pose& pose, const std::string& ref,
                       const ArmFrames& arm);
-    /// Removes a frame. Its children are attached to its parent and keep their positions.
+    /// Removes a frame. Its children are attached to its parent without moving.
     Result<void> remove(const std::string& name, const ArmFrames& arm);
     /// Removes all frames except the permanent ones.
     void clear() { frames_.clear(); }
@@ -58,9 +58,9 @@ public:
     Result<Pose> poseOf(const std::string& name, const std::string& relative, const std::string& axes,
                         const ArmFrames& arm) const;
 
-    /// load  with respect to the origin and axes of the frame
+    /// load  relative to the frame
     Result<void> setMass(const std::string& name, const Payload& load);
-    /// Total load attached to flange and TCP, in the flange frame.
+    /// Total load attached to the flange and the TCP, in the flange frame.
     Payload attachedPayload(const ArmFrames& arm) const;
 
 private:

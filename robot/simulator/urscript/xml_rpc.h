@@ -21,7 +21,7 @@ struct Address {
     int port = 80;
     std::string path;
 };
-/// Parses an address such as "http://127.0.0.1:8000/RPC2". Empty if the text is not such an address.
+/// Parses an address such as "http://127.0.0.1:8000/RPC2". Empty if the text is not a valid address.
 std::optional<Address> parseAddress(std::string_view url);
 
 /// Returns a complete HTTP request that calls `method`.
@@ -30,11 +30,11 @@ Result<std::string> request(const Address& address, std::string_view method,
                             std::span<const Value> arguments);
 
 /// Returns the reply of the server; empty while it is incomplete.
-/// ended  the connection has ended
-/// Errors  ScriptError: HTTP status, malformed reply, fault reported by the server
+/// ended  true if the connection has ended
+/// Errors  ScriptError: HTTP status, malformed reply, or fault reported by the server
 Result<std::optional<Value>> reply(std::string_view received, bool ended);
 
-// For the server side.
+// A call as received by a server.
 
 struct MethodCall {
     std::string method;
