@@ -15,15 +15,15 @@ namespace {
 
 // Lower limit of ABANDONED in control.script [s].
 constexpr double kAbandonedAfter = std::chrono::duration<double>(kMinAbandonedAfter).count();
-// Time for which the value must increase with the robot's time [s]. A constant value is detected within half
-// of this time.
+// Time for which the value must increase with robot time [s]. A constant value is detected within half of
+// this time.
 constexpr double kProofTime = 0.05;
-// The value is written up to two control periods of a CB3 late, and a script may run slightly slower than the
-// clock.
+// On a CB3, the value is written up to two control periods late, and a script may run slightly slower than
+// the clock.
 constexpr double kDelay = 0.02;
 constexpr double kDrift = 0.1;
 
-/// True if a number that grew by this amount [s] follows the robot's time.
+/// True if a value that increased by `growth` [s] follows the robot time.
 bool follows(double growth, double passed) {
     return std::abs(growth - passed) <= kDelay + kDrift * passed;
 }
@@ -43,7 +43,7 @@ void AbandonedProgram::add(double timestamp, RuntimeState runtime, const std::ar
         Count& count = counts_[i];
         const bool isAbandoned = runtime == RuntimeState::Playing && value >= kAbandonedAfter;
         const double passed = timestamp - count.compared;
-        // The delay is permitted only once, so it is not added again in every comparison.
+        // Allow for the delay once, not in every comparison.
         const bool grows = count.active && timestamp >= count.newest &&
                            follows(value - count.value, passed) &&
                            follows(value - count.first, timestamp - count.since);

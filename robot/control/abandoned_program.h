@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Detects an abandoned control program: its client has exited or lost the connection. Such a program
-// continues to run at standstill for up to 5 s. Taking control during this time does not interrupt any other
-// program.
+// Detects an abandoned control program, i.e. one whose client has exited or lost the connection. Such a
+// program runs at standstill for up to 5 s. Taking control during this time does not interrupt the program of
+// another client.
 
 #include <array>
 #include <string>
@@ -13,12 +13,12 @@
 namespace tiller::control {
 
 /// The control program counts the time without a client in its state register. The register keeps its last
-/// value after the program has ended. Only a value that increases with the robot's own time proves that the
-/// running program is the control program.
+/// value after the program has ended. Only a value that increases with robot time proves that the running
+/// program is the control program.
 /// Threads  one. Real-time: yes, except fields()
 class AbandonedProgram {
 public:
-    /// The state registers of both ranges, as names of RTDE outputs.
+    /// RTDE output names of the state registers of both ranges.
     static std::array<std::string, 2> fields();
 
     /// Adds a package from the robot. Call in the order of arrival; packages may be missing.
@@ -27,12 +27,12 @@ public:
     void add(double timestamp, RuntimeState runtime, const std::array<double, 2>& states);
     void reset() { counts_ = {}; }
 
-    /// True if the newest package reports a running program, and this program is a control program that is at
-    /// standstill and has had no client for at least 0.5 s.
+    /// True if, according to the newest package, the running program is a control program at standstill that
+    /// has had no client for at least 0.5 s.
     bool isRunning() const;
 
 private:
-    /// A register value that increases with the robot's time.
+    /// A register value that increases with robot time.
     struct Count {
         bool active = false;
         double since = 0;     ///< timestamp of the first package [s]

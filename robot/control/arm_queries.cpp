@@ -62,7 +62,7 @@ Result<Answer> solve(Controller& controller, const Pose& pose, const InverseOpti
     const QString context = QString::fromLatin1(kContext);
     const ControllerStatus status = d.loop.status();
     const JointPositions near = options.near.value_or(JointPositions(status.q));
-    // In older software an unreachable pose ends the program, so this query is not sent.
+    // In older software, an unreachable pose ends the program. The query is then not sent.
     if (!d.program.needs({5, 10, 0, 0}, {3, 15, 0, 0}, context) &&
         !kinematics::inverseNearest(arm.dh, pose, Pose::fromArray(status.tcpOffset), near)) {
         return Error{ErrorCode::NoSolution, context, {}};
@@ -171,8 +171,8 @@ Result<Pose> ArmQueries::targetWaypoint(const Deadline& deadline) {
 }
 
 Result<JointPositions> ArmQueries::jointPositionsHistory(int steps, const Deadline& deadline) {
-    // A query beyond the controller's history would end the control program. The length of the history is not
-    // documented.
+    // A query beyond the history of the controller would end the control program. The length of the history
+    // is not documented.
     constexpr int kSurelyRemembered = 2000;
     const QString context = QStringLiteral("read the joint position history");
     if (steps < 0 || steps > kSurelyRemembered) {

@@ -13,7 +13,7 @@
 namespace tiller::control {
 
 struct InverseOptions {
-    /// Initial guess: the solution nearest to these positions is returned. Empty: the current positions.
+    /// Reference position: the nearest solution is returned. Empty: the current joint positions.
     std::optional<JointPositions> near = {};
     double maxPositionError = 1e-10;     ///< [m]
     double maxOrientationError = 1e-10;  ///< [rad]
@@ -30,7 +30,7 @@ public:
     ///         same name
     Result<JointPositions> inverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                              const Deadline& deadline);
-    /// Whether a solution exists. Errors: as inverseKinematics().
+    /// Whether a solution exists. Errors: same as inverseKinematics().
     Result<bool> hasInverseKinematics(const Pose& tcpPose, const InverseOptions& options,
                                       const Deadline& deadline);
     /// q, tcp   empty: the current values

@@ -33,7 +33,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
     const std::uint64_t stops = stops_.value_or(d.mailbox.epoch().stops());
     ArgumentCheck check = ArgumentCheck(kContext).pose("taskFrame", mode.taskFrame);
     const Vector6 wrench = mode.wrench.vector();
-    // Larger than the forces of all arms; the controller's own limits are lower.
+    // Exceeds the force of all arms. The controller's own limits are lower.
     constexpr double kHighestForce = 1000.0;
     constexpr double kHighestTorque = 200.0;
     for (int i = 0; i < 6; ++i) {
@@ -70,7 +70,7 @@ Result<void> Compliance::setForceMode(const ForceMode& mode, const Deadline& dea
         on = Error{ErrorCode::Stopped, context, QStringLiteral("interrupted by a stop")};
     }
     if (!on) {
-        d.loop.permitForce(false);  // in case force mode has started despite the error
+        d.loop.permitForce(false);  // force mode may have started despite the error
     }
     return on;
 }

@@ -24,7 +24,8 @@ struct ForceMode {
     std::array<bool, 6> compliant{};  ///< for each axis of the force frame
     Wrench wrench;                    ///< target force and torque on the compliant axes [N, Nm]
     Type type = Type::Simple;
-    /// Compliant axes: maximum speed [m/s, rad/s]. Other axes: maximum deviation [m, rad]. All values > 0.
+    /// Compliant axes: maximum speed [m/s, rad/s]. Other axes: maximum deviation [m, rad]. All values must be
+    /// above 0.
     std::array<double, 6> limits{};
 };
 
@@ -46,12 +47,12 @@ struct Freedrive {
 class Compliance {
 public:
     explicit Compliance(Controller& controller) : controller_(&controller) {}
-    /// As for Motions(controller, stops), setForceMode() fails with Stopped if a stop occurred after
+    /// As with Motions(controller, stops), setForceMode() fails with Stopped if a stop has occurred since
     /// Controller::stops() returned `stops`.
     Compliance(Controller& controller, std::uint64_t stops) : controller_(&controller), stops_(stops) {}
 
-    /// Starts force mode or changes its parameters. Force mode ends with endForceMode(), a stop of the
-    /// controller, or 100 ms without connection. Motions are possible in force mode.
+    /// Starts force mode or changes its parameters. Motions are possible in force mode. It ends with
+    /// endForceMode(), a stop of the controller, or 100 ms without connection.
     Result<void> setForceMode(const ForceMode& mode, const Deadline& deadline);
     Result<void> endForceMode(const Deadline& deadline);  ///< Ends force mode.
     /// 0 ... 1. Since 3.5
@@ -59,14 +60,14 @@ public:
     /// 0 ... 2. Since 5.0
     Result<void> setForceGainScaling(double scaling, const Deadline& deadline);
 
-    /// The arm can be moved by hand until the motion is cancelled. A Held motion also ends if it is not
-    /// refreshed for 100 ms (Motion::refresh).
+    /// Makes the arm movable by hand until the motion is cancelled. A Held motion also ends after 100 ms
+    /// without Motion::refresh().
     Result<Motion> startFreedrive(const Freedrive& freedrive = {}, Holding holding = Holding::Free);
     /// Freedrive on all axes, supported by all software versions. Source: URScript teach_mode
     Result<Motion> startTeachMode(Holding holding = Holding::Free);
 
-    /// Starts contact detection; on contact the current motion ends with StopCause::Contact. Existing
-    /// contacts are ignored.
+    /// Starts contact detection. A contact ends the current motion with StopCause::Contact. Contacts that
+    /// already exist are ignored.
     /// direction  base frame; zeros: direction of the tool motion. Since 5.4
     /// after      reaction to the contact; it is part of the motion and ends with any stop
     Result<void> startContactDetection(const Twist& direction, const Deadline& deadline,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// State of a Controller, returned as a consistent copy. Fast enough to be read in every frame.
+// State of a Controller, returned as a consistent copy. Fast enough to read in every frame of the user
+// interface.
 
 #include <array>
 #include <cstdint>
@@ -11,20 +12,20 @@
 
 namespace tiller::control {
 
-/// Identifies one motion. Numbers increase and are never reused.
+/// Identifies one motion. IDs increase and are never reused.
 using MotionId = std::uint64_t;
 inline constexpr MotionId kNoMotion = 0;
 
-/// Why the arm cannot be moved through this controller.
+/// Reason why this controller cannot move the arm.
 enum class ControlLoss : std::uint8_t {
     None,           ///< in control
     NotTaken,       ///< takeControl() has not been called
-    Taking,         ///< takeControl() is in progress
+    Taking,         ///< takeControl() is running
     Released,       ///< release() was called
-    ScriptStopped,  ///< pendant, another program or a safety stop stopped or paused the control program
-    EchoStalled,    ///< the robot reports the program as running, but the program does not respond
+    ScriptStopped,  ///< pendant, another program or safety stop ended or paused the control program
+    EchoStalled,    ///< the control program is reported as running, but does not respond
     LinkLost,       ///< the connection failed or no data arrive
-    OwnScript,      ///< a user script is running instead of the control program
+    OwnScript,      ///< a user script is running in place of the control program
     DataStale,      ///< the newest data are older than ControllerOptions::dataTimeout; cleared by new data
 };
 
@@ -43,7 +44,7 @@ enum class LimiterKind : std::uint8_t {
     Border,         ///< `link` would come too close to the floor or plane `other` of the environment
 };
 
-/// Jog: the current limit. Move: the limit over the whole path. Torque stream: the reason for its end.
+/// Jog: the current limit. Move: the limit along the whole path. Torque stream: the limit that ended it.
 struct Limiter {
     LimiterKind kind = LimiterKind::None;
     int joint = -1;       ///< limiting joint 0..5, -1 if none
@@ -51,7 +52,7 @@ struct Limiter {
     double scale = 1;     ///< factor applied to the requested speed, 0..1
     int link = -1;        ///< collision limits: as collision::Contact::link; otherwise -1
     int other = -1;       ///< collision limits: as collision::Contact::other; otherwise -1
-    bool brake = false;   ///< the arm approaches an object too fast and decelerates as for a stop
+    bool brake = false;   ///< the arm approaches an object too fast and brakes as for a stop
 };
 
 enum class MotionPhase : std::uint8_t {
@@ -68,8 +69,7 @@ struct MotionState {
 struct ControllerStatus {
     bool inControl = false;  ///< false if the data are older than ControllerOptions::dataTimeout
     ControlLoss loss = ControlLoss::NotTaken;
-    bool fresh =
-        false;  ///< the data are not older than dataTimeout; if false, all following values are outdated
+    bool fresh = false;  ///< data are not older than dataTimeout; if false, all following values are outdated
     RobotMode robotMode = RobotMode::NoController;
     SafetyMode safetyMode = SafetyMode::Undefined;
 
@@ -78,7 +78,7 @@ struct ControllerStatus {
     bool executing = false;       ///< control.script has confirmed the execution of `motion`
     Limiter limiter;              ///< limit of the active motion, or the limit at which the last motion ended
     MotionId lastMotion = kNoMotion;        ///< the last motion that ended
-    StopCause lastCause = StopCause::None;  ///< why it ended
+    StopCause lastCause = StopCause::None;  ///< cause of its end
     StopMeasurement lastStop;
 
     std::uint64_t epoch = 0;         ///< increases with every stop

@@ -60,7 +60,7 @@ Result<void> Controller::joinProgram(const Deadline& deadline) {
 
 Result<void> Controller::Private::take(const Deadline& deadline, bool join) {
     disconnect();
-    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // pulses ended with the previous program
+    std::fill(pulseEndsNs.begin(), pulseEndsNs.end(), 0);  // pulses have ended with the previous program
     auto taken = connect(deadline, join);
     if (!taken) {
         disconnect();
@@ -142,8 +142,7 @@ void Controller::release() {
     d_->end([this] {
         stop(StopCause::ControlLost);
         d_->loop.requestEnd();
-        // Sufficient for standstill after a jog. After a longer path, the rest of the deceleration is
-        // unsupervised.
+        // Sufficient to stop a jog. The deceleration of a longer path continues unsupervised.
         waitUntil(Deadline::after(kLastWords), [this] { return !d_->isInControl(); });
     });
 }
@@ -160,11 +159,11 @@ void Controller::leave(Supervision supervision) {
         stopEndless();
         d_->loop.permitFinish();
         d_->link.wake();
-        // Typically 5 ms. If the robot does not respond, its program ends the motion by itself.
+        // Typically 5 ms. If the robot does not respond, its program ends the motion.
         waitUntil(Deadline::after(kLastWords),
                   [this] { return !d_->isInControl() || d_->loop.isFinishPermitted(); });
     });
-    stop(StopCause::ControlLost);  // Completes waiting calls, because no further data arrive.
+    stop(StopCause::ControlLost);  // completes waiting calls, because no further data arrive
 }
 
 Error Controller::Private::obstacle(const QString& context) const {
@@ -195,7 +194,7 @@ Result<MotionId> Controller::Private::start(const MotionCommand& command, std::u
     if (id == kNoMotion) {
         return stoppedBefore(context);
     }
-    // Control may have been lost since the check. In that case this motion must be ended here.
+    // Control may have been lost since the check. This motion must then be ended here.
     if (!loop.confirmControl()) {
         mailbox.end(id, StopCause::ControlLost, now());
         return Error{ErrorCode::NotInControl, context, {}};
@@ -230,7 +229,7 @@ Result<std::uint64_t> Controller::Private::sendSection(const QString& section, c
     if (auto quiet = awaitPulses(stops, deadline, context); !quiet) {
         return quiet.error();
     }
-    // The stop comes first, so that the arm decelerates and no earlier command can start.
+    // Stop first, so that the arm decelerates and no earlier command can start.
     const std::uint64_t epoch = mailbox.stop(Brake{}, StopCause::Superseded, now());
     if (mailbox.epoch().stops() != stops) {
         return stoppedBefore(context);
@@ -279,7 +278,7 @@ Result<MotionId> Controller::Private::startSection(const QString& section, const
 
 std::uint64_t Controller::stop(StopCause cause) {
     const std::uint64_t epoch = d_->mailbox.stop(cause, d_->now());
-    d_->loop.permitForce(false);  // After the stop: see setForceMode()
+    d_->loop.permitForce(false);  // after the stop: see setForceMode()
     d_->link.wake();
     return epoch;
 }
@@ -336,7 +335,7 @@ Result<void> Controller::setSpeedCap(double metresPerSecond) {
         return check.error();
     }
     if (metresPerSecond != d_->loop.speedCap()) {
-        // The order matters: a motion that starts in between either uses the new cap or is stopped.
+        // Set the cap before stopping: a motion that starts in between uses the new cap or is stopped.
         d_->loop.setSpeedCap(metresPerSecond);
         stop(StopCause::SelectionChanged);
     }

@@ -3,11 +3,11 @@
 
 // Takes control of the arm, stops the arm and releases control. Motions are started with motions.h. The
 // controller uploads the control program once and sends commands through RTDE registers. Every failure
-// (released key, blocked user interface, crashed process, disconnected cable) stops the arm.
+// (released key, blocked user interface, crashed process, unplugged cable) stops the arm.
 //
-// There is one command slot: the last command wins and nothing is queued. The number of a motion is also its
+// There is one command slot: the last command wins and nothing is queued. The ID of a motion is also its
 // epoch. Every stop increments the epoch, so that no earlier command can move the arm afterwards. A Held
-// motion ends if it is not refreshed for 100 ms. Nothing resumes automatically.
+// motion ends if it is not refreshed for 100 ms. No motion resumes automatically.
 
 #include <QString>
 #include <chrono>
@@ -60,38 +60,39 @@ struct ControllerOptions {
     /// Model used by the limiter until the controller has reported the dimensions of the arm.
     RobotModelId model = RobotModelId::UR5e;
     /// Maximum age of the data and maximum response time. If either is exceeded, the active motion ends; a
-    /// move with a longer timeout (MoveParameters::silence) ends after its own timeout. While the data are
-    /// too old, status() reports no control. The robot itself always ends a motion after 100 ms without a
-    /// heartbeat, or after the timeout of the move. A program without hold-to-run operation may use a larger
-    /// value to tolerate short delays of this computer that the robot does not notice.
+    /// move with a longer timeout (MoveParameters::silence) ends after that timeout. While the data are too
+    /// old, status() reports no control. The robot always ends a motion after 100 ms without a heartbeat, or
+    /// after the timeout of the move. Without hold-to-run operation, a larger value may be used to tolerate
+    /// short delays of this PC that do not affect the heartbeat.
     std::chrono::milliseconds dataTimeout{100};
-    /// The connection is closed and control is lost (ControlLoss::LinkLost) if no data arrive for this time.
+    /// If no data arrive for this time, the connection is closed and control is lost (ControlLoss::LinkLost).
     /// The controller does not wait for a TCP error, because there is none after a power failure or if the
-    /// peer has discarded the connection. The effective timeout is never shorter than `dataTimeout`, than the
-    /// timeout of the active move (MoveParameters::silence), or than 2 s while a control program is being
-    /// sent (takeControl(), paths, functions). 0: no timeout.
+    /// peer has discarded the connection. The effective timeout is at least `dataTimeout`, the timeout of the
+    /// active move (MoveParameters::silence), and 2 s while a control program is being sent (takeControl(),
+    /// paths, functions). 0: no timeout.
     std::chrono::milliseconds connectionTimeout{450};
-    /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. The
-    /// program is stopped if this is false, or if force mode, freedrive or teach mode might continue during
-    /// the pause.
+    /// True: a paused control program may be resumed (joinProgram()); earlier commands are discarded. If
+    /// false, or if force mode, freedrive or teach mode might continue during the pause, the program is
+    /// stopped.
     bool keepPaused = false;
-    /// Transfers the control program to the robot. Empty: the program is sent to the primary interface.
+    /// Transfers the control program to the robot. Empty: the program is sent through the primary interface.
     std::function<Result<void>(const QString& program, const Deadline& deadline)> deliver = {};
-    /// False: takeControl() does not wait for the program, because it is started later by other means.
+    /// False: takeControl() does not wait for the program, because the program is started later by other
+    /// means.
     bool awaitProgram = true;
     /// Applied at the start of the control program.
     ForceSettings force = {};
     /// Additional RTDE outputs to receive on the control connection: see CycleState::packet. takeControl()
-    /// fails with FieldUnknown if a name is not an RTDE output. Outputs that the robot does not have are
-    /// missing in the packets.
+    /// fails with FieldUnknown if a name is not an RTDE output. Packets omit outputs that the robot does not
+    /// have.
     std::vector<std::string> fields = {};
 };
 
 /// Owns the thread "control" (SCHED_FIFO at ControllerOptions::priority if permitted). takeControl() starts
-/// the thread; release(), the loss of the connection, or the destructor ends it. Its inputs are the epoch (an
+/// the thread; release(), loss of the connection, or the destructor ends it. Its inputs are the epoch (an
 /// atomic word), the newest command (a triple buffer) and the time of the last refresh. Its output is the
 /// status (a seqlock). The thread reads and writes the RTDE socket and answers each data package with one
-/// input package. If the stream stalls, a timer takes over, so that a stop is still sent.
+/// input package. If the stream stalls, a timer still sends stops.
 class Controller {
 public:
     explicit Controller(const ControllerOptions& options);
@@ -130,35 +131,35 @@ public:
     // while copying a command; stop() does not wait.
 
     /// Ends the active motion and force mode. After this call returns, no earlier command can move the arm.
-    /// Returns  the epoch of this stop. Once ControllerStatus::restingEpoch reaches this value, the control
-    ///          program has confirmed standstill
+    /// Returns  the epoch of this stop. When ControllerStatus::restingEpoch reaches this value, the control
+    /// program has confirmed standstill
     std::uint64_t stop(StopCause cause = StopCause::ApiCall);
     /// Number of stops so far, from any source. Ending or replacing a single motion does not count. Read this
     /// value before preparing a motion that must not start after a stop: see Motions.
     std::uint64_t stops() const;
-    /// Ends this motion. Does not affect a later one.
-    /// Returns  false if it has already ended
+    /// Ends this motion. Does not affect later motions.
+    /// Returns  false if the motion has already ended
     bool end(MotionId motion, StopCause cause);
 
     MotionState motionState(MotionId motion) const;  ///< Phase, and the cause after the end.
-    /// Threads  any with a real-time priority below that of the control thread: a thread with higher priority
-    ///          on the same CPU could preempt a write and then wait forever for its completion
+    /// Threads  any with a real-time priority below that of the control thread. A thread with a higher
+    /// priority on the same CPU could preempt a write and then wait forever for its completion
     ControllerStatus status() const;
     MotionLimits limits() const;  ///< Includes the current speed cap [m/s].
-    /// Joint limits. Read from the configuration of the arm when control is taken.
+    /// Joint limits, read from the configuration of the arm when control is taken.
     JointLimits jointLimits() const;
     /// Local port of the connection; 0 if not connected.
     /// Threads  any. Blocks: never
     std::uint16_t localPort() const;
     bool isConnected() const;  ///< True if the connection is open, with or without control.
     /// Sets the speed cap of TCP and elbow [m/s]; initially ControllerOptions::limits, 0.25 by default. A
-    /// change ends the active motion (StopCause::SelectionChanged), so that no motion continues with a cap
-    /// that differs from the cap at its start.
+    /// change ends the active motion (StopCause::SelectionChanged), so that no motion continues with another
+    /// cap than at its start.
     /// Errors   InvalidArgument (NaN, or not above 0), LimitExceeded (above 3 m/s: probably in mm/s)
     Result<void> setSpeedCap(double metresPerSecond);
-    /// All jogs slow down and end at the safety distance from the objects of this check: the arm itself, its
-    /// tool and its environment. Motion away from an object remains possible. Null: no check. Moves, paths
-    /// and streams are not checked: see collision::CollisionCheck::obstruction.
+    /// Sets the objects that jogs must not approach: the arm itself, its tool and its environment. Jogs slow
+    /// down and end at the safety distance. Motion away from an object remains possible. Null: no check.
+    /// Moves, paths and streams are not checked: see collision::CollisionCheck::obstruction.
     /// Threads  any; one at a time. Blocks: never
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check);
     /// Software version of the robot at the last takeControl(); zeros before.

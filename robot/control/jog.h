@@ -8,7 +8,7 @@
 namespace tiller::control {
 
 /// Created by Motions::startJog(). A jog that has ended cannot be continued.
-/// Threads  any. The controller must outlive it.
+/// Threads  any. The controller must outlive the handle.
 class Jog : public Motion {
 public:
     Jog() = default;  ///< Creates an ended jog.

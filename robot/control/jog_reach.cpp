@@ -11,15 +11,15 @@
 namespace tiller::control {
 namespace {
 
-// Speeds of the simulation. A slower jog ends some tenths of a millimetre closer to the limits.
+// Speeds of the simulated jog. A slower jog ends some tenths of a millimetre closer to the limits.
 constexpr double kFollowSpeed = 0.25;                      // [m/s]
 constexpr double kFollowTurnSpeed = std::numbers::pi / 4;  // [rad/s]
-constexpr double kFollowStep = 0.010;                      // [m], without limits nearby
+constexpr double kFollowStep = 0.010;                      // [m]; step size far from limits
 constexpr double kFollowTurnStep = 0.030;                  // [rad]
 constexpr double kSlowedStep = 0.2;  // fraction of a step used where the jog is slowed down
 constexpr double kSlowed = 0.7;
 constexpr int kFollowHalvings = 12;  // number of bisections of the final step
-// A larger joint change in one step indicates a singularity [rad].
+// Larger joint changes within a step indicate a singularity [rad].
 constexpr double kFollowJump = 0.5;
 
 Pose movedBy(const Pose& pose, const Vector6& direction, double by) {
@@ -58,10 +58,10 @@ JogReach jogReach(const JogConditions& arm, const JointPositions& q, const Pose&
         JointPositions q;
         Limiter limiter;
     };
-    // Empty if the position is unreachable, or reachable only with a jump.
+    // Empty if the position is unreachable or reachable only with a jump.
     const auto placeAt = [&](double gone, const JointPositions& near) -> std::optional<Place> {
         const Pose pose = movedBy(start, direction, gone);
-        // Joint ranges are ignored here: the limiter checks them.
+        // Ignores joint ranges, which the limiter checks.
         const auto next =
             gone == 0 ? std::optional(q)
                       : kinematics::inverseNearest(arm.dh, pose, tcpOffset, near, 4 * kJointPositionLimit);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Predicts the distance after which a Cartesian jog ends. The jog is simulated with the limiter of the
-// controller, so the distance displayed before a jog matches the actual one.
+// Predicts the distance after which a Cartesian jog ends. Simulates the jog with the limiter of the
+// controller, so that the displayed distance matches the actual one.
 
 #include "robot/control/control_status.h"
 #include "robot/core/robot_model.h"
@@ -13,7 +13,7 @@ class CollisionCheck;
 
 namespace tiller::control {
 
-/// Joint limits of the model, for robots that do not report their limits.
+/// Joint limits of the model, for robots that do not report them.
 JointLimits jointLimitsOf(const RobotModel& model);
 
 /// The arm and the limits of the jog.
@@ -25,16 +25,16 @@ struct JogConditions {
 };
 
 struct JogReach {
-    double distance = 0;  ///< of the TCP: translation [m] or rotation [rad]
-    Limiter end;          ///< why the jog ends; LimiterKind::None: no limit within `farthest`
+    double distance = 0;  ///< TCP travel until the end: translation [m] or rotation [rad]
+    Limiter end;          ///< limit that ends the jog; LimiterKind::None: no limit within `farthest`
 };
 
 /// Simulates a Cartesian jog from rest at q.
 /// tcpOffset  flange to TCP [m, rad]
-/// direction  in the base frame: a unit vector for either translation or rotation about an axis through the
-///            TCP, zeros for the other one
+/// direction  base frame: unit vector of a translation or of a rotation about an axis through the TCP; the
+/// other part is zero
 /// farthest   maximum distance [m] or angle [rad]
-/// Threads    any. Blocks: never. Real-time: no (a millisecond)
+/// Threads    any. Blocks: never. Real-time: no (about 1 ms)
 JogReach jogReach(const JogConditions& arm, const JointPositions& q, const Pose& tcpOffset,
                   const Vector6& direction, double farthest);
 

@@ -31,7 +31,7 @@ double distance(const std::array<double, 6>& a, const std::array<double, 6>& b, 
     return std::sqrt(sum);
 }
 
-/// Error returned to a waiting caller if the motion did not reach its target.
+/// Error of a waiting caller if the motion did not reach its target.
 Error errorOf(StopCause cause, MotionKind kind) {
     const QString context = QStringLiteral("wait for a motion");
     switch (cause) {
@@ -159,7 +159,7 @@ Result<void> Motion::wait(const Deadline& deadline) const {
         return {};
     }
     if (controller_ != nullptr && runsSection(kind_) && now.cause == StopCause::ControlLost) {
-        // The controller's message arrives slightly later, on another connection.
+        // The controller's message arrives slightly later on another connection.
         const Deadline soon =
             Deadline::after(std::min(milliseconds(500), deadline.remaining()), deadline.token());
         auto& d = ControllerAccess::of(*controller_);
@@ -187,7 +187,7 @@ Result<void> Motion::stop(const Deadline& deadline) const {
     const Epoch& epoch = d.mailbox.epoch();
     ControllerStatus status;
     const auto isOver = [&] {
-        // The order matters: if the status read afterwards confirms this epoch, the confirmation is current.
+        // Read the epoch before the status: if the status confirms this epoch, the confirmation is current.
         const std::uint64_t now = epoch.current();
         const bool isReplaced = epoch.activeMotion() != kNoMotion;
         status = d.loop.status();  // late data alone do not end the wait: see state()

@@ -41,8 +41,8 @@ enum class MotionKind : std::uint8_t {
 struct MotionProgress {
     MotionPhase phase = MotionPhase::Ended;
     StopCause cause = StopCause::None;
-    /// Completed fraction of the path, 0 ... 1, computed from the actual position of the arm. 0 until
-    /// completion for motions without a known end (setpoints, freedrive, functions, until contact).
+    /// Completed fraction of the path, 0 ... 1, from the actual arm position. For motions without a known end
+    /// (setpoints, freedrive, functions, until contact): 0 until completion.
     double fraction = 0;
     int waypoint = 0;          ///< paths: current target, 1 ... waypoints; 0 before the start
     int waypoints = 0;         ///< paths: number of targets
@@ -57,7 +57,7 @@ struct MotionPlan {
     std::chrono::duration<double> duration{
         0};            ///< from standstill to standstill, with the speed slider at 100 %
     double speed = 0;  ///< moveJ: of the joint with the largest rotation [rad/s]; moveL: of the TCP [m/s]
-    Limiter limiter;   ///< limit that reduces the requested speed, and the factor
+    Limiter limiter;   ///< limit that reduces the requested speed, and its factor
 };
 
 /// Copies refer to the same motion. The controller must outlive them.
@@ -68,7 +68,7 @@ public:
 
     MotionId id() const { return id_; }  ///< Never reused for another motion.
     MotionKind kind() const { return kind_; }
-    /// True until the motion has completed or was stopped.
+    /// True until the motion is complete or has been stopped.
     bool isActive() const { return state().phase == MotionPhase::Active; }
     MotionState state() const;        ///< Phase, and the cause after the end.
     MotionProgress progress() const;  ///< Progress according to the newest data.
@@ -85,13 +85,13 @@ public:
     /// Blocks   never
     bool setGate(const script::StepGate& gate) const;
 
-    /// Waits for the end of the motion without refreshing it. The deadline is the only time limit. Choose it
-    /// with the speed slider in mind: at 2 %, a move takes fifty times as long. Deadline::never() waits
-    /// without a limit.
+    /// Waits for the end of the motion without refreshing it. The deadline is the only time limit. Take the
+    /// speed slider into account: at 2 %, a move takes fifty times as long. Deadline::never() waits without a
+    /// limit.
     /// Returns  ok if the motion reached its target (for a Stop: standstill)
     /// Errors   Timeout, Cancelled (the motion continues), Stopped (with the cause), NoSolution, UnsafeState,
-    ///          LinkLost, NotInControl, ScriptError (for a path or function, with line and text)
-    /// Blocks   until the end; polls every millisecond
+    /// LinkLost, NotInControl, ScriptError (for a path or function, with line and text) Blocks   until the
+    /// end; polls every millisecond
     Result<void> wait(const Deadline& deadline) const;
 
     /// Ends the motion with a deceleration. Does not affect a motion that has replaced it.

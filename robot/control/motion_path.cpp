@@ -30,7 +30,7 @@ QString text(const PathEntry::Target& target) {
 }
 
 void check(ArgumentCheck& arguments, const char* name, const PathEntry::Target& target) {
-    // The widest limits of all arms. The limits of the connected arm are checked once it is known.
+    // The widest limits of all arms. The limits of the connected arm are checked when they are known.
     static const ArmLimits kWidest = ArmLimits::of(robotModel(RobotModelId::UR3e));
     if (const auto* q = std::get_if<JointPositions>(&target)) {
         arguments.joints(name, *q, kWidest);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A path of joint, linear, process and circular moves with blends. The path is sent to the robot as script
-// text, so that the controller computes the blends.
+// A path of joint, linear, process and circular moves with blends. It is sent to the robot as script text,
+// and the controller computes the blends.
 
 #include <QString>
 #include <optional>
@@ -25,7 +25,7 @@ struct PathEntry {
     std::optional<Target> via;  ///< MoveC: intermediate point of the arc (orientation ignored)
     double speed = 0;           ///< MoveJ [rad/s], others [m/s]; > 0
     double acceleration = 0;    ///< MoveJ [rad/s2], others [m/s2]; > 0
-    double blend = 0;           ///< blend radius at the target [m]; ignored for the last entry, which uses 0
+    double blend = 0;           ///< blend radius at the target [m]; the last entry uses 0
     bool fixedToArc = false;    ///< MoveC: constant orientation relative to the arc
 };
 

@@ -17,27 +17,27 @@ namespace tiller::control {
 
 using tiller::operator<<;  // required for the enumerations below
 
-/// Maximum time between two refreshes of a Held motion. Also the maximum time without a heartbeat of this
-/// computer for motions without a target.
+/// Maximum time between two refreshes of a Held motion. Also the maximum time without a heartbeat of this PC
+/// for motions without a target.
 inline constexpr std::chrono::milliseconds kHoldTime{100};
-/// Maximum time from the newest packet of this computer to standstill of the arm, whether that packet
-/// contained a stop or packets stopped arriving. The deceleration increases with the speed of the arm. The
-/// deceleration of a joint never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s.
-/// Stopping takes longer if the drives or the load do not permit the deceleration.
+/// Maximum time from the newest packet of this PC, after which no packets arrive or which contains a stop, to
+/// standstill of the arm. The deceleration increases with the speed of the arm. The deceleration of a joint
+/// never exceeds kJointAccelerationLimit, which is sufficient up to 4.4 rad/s. Stopping takes longer if the
+/// drives or the load do not permit the deceleration.
 inline constexpr std::chrono::milliseconds kStandstillTime{210};
 /// Maximum of MoveParameters::silence. The control program ends after 5 s without a heartbeat.
 inline constexpr std::chrono::milliseconds kMaxHeartbeatTimeout{4'000};
 
 /// Held: ends if it is not refreshed for 100 ms. Free: needs no refresh. A Free motion ends when it is
-/// complete or stopped, or when the robot has received no heartbeat of this computer for 100 ms (for a move
-/// with a target: MoveParameters::silence).
+/// complete, when it is stopped, or when the robot has received no heartbeat of this PC for 100 ms (for a
+/// move with a target: MoveParameters::silence).
 enum class Holding : std::uint8_t { Held, Free };
 
 /// Whether the arm may move without supervision by a client.
 enum class Supervision : std::uint8_t {
     Heartbeat,  ///< the arm brakes when the client exits, disconnects or sends nothing for 100 ms
-    /// The arm continues until the motion or program is complete, even after the client has exited. During
-    /// this time only a person at the pendant or another client can stop it.
+    /// The arm continues until the motion or program is complete, even after the client has exited.
+    /// Meanwhile, only a person at the pendant or another client can stop it.
     Unattended,
 };
 
@@ -50,8 +50,8 @@ enum class JogFrame : std::uint8_t {
 /// No cap: only the robot's own limits apply.
 inline constexpr double kNoCap = std::numeric_limits<double>::infinity();
 
-/// A requested velocity of the arm. It remains valid until it is refreshed, changed or expires. Rotations are
-/// about the active TCP.
+/// A requested velocity of the arm, valid until it is refreshed, changed or expires. Rotations are about the
+/// active TCP.
 struct JogTarget {
     enum class Kind : std::uint8_t { Cartesian, Joint };
     Kind kind = Kind::Cartesian;
@@ -59,11 +59,11 @@ struct JogTarget {
     Twist twist = {};         ///< Cartesian: along and about the axes of `frame` [m/s, rad/s]
     JointVelocities qd = {};  ///< Joint [rad/s]
     Pose T_base_frame = {};   ///< only for JogFrame::Custom; only the rotation is used
-    /// If above 0 [N], the jog ends with StopCause::Contact when the force at the TCP has changed by more
-    /// than this value since the start of the jog.
+    /// If above 0 [N], a change of the force at the TCP by more than this value since the start of the jog
+    /// ends the jog with StopCause::Contact.
     double contactForce = 0;
-    /// Maximum speed of TCP and elbow in this jog [m/s], above 0. The cap of the controller also applies.
-    /// Joint jogs need this limit because the TCP speed for a given joint speed depends on the posture.
+    /// Maximum speed of TCP and elbow in this jog [m/s], above 0, in addition to the cap of the controller.
+    /// Needed for joint jogs, because their TCP speed depends on the posture.
     double speedCap = kNoCap;
 
     friend bool operator==(const JogTarget&, const JogTarget&) = default;
@@ -96,20 +96,20 @@ enum class StopCause : std::uint8_t {
     Superseded,    ///< replaced by a newer command
     Contact,       ///< contact detected
     Unreachable,   ///< the robot finds no joint positions for the target
-    TargetTooFar,  ///< a servo target too far from the previous one: see kJointLeeway
-    HoldUnproven,  ///< the key, button or finger could not be verified as still down
+    TargetTooFar,  ///< servo target too far from the previous one: see kJointLeeway
+    HoldUnproven,  ///< the key, button or finger is not verified as still pressed
     HeldTooLong,   ///< held longer than the maximum time
 };
 
-/// Maximum distance between two targets of a servo stream: the distance that the arm can move in the time
-/// between them (maximum speeds of the joints; 3 m/s for the tool) plus this tolerance for measurement errors
-/// and late packages. The first target is compared with the position of the arm. servoC has no such limit,
-/// because the arm moves to its target at a configured speed.
+/// Tolerance for the distance between two targets of a servo stream, for measurement errors and late
+/// packages. The distance must not exceed this tolerance plus the distance that the arm can move in the time
+/// between the targets (maximum joint speeds; 3 m/s for the tool). The first target is compared with the arm
+/// position. servoC has no such limit, because the arm moves to its target at a configured speed.
 inline constexpr double kJointLeeway = 0.02;  ///< [rad], for each joint and for the tool's rotation
 inline constexpr double kToolLeeway = 0.01;   ///< [m]
-inline constexpr double kMaxServoStep = 0.1;  ///< [s]: maximum time used in the calculation
+inline constexpr double kMaxServoStep = 0.1;  ///< [s]: maximum time used in this calculation
 
-/// Measurement of a stop from the request to standstill, based on the data received from the robot.
+/// Measurement of a stop from the request to standstill, from robot data.
 struct StopMeasurement {
     StopCause cause = StopCause::None;
     double durationMs = 0;

@@ -28,7 +28,8 @@ MotionCommand program(ScriptCommand what, Holding holding) {
     return command;
 }
 
-/// The joint positions nearest to the current ones, computed with the dimensions reported by the robot.
+/// Joint positions for the pose that are nearest to the current ones, computed with the dimensions reported
+/// by the robot.
 std::optional<JointPositions> reach(const ArmLimits& arm, const ControllerStatus& status,
                                     const Pose& target) {
     return kinematics::inverseNearest(arm.dh, target, Pose::fromArray(status.tcpOffset),
@@ -51,12 +52,12 @@ ArgumentCheck& checkHeartbeatTimeout(ArgumentCheck& check, milliseconds silence)
                        Seconds(kMaxHeartbeatTimeout).count(), "s");
 }
 
-/// Heartbeat timeout to send for a command; 0: default.
+/// Heartbeat timeout of a command; 0: default.
 milliseconds effectiveHeartbeatTimeout(Holding holding, milliseconds silence) {
     return holding == Holding::Free && silence > kHoldTime ? silence : milliseconds(0);
 }
 
-/// MoveParameters with the defaults applied.
+/// Speed and acceleration of a move, with defaults applied.
 struct Dynamics {
     double speed = 0;
     double acceleration = 0;
@@ -118,7 +119,7 @@ MotionPlan planned(double length, const Dynamics& asked, const kinematics::Speed
     return plan;
 }
 
-/// Start position of a move and the limits that apply to it.
+/// Start position of a move and the limits that apply.
 struct Beginning {
     const char* context;
     Controller& controller;
@@ -134,7 +135,7 @@ struct Beginning {
         return check.ok() ? d.obstacle(QString::fromLatin1(context)) : check.error();
     }
 
-    /// The part of a command shared by all moves.
+    /// The part of a command that all moves share.
     MotionCommand command(const MoveParameters& parameters, const std::array<double, 6>& target,
                           const MotionPlan& plan, double acceleration) const {
         MotionCommand command;
@@ -154,7 +155,8 @@ struct Beginning {
     }
 };
 
-/// Moves to these joint positions. With `toPose`, the robot computes the joint positions from this pose.
+/// Moves to these joint positions. With `toPose`, the pose is sent, and the robot calculates the joint
+/// positions.
 Result<Motion> jointMoveTo(const Beginning& from, const JointPositions& target, const Pose* toPose,
                            const MoveParameters& parameters) {
     const Dynamics asked = jointDynamics(parameters);
@@ -183,7 +185,7 @@ Result<Motion> lineTo(const Beginning& from, const Pose& target, const JointPosi
     return from.start(command, MotionKind::MoveL, from.status.tcpPose, target.array(), plan);
 }
 
-/// The path with speeds reduced to the limits of TCP and elbow, and without a blend at the last target.
+/// The path, with speeds reduced to the limits of TCP and elbow, and without a blend at the last target.
 Result<MotionPath> fitted(const MotionPath& path, const ArmLimits& arm, const ControllerStatus& status,
                           const MotionLimits& limits) {
     MotionPath out = path;
@@ -463,7 +465,7 @@ Result<JointTorque> Motions::startTorque(const TorqueParameters& parameters, Hol
     const QString context = QStringLiteral("start a stream");
     auto& d = ControllerAccess::of(*controller_);
     if (const Error error = d.obstacle(context); error.code != ErrorCode::None) {
-        return error;  // the version is not known without control
+        return error;  // the version is unknown without control
     }
     if (const auto known = d.program.needs(kOnESeries, {}, context, kOnPolyScopeX); !known) {
         return known.error();

@@ -47,13 +47,13 @@ struct MoveParameters {
     /// moveJ, moveJToPose [rad/s2], default 1.4. moveL, moveLToJoints [m/s2], default 1.2. > 0.
     std::optional<double> acceleration = {};
     Holding holding = Holding::Free;
-    /// Maximum time for which a Free move continues without a heartbeat of this computer, e.g. while the
-    /// machine is busy or a cable is replugged: 100 ms ... 4 s. The arm moves unattended during this time;
-    /// then the robot ends the move. A Held move always ends after 100 ms.
+    /// Maximum time for which a Free move continues without a heartbeat of this PC, e.g. during high CPU load
+    /// or while a cable is replugged: 100 ms ... 4 s. The arm moves unsupervised during this time. The robot
+    /// then ends the move. A Held move always ends after 100 ms.
     std::chrono::milliseconds silence = kHoldTime;
 };
 
-/// The contacts that end moveUntilContact().
+/// Contacts that end moveUntilContact().
 enum class Sought : std::uint8_t {
     NewContact,  ///< an initial contact must be released first
     AnyContact,  ///< an initial contact counts, so the arm does not move
@@ -79,16 +79,15 @@ private:
 
 /// All arguments are checked before a command is sent. Errors contain the name of the invalid argument.
 /// Errors   of every command: NotInControl, UnsafeState, LinkLost; InvalidArgument (NaN, or a value that
-///          suggests degrees or millimetres), LimitExceeded (outside the range of a joint, above the limits
-///          of the arm, or a tool speed above the cap), NoSolution (unreachable pose), Stopped (a stop at the
-///          same time)
-/// Threads  any. Blocks: never, except for functions with a deadline. The controller must outlive this object and
-///          all handles
+/// suggests degrees or millimetres), LimitExceeded (outside the range of a joint, above the limits of the
+/// arm, or a tool speed above the cap), NoSolution (unreachable pose), Stopped (a concurrent stop)
+/// Threads  any. Blocks: never, except for functions with a deadline. The controller must outlive this object
+/// and all handles
 class Motions {
 public:
     explicit Motions(Controller& controller) : controller_(&controller) {}
-    /// Use this for motions that are prepared before they start, and for sequences of motions. All commands
-    /// fail with Stopped if a stop has occurred since Controller::stops() returned this value.
+    /// For motions that are prepared before they start, and for sequences of motions. All commands fail with
+    /// Stopped if a stop has occurred since Controller::stops() returned this value.
     Motions(Controller& controller, std::uint64_t stops) : controller_(&controller), stops_(stops) {}
 
     /// Moves linearly in joint space to the target [rad]. Source: URScript movej
@@ -99,23 +98,23 @@ public:
     Result<Motion> moveL(const Pose& target, const MoveParameters& parameters = {});
     /// Like moveL(), to the TCP pose at these joint positions.
     Result<Motion> moveLToJoints(const JointPositions& target, const MoveParameters& parameters = {});
-    /// Follows the whole path and ends at its last target. The control program is sent again together with
-    /// the path, which takes a moment. The arm must be at standstill.
+    /// Follows the whole path to its last target. The control program is sent again together with the path,
+    /// which takes a moment. The arm must be at standstill.
     /// start    time limit for sending; use the handle to wait for the end of the path
     /// silence  as MoveParameters::silence
     /// Errors   also Timeout, Cancelled, ScriptError (with line and text)
     Result<Motion> movePath(const MotionPath& path, const Deadline& start, Holding holding = Holding::Free,
                             std::chrono::milliseconds silence = kHoldTime);
-    /// The first part of movePath(): sends the path without moving. For hold-to-run operation in a thread
-    /// that cannot wait.
+    /// First part of movePath(): sends the path without moving. For hold-to-run operation from a thread that
+    /// must not block.
     Result<PreparedPath> preparePath(const MotionPath& path, const Deadline& start);
-    /// The second part of movePath(): starts the path. Blocks: never
-    /// Errors   also Stopped if any motion or stop occurred after the preparation
+    /// Second part of movePath(): starts the path. Blocks: never
+    /// Errors   also Stopped if any motion or stop has occurred since the preparation
     Result<Motion> startPath(const PreparedPath& path, Holding holding = Holding::Free,
                              std::chrono::milliseconds silence = kHoldTime);
 
-    /// Moves the tool until contact, then back to the pose of the first contact. If parameters.holding is Held (the
-    /// default), call Motion::refresh() at least every 100 ms, or the arm stops.
+    /// Moves the tool until contact, and then back to the pose of the first contact. If parameters.holding is
+    /// Held (the default), call Motion::refresh() at least every 100 ms, or the arm stops.
     /// twist    base frame [m/s, rad/s]
     /// start    time limit for setting up the contact detection
     /// Source   URScript tool_contact
@@ -123,9 +122,9 @@ public:
     Result<Motion> moveUntilContact(const Twist& twist, const Deadline& start,
                                     const ContactParameters& parameters = {});
 
-    /// Moves at a velocity until the jog is refreshed with another velocity or ended. A target above the
-    /// limits is reduced rather than refused. If `holding` is Held, call Jog::refresh() at least every 100 ms, or the
-    /// arm stops.
+    /// Moves at a velocity until the jog is refreshed with another velocity or ended. A velocity above the
+    /// limits is reduced, not refused. If `holding` is Held, call Jog::refresh() at least every 100 ms, or
+    /// the arm stops.
     /// Errors   also FieldUnknown (contactForce on a robot that does not report forces)
     Result<Jog> startJog(const JogTarget& target, Holding holding = Holding::Held);
 
@@ -135,19 +134,19 @@ public:
     ///          target remains active until the stream ends
     /// Source   URScript servoj, servoc, speedj, speedl
     Result<JointServo> startServoJ(const ServoParameters& parameters = {}, Holding holding = Holding::Held);
-    /// As startServoJ, with TCP poses in the base frame.
+    /// Like startServoJ(), with TCP poses in the base frame.
     Result<PoseServo> startServoL(const ServoParameters& parameters = {}, Holding holding = Holding::Held);
-    /// As startServoJ, with TCP poses that are approached at a configured speed. Source: URScript servoc
+    /// Like startServoJ(), with TCP poses that are approached at a configured speed. Source: URScript servoc
     Result<CircularServo> startServoC(const CircularServoParameters& parameters = {},
                                       Holding holding = Holding::Held);
-    /// As startServoJ, with joint velocities.
+    /// Like startServoJ(), with joint velocities.
     Result<JointSpeed> startSpeedJ(const SpeedParameters& parameters = {}, Holding holding = Holding::Held);
-    /// As startServoJ, with twists of the TCP.
+    /// Like startServoJ(), with twists of the TCP.
     Result<ToolSpeed> startSpeedL(const SpeedParameters& parameters = {}, Holding holding = Holding::Held);
 
-    /// As startServoJ, with joint torques. The controller holds the position of the arm until the first
-    /// torques are sent. The torques exclude gravity: the controller compensates it for the arm and the
-    /// configured payload. The stream ends with damping if the speed cap is exceeded: see setpoints.h.
+    /// Like startServoJ(), with joint torques. The controller holds the arm position until the first torques
+    /// are sent. The torques exclude gravity: the controller compensates it for the arm and the configured
+    /// payload. The stream ends with damping if the speed cap is exceeded: see setpoints.h.
     /// Source   URScript direct_torque
     /// Errors   also VersionUnsupported (software before 5.25.1, PolyScope X before 10.12.1, CB3)
     Result<JointTorque> startTorque(const TorqueParameters& parameters = {}, Holding holding = Holding::Held);

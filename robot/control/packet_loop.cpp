@@ -43,8 +43,8 @@ public:
 
     std::int64_t endedNs() const override { return endedNs_; }
 
-    // If packets permanently take longer or the robot stalls, follow the packets instead of predicting them.
-    // Cycles missed by this thread are not repeated.
+    // If packets take longer permanently or the robot stalls, follow the packets instead of predicting them.
+    // Missed cycles are not repeated.
     std::int64_t dueNs(const realtime::ArrivalPace& pace) const override {
         if (!isEven_ || report.cycles == 0 || !pace.isSettled() || staleInARow_ >= kMaxConsecutive) {
             return kNoCycleDue;
@@ -54,16 +54,16 @@ public:
         return clock_.nowNs() - due > periodNs / 2 ? kNoCycleDue : due;
     }
 
-    /// Sleep time for a thread that waits for the end of the loop, at least 1 ms. The waiting thread wakes up
-    /// just after a cycle. At another time, this thread (possibly with real-time priority) would delay the
+    /// Sleep time for a thread that waits for the end of the loop, at least 1 ms. The thread then wakes up
+    /// just after a cycle. At another time, the thread, which may have a real-time priority, would delay the
     /// next cycle.
     /// Threads  any
     std::chrono::nanoseconds quietIn() const {
         return std::chrono::nanoseconds(std::max(quietNs_.load() - clock_.nowNs(), kNsPerMs));
     }
 
-    /// Newest call so long that, including the round trip, the robot may have stopped because of a missing
-    /// heartbeat.
+    /// The last call that took so long that the robot may have stopped because of the missing heartbeat,
+    /// including the round trip.
     struct LongCall {
         std::int64_t tookNs = 0;
         std::int64_t endedNs = 0;
@@ -76,7 +76,7 @@ public:
 
 private:
     static constexpr int kMaxConsecutive = 5;  ///< number of cycles without a packet
-    /// Approximate interval between two checks of a waiting thread.
+    /// Approximate interval between two checks by a waiting thread.
     static constexpr std::int64_t kLookNs = 9 * kNsPerMs;
 
     /// True if a cycle has already run without this packet.
@@ -140,7 +140,7 @@ private:
         return true;
     }
 
-    /// Reference for checking the next target: the previous target, initially the position of the arm.
+    /// Reference for checking the next target: the previous target, or initially the arm position.
     Target place(const Feedback& data) {
         if (report.cycles > 1) {
             return last_;
@@ -168,8 +168,8 @@ private:
         return {};
     }
 
-    // Results for an ended motion are not sent: see ControlLoop::seal(). After a long callback there is no
-    // busy wait, so that other threads on this CPU can run, e.g. to stop the arm.
+    // The result is not sent if the motion has ended: see ControlLoop::seal(). After a long callback, there
+    // is no busy wait, so that other threads on this CPU can run, e.g. to stop the arm.
     std::int64_t begin(bool fresh, std::int64_t evenNs, double period) {
         if (isEven_ && fresh) {
             const bool isLong = static_cast<double>(callNs_) > period * 1e9 / 4;
@@ -209,7 +209,7 @@ private:
     bool isEven_;
     std::int64_t awakeNs_;  ///< busy wait before a cycle
     Target last_;
-    double targetAt_ = 0;  ///< on the robot's clock [s]
+    double targetAt_ = 0;  ///< robot time of the last target [s]
     double beganAt_ = 0;
     double packetAt_ = 0;  ///< timestamp of the newest packet
     double servedAt_ = 0;  ///< timestamp of the packet of the last cycle
@@ -222,9 +222,8 @@ private:
     std::atomic<std::int64_t> quietNs_{0};
 };
 
-// A thread that the system wakes up late should not sleep until its packet arrives, because other threads on
-// the CPU may delay the thread by milliseconds. Without a real-time priority, the scheduler would penalize a
-// busy wait.
+// Busy wait before a packet, because other threads on the CPU may delay the wake-up of a sleeping thread by
+// milliseconds. Without a real-time priority, the scheduler would penalize a busy wait.
 std::int64_t awakeNs(const Controller::Private& d) {
     constexpr std::int64_t kFromArrivalNs = kNsPerMs;  // maximum delay added by ArrivalPace
     return d.options.priority > 0 && d.loop.status().priorityGranted ? kFromArrivalNs : kWakeUpNs;
@@ -268,7 +267,7 @@ Result<void> run(Controller& controller, const Result<Stream>& stream, const Cyc
     if (cycle.error.code != ErrorCode::None) {
         return cycle.error;
     }
-    // Compares the recorded end times, because this thread checks later.
+    // Use the recorded end times, because this thread checks later.
     const auto& last = cycle.longCall();
     const bool endedMotion =
         last.tookNs > 0 && d.mailbox.epoch().endedNs(motion.id()) - last.endedNs < kNsPerSecond / 2;

@@ -2,9 +2,9 @@
 #pragma once
 
 // A control loop synchronized with the robot's clock. The callback runs once per received packet, and its
-// target is sent in the answer to this packet. There is no second timer that could drift relative to the
-// robot. Packets arrive less regularly than the robot sends them. By default the calls are evenly spaced and
-// continue for a while without packets (Pacing::Even).
+// target is sent in the answer to this packet, so that no second timer can drift relative to the robot.
+// Packets arrive less regularly than the robot sends them. By default, the calls are therefore evenly spaced
+// and continue for a few cycles without packets (Pacing::Even).
 
 #include <cstdint>
 #include <functional>
@@ -18,12 +18,12 @@ namespace tiller::control {
 
 /// Values reported by the robot in the packet of this cycle.
 struct CycleState {
-    std::uint64_t cycle = 0;  ///< 0, 1, 2 ... not counting missed cycles
-    /// False if no new packet arrived in time, so that the values and `hostNs` belong to the previous packet,
-    /// or if `age` exceeded two periods.
+    std::uint64_t cycle = 0;  ///< 0, 1, 2 ... without missed cycles
+    /// False if no new packet arrived in time, or if `age` exceeded two periods. Without a new packet, the
+    /// values and `hostNs` are those of the previous packet.
     bool fresh = true;
-    /// Age of the values at the start of this cycle [s], computed from the robot's timestamps and the fastest
-    /// observed arrival.
+    /// Age of the values at the start of this cycle [s], from the robot's timestamps and the fastest observed
+    /// arrival.
     double age = 0;
     std::uint64_t missed = 0;  ///< control periods without a cycle since the start
     double time = 0;           ///< since the first cycle, on the robot's clock [s]
@@ -64,12 +64,12 @@ struct CycleReport {
 
 /// When the cycle of a packet starts.
 enum class Pacing {
-    /// At regular intervals. The delay relative to the usual arrival is the delay that only one packet in a
-    /// thousand exceeds (at most 0.5 ms and a quarter of a period) plus a small margin. At a real-time
-    /// priority the whole wait is a busy wait, otherwise only the last 0.1 ms. If a packet has not arrived by
-    /// then, its cycle runs without it (CycleState::fresh), up to five times in a row. The timing is known
-    /// 300 packets after takeControl() (0.6 s at 500 Hz); until then, cycles start on arrival. If the
-    /// previous callback is still running when a packet arrives, the delay is reduced.
+    /// At regular intervals. Each cycle is delayed relative to the usual packet arrival by the delay that
+    /// only one packet in a thousand exceeds (at most 0.5 ms and a quarter of a period), plus a small margin.
+    /// At a real-time priority, the whole wait is a busy wait, otherwise only the last 0.1 ms. If a packet
+    /// has not arrived in time, its cycle runs without it (CycleState::fresh), up to five times in a row. The
+    /// timing is known 300 packets after takeControl() (0.6 s at 500 Hz). Until then, cycles start on
+    /// arrival. If the previous callback is still running when a packet arrives, the delay is reduced.
     Even,
     /// On arrival of the packet: newest data, with the jitter of the network.
     AtOnce,
@@ -77,18 +77,18 @@ enum class Pacing {
 
 /// Returns the target of this cycle, or nothing to end the loop (the arm stops).
 /// Threads  called in the control thread at its priority. The callback must return within the period and must
-///          not wait, lock or allocate. If it takes longer, the next cycle uses the newest packet, and the
-///          periods in between count as missed. No heartbeat is sent during the call, so a call of 100 ms
-///          stops the arm; the error contains its duration. At a real-time priority no other thread runs on
-///          this CPU during the call, so leave a tenth of the period free.
+/// not wait, lock or allocate. If it takes longer, the next cycle uses the newest packet, and the periods in
+/// between count as missed. No heartbeat is sent during the call, so a call of 100 ms stops the arm. The
+/// error then contains the duration of the call. At a real-time priority, no other thread runs on this CPU
+/// during the call, so leave a tenth of the period free.
 template <class Target>
 using CycleCallback = std::function<std::optional<Target>(const CycleState&)>;
 
 /// Each function runs until the callback ends the loop, the stream is stopped by other means, or the deadline
-/// expires. The arm then stops, which may take another 0.1 s; use stopJ() to wait for standstill.
-/// Errors   none if the callback ended the loop; Timeout at the deadline; Stopped if a long call made the robot
-///          stop without a heartbeat, with the measured times; otherwise as Motions::startServo... and
-///          Motion::wait(). The report is always filled
+/// expires. The arm then stops, which may take another 0.1 s. Use stopJ() to wait for standstill.
+/// Errors   none if the callback ended the loop; Timeout at the deadline; Stopped if the robot stopped
+/// without a heartbeat during a long call, with the measured times; otherwise as Motions::startServo... and
+/// Motion::wait(). The report is always filled
 /// Threads  any but the control thread; one loop at a time. Blocks: until the loop has ended
 class PacketLoop {
 public:

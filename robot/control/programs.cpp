@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// Registers of the control thread's heartbeat, used by a program that replaces the control program.
+/// Heartbeat registers for a program that replaces the control program.
 script::Heartbeat heartbeatOf(const Controller::Private& d, MotionId run, bool hasGate) {
     const int first = firstRegister(d.options.registers);
     script::Heartbeat heartbeat;
@@ -54,7 +54,8 @@ Result<void> bringBack(Controller::Private& d) {
             connected = client.send(QStringLiteral("stop program\n"), Deadline::after(milliseconds(100)));
         }
         isStopSent = connected.ok();
-        // Wait for the end of the script; otherwise the stop could reach the robot after the control program.
+        // Wait for the end of the script. Otherwise, the stop could reach the robot after the control program
+        // and end it.
         waitUntil(Deadline::after(milliseconds(500), deadline.token()),
                   [&] { return !d.link.isRunning() || !plays(); });
     }
@@ -66,14 +67,14 @@ Result<void> bringBack(Controller::Private& d) {
     return d.program.resend(deadline);
 }
 
-/// A script to run instead of the control program, and the epoch that must not change while it runs.
+/// A script that replaces the control program, and the epoch that must not change while it runs.
 struct RunningScript {
-    Motion motion;  ///< ended, if the script is unattended
+    Motion motion;  ///< an ended motion if the script is unattended
     std::uint64_t epoch = 0;
     std::uint64_t played = 0;  ///< ControllerStatus::playing before the start
 };
 
-/// Permits the motion of a script for the lifetime of the object.
+/// Permits the motion of a script during the lifetime of the object.
 class ScriptPermission {
 public:
     explicit ScriptPermission(Controller::Private& d) : d_(d) { d_.loop.permitScript(true); }
@@ -113,8 +114,8 @@ Result<void> watchScript(Controller::Private& d, const RunningScript& run, const
     Error bad;
     const auto settled = [&] {
         // The reason for the end arrives slightly later on another connection, but before the second robot
-        // state from now. The next state may have been sent earlier than the reason.
-        // The data that report the end may arrive after the message.
+        // state from now. The next state may have been sent before the reason. The data that report the end
+        // may arrive after the message.
         const ControllerStatus now = d.loop.status();
         const bool receivedAll =
             messageDeadline &&
@@ -141,8 +142,9 @@ Result<void> watchScript(Controller::Private& d, const RunningScript& run, const
         if (bad.code != ErrorCode::None) {
             return true;
         }
-        // A short program may not be reported as playing in any package. A paused program has not ended. The count
-        // and the state must be from the same package: the state before the start is also "stopped".
+        // The data may not contain any package in which a short program is playing. A paused program has not
+        // ended. The count and the state must be from the same package, because the state before the start is
+        // also "stopped".
         const ControlProgram::ScriptFeedback heard = d.program.scriptFeedback();
         if (now.playing != run.played || heard.stopped) {
             const bool over = now.runtimeState == RuntimeState::Stopped;
@@ -156,7 +158,7 @@ Result<void> watchScript(Controller::Private& d, const RunningScript& run, const
         }
         return bad.code != ErrorCode::None;
     };
-    // An expired deadline also ends the script and is reported as an error below.
+    // An expired deadline also ends the script. It is reported as an error below.
     waitUntil(Deadline::never(), settled);
     if (bad.code == ErrorCode::None && d.loop.scriptState() == ScriptState::HeartbeatExpired) {
         bad = {ErrorCode::LinkLost, context,
@@ -236,7 +238,8 @@ Result<void> Programs::runScript(const Text& program, const Deadline& deadline, 
     if (d.mailbox.epoch().stops() != stops) {
         return stopped(context);
     }
-    // A robot that does not respond must not keep a caller waiting who has set no limit for the program itself.
+    // If the robot does not respond, the caller must not wait forever, even without a time limit for the
+    // program.
     const Deadline start =
         Deadline::after(std::min(milliseconds(5000), deadline.remaining()), deadline.token());
     if (auto ended = d.program.end(ControlLoss::OwnScript, start); !ended) {

@@ -18,16 +18,16 @@ namespace tiller::control {
 /// How a complete program runs: see Programs::runScript().
 struct ScriptTerms {
     Supervision supervision = Supervision::Heartbeat;
-    /// Held: the program also ends if the motion is not refreshed for 100 ms, or if the program is paused.
+    /// Held: the program also ends if the motion is not refreshed for 100 ms or if the program is paused.
     /// Requires Supervision::Heartbeat.
     Holding holding = Holding::Free;
-    /// If set, the program can call the functions of script::stepGateScript(), with this initial gate. Change it
-    /// with Motion::setGate(). Requires Supervision::Heartbeat.
+    /// If set, the program can call the functions of script::stepGateScript(), with this initial gate.
+    /// Motion::setGate() changes the gate. Requires Supervision::Heartbeat.
     std::optional<script::StepGate> gate = {};
     /// The program does not start if the number of stops (Controller::stops()) differs from this value.
     std::optional<std::uint64_t> stops = {};
     /// Called once in the calling thread, immediately before the program is sent, with the motion that
-    /// represents it: end this motion to end the program. Returns false to cancel the start. Not called for
+    /// represents it. Ending this motion ends the program. Returns false to cancel the start. Not called for
     /// an unattended program.
     std::function<bool(const Motion& run)> starting = {};
 };
@@ -61,14 +61,14 @@ public:
     /// Errors       in addition: Stopped, with the cause, if the motion ended before the program
     Result<void> runScript(const Text& program, const Deadline& deadline, const ScriptTerms& terms);
 
-    /// Ends the control program. Robot data continue to arrive. Use reupload() to start the program again.
+    /// Ends the control program. Robot data continue to arrive. reupload() starts the program again.
     Result<void> endControlProgram(const Deadline& deadline);
-    /// Sends the control program again, whether or not it is running.
+    /// Sends the control program again, even if it is running.
     Result<void> reupload(const Deadline& deadline);
     /// True if any program is running on the robot, according to the newest data.
     bool isProgramRunning() const;
 
-    /// Text of the control program for this software version, e.g. to read it or to start it without
+    /// Text of the control program for this software version, e.g. for review or to start it without
     /// takeControl().
     static QString controlProgram(const SoftwareVersion& version,
                                   RegisterRange registers = RegisterRange::Upper);

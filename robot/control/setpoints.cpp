@@ -162,7 +162,7 @@ void fill(MotionCommand& command, const SpeedParameters& p, double) {
     const Eigen::Vector3d& rotation = p.T_base_frame.rotation;
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
-// Two values in one number; spread_scales() in control.script separates them.
+// Two scales packed into one number; spread_scales() in control.script separates them.
 void fill(MotionCommand& command, const TorqueParameters& p, double) {
     const auto packed = [&p](std::size_t joint) {
         constexpr double kThousand = 1000;

@@ -2,16 +2,16 @@
 #pragma once
 
 // A stream of targets, one per control cycle: servo (positions), speed (velocities) and torque. The newest
-// target wins. The arm continues with the last target until another one replaces it, and stops at the end of
-// the stream.
+// target wins. The arm continues with the last target until the next one arrives, and stops at the end of the
+// stream.
 //
 // A constant torque keeps accelerating the arm, and neither the speed slider nor the speed cap of TCP and
-// elbow slows it down. Therefore the control program monitors the cap. If the measured speed exceeds the cap,
-// the stream ends (StopCause::LimitReached; ControllerStatus::limiter reports TCP or elbow). The speed may
-// increase slightly for a few more milliseconds. Only the controller monitors joint speeds and joint ranges,
-// and it reacts with a protective stop.
+// elbow slows it down. Therefore, the control program monitors the cap. If the measured speed exceeds the
+// cap, the stream ends (StopCause::LimitReached; ControllerStatus::limiter reports TCP or elbow). The speed
+// may increase slightly for a few more milliseconds. Joint speeds and joint ranges are monitored only by the
+// controller, which reacts with a protective stop.
 //
-// At the end of a torque stream, the control program decelerates in two steps. First it applies torques
+// At the end of a torque stream, the control program decelerates in two steps. First, it applies torques
 // against the motion, based on the inertia and within the joint limits. All joint speeds then decrease with a
 // time constant of 33 ms, assisted by the uncompensated friction. When no joint is faster than 0.05 rad/s, or
 // after 100 ms, it stops in position control as after other motions (or as requested by stopJ, stopL). If the
@@ -30,7 +30,7 @@ struct ServoParameters {
     double duration = 0;     ///< duration of one target [s]; 0: the control period
     double lookahead = 0.1;  ///< 0.03 ... 0.2 [s]; larger values are smoother and have more delay
     double gain = 300;       ///< 100 ... 2000; higher values are stiffer
-    /// False: targets at any distance are accepted. The robot then follows at its maximum speed or makes a
+    /// False: targets at any distance are accepted. The robot then follows at its maximum speed or triggers a
     /// protective stop.
     bool guarded = true;
 };
@@ -58,7 +58,7 @@ struct TorqueParameters {
 };
 
 /// Created by Motions::start... and ended like any motion: with motion().cancel(), Motions::stopJ/stopL or a
-/// new motion. An ended stream cannot move the arm again; start a new one.
+/// new motion. An ended stream cannot move the arm again; start a new stream.
 /// Threads  any, several at once
 template <class Target, class Parameters>
 class Setpoints {
@@ -68,12 +68,11 @@ public:
     bool isActive() const { return motion_.isActive(); }  ///< True if send() can still move the arm.
 
     /// Errors   Stopped (the stream has ended), InvalidArgument (NaN, or a value that suggests a wrong unit),
-    ///          LimitExceeded (outside the limits of the arm, including torques; a servo target too far from
-    ///          the previous one, or the first target too far from the arm: see kJointLeeway). A refused
-    ///          target is not sent; the stream continues
-    /// Blocks   never. Real-time: yes, unless an error is returned
+    /// LimitExceeded (outside the limits of the arm, including torques; a servo target too far from the
+    /// previous target, or the first target too far from the arm: see kJointLeeway). A refused target is not
+    /// sent; the stream continues Blocks   never. Real-time: yes, unless an error is returned
     Result<void> send(const Target& target);
-    /// Sends a target with new parameters, which remain active.
+    /// Sends a target with new parameters, which stay active.
     Result<void> send(const Target& target, const Parameters& parameters);
 
 private:

@@ -8,10 +8,10 @@ namespace tiller::control {
 
 namespace {
 
-// A stop takes about 20 ms to reach the arm; then the arm decelerates.
+// A stop takes about 20 ms to reach the arm. The arm then decelerates.
 constexpr std::int64_t kBrakesAfterNs = 100 * kNsPerMs;
 constexpr std::int64_t kCompareEveryNs = 50 * kNsPerMs;
-// If the arm is at standstill, the control program confirms a stop within this time.
+// At standstill, the control program confirms a stop within this time.
 constexpr std::int64_t kConfirmedAfterNs = 200 * kNsPerMs;
 constexpr std::int64_t kMaxBrakingNs = 1000 * kNsPerMs;
 
@@ -26,7 +26,7 @@ StopConfirmation::StopConfirmation(std::uint64_t epoch, const StopEvidence& evid
 
 bool StopConfirmation::isConfirmed(const StopEvidence& evidence) const {
     if (evidence.inControl && evidence.executedEpoch > epoch_) {
-        return true;  // the control program executes a motion started after the stop
+        return true;  // the control program executes a motion that was started after the stop
     }
     const bool still = evidence.fresh && !evidence.moving && evidence.dataNs > requestNs_;
     return still && (evidence.stopped || (evidence.inControl && evidence.restingEpoch >= epoch_));

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Monitors a stop until the robot's data confirm it. Decides when to stop through all interfaces, including
-// the end of the control program. This happens if the control connection does not respond, if the robot's
-// data are late, or if the arm keeps moving because another program has replaced the control program.
+// Monitors a stop until robot data confirm it. Decides when to stop through all interfaces, including the end
+// of the control program: if the control connection does not respond, if robot data are late, or if the arm
+// keeps moving because another program has replaced the control program.
 
 #include <cstdint>
 #include <optional>
 
 namespace tiller::control {
 
-/// Input values for the decision. Speeds, standstill and `stopped` come from the receiver, not from the
-/// control connection.
+/// Input of the decision. Speeds, standstill and `stopped` come from the receiver instead of the control
+/// connection.
 struct StopEvidence {
     std::int64_t nowNs = 0;
     bool fresh = false;               ///< the receiver's data are not older than 100 ms
@@ -31,16 +31,16 @@ public:
     /// epoch  of the stop, returned by Controller::stop()
     StopConfirmation(std::uint64_t epoch, const StopEvidence& evidence);
 
-    /// Registers another stop before the verdict. Only the new stop must be confirmed, but within the time of
-    /// the first one, so that repeated requests do not postpone the verdict.
+    /// Registers another stop before the verdict. Only the new stop must be confirmed, but within the time
+    /// limit of the first one, so that repeated requests do not postpone the verdict.
     void repeat(std::uint64_t epoch) { epoch_ = epoch; }
 
     enum class Verdict {
         Waiting,
-        Confirmed,   ///< the arm is at standstill, confirmed by the control program, or no program is running
+        Confirmed,   ///< standstill confirmed by the control program, or no program is running
         EveryRoute,  ///< not confirmed in time: stop through all interfaces
     };
-    /// Call this about every 20 ms until it returns a value other than Waiting.
+    /// Call about every 20 ms until it returns a value other than Waiting.
     Verdict look(const StopEvidence& evidence);
 
 private:

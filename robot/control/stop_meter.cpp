@@ -25,9 +25,9 @@ void StopMeter::begin(StopCause cause, std::int64_t requestNs) {
 bool StopMeter::add(const Sample& sample) {
     const bool still = sample.tcpSpeed < kStillTcpSpeed && sample.jointSpeed < kStillJointSpeed;
     moving_ = !still;
-    // Samples received before the request are ignored, even if they show standstill.
+    // Ignore samples received before the request, even if they show standstill.
     if (measuring_ && hasSample_ && sample.hostNs - previous_.hostNs > kBlindNs) {
-        measuring_ = false;  // standstill was reached during the gap in the data
+        measuring_ = false;  // standstill was reached within the gap in the data
     }
     const bool counts = measuring_ && sample.hostNs >= requestNs_;
     if (counts && hasSample_) {

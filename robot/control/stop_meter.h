@@ -10,8 +10,7 @@
 
 namespace tiller::control {
 
-/// Speeds below these values count as standstill. The values are above the measurement noise of an arm at
-/// standstill.
+/// Speeds below these values are standstill. The values exceed the measurement noise at standstill.
 inline constexpr double kStillTcpSpeed = 0.001;     ///< [m/s]
 inline constexpr double kStillJointSpeed = 0.0035;  ///< [rad/s] 0.2 deg/s
 

@@ -12,7 +12,7 @@ namespace tiller::control {
 
 namespace {
 
-/// [kg], above the payload of all models; the controller checks its own limit
+/// [kg]; exceeds the payload of all models. The controller checks its own limit.
 constexpr double kHeaviestPayload = 50.0;
 constexpr double kFarthest = 2.0;  ///< [m] from the flange
 
@@ -180,14 +180,14 @@ Result<void> ToolSetup::triggerProtectiveStop(const Deadline& deadline) {
     if (!d.loop.isInControl()) {
         return Error{ErrorCode::NotInControl, context, {}};
     }
-    // The protective stop pauses the program, so the answer may not arrive. The safety mode decides.
+    // The protective stop pauses the program, so the answer may not arrive. The safety mode is decisive.
     const Deadline answerTime =
         Deadline::after(std::min(std::chrono::milliseconds(100), deadline.remaining()), deadline.token());
     const auto asked = d.requests.request(RequestKind::ProtectiveStop, 0, {}, context, answerTime);
     if (!asked && asked.error().code == ErrorCode::Cancelled) {
         return asked.error();
     }
-    // If control was lost before the request, no protective stop will occur.
+    // If control was lost before the request, no protective stop occurs.
     const Deadline soon = Deadline::after(std::chrono::seconds(2), deadline.token());
     Error failed;
     const auto settled = [&] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Robot settings for its tool, force sensor and environment.
+// Robot settings for the tool, the force sensor and the environment.
 
 #include <array>
 #include <optional>
@@ -32,22 +32,21 @@ public:
                                   const std::array<double, 6>& inertia, const Deadline& deadline);
     /// T_flange_tcp [m, rad]
     Result<void> setTcp(const Pose& tcp, const Deadline& deadline);
-    /// direction  of the acceleration that compensates gravity, base frame [m/s2]: (0, 0, 9.82) for an upright
-    ///            robot
+    /// direction  negative gravitational acceleration, base frame [m/s2]: (0, 0, 9.82) for an upright robot
     Result<void> setGravity(const Eigen::Vector3d& direction, const Deadline& deadline);
     Result<void> zeroForceSensor(const Deadline& deadline);  ///< Sets the current reading to zero.
 
     /// Uses the forces of setExternalWrench() instead of the robot's sensor. The robot pauses the program if
-    /// it receives no value for 100 ms. Since 5.9 / 3.14. Source: URScript ft_rtde_input_enable
+    /// no value arrives for 100 ms. Since 5.9 / 3.14. Source: URScript ft_rtde_input_enable
     Result<void> useExternalSensor(const ExternalSensor& sensor, const Deadline& deadline);
-    /// Like useExternalSensor(), with the function name of older software. The torques have the opposite sign.
+    /// Like useExternalSensor(), with the function of older software. The torques have the opposite sign.
     Result<void> useExternalSensorLegacy(const ExternalSensor& sensor, const Deadline& deadline);
     Result<void> useOwnSensor(const Deadline& deadline);  ///< Ends useExternalSensor().
     /// Sends one measurement with the next cycle.
     /// Errors  NotInControl, FieldUnknown, RegisterInUse, InvalidArgument. Blocks: never. Real-time: yes
     Result<void> setExternalWrench(const Wrench& wrench);
 
-    /// The robot stops the program if kickWatchdog() is called less often than this frequency [Hz].
+    /// Makes the robot stop the program if kickWatchdog() is called less often than this frequency [Hz].
     Result<void> setWatchdog(double minFrequency, const Deadline& deadline);
     /// Errors  NotInControl, RegisterInUse. Blocks: never. Real-time: yes
     Result<void> kickWatchdog();

@@ -9,7 +9,7 @@ namespace tiller::control {
 
 namespace {
 
-// Larger values are in a wrong unit, because no robot rotates or reaches that far.
+// Larger values must be in a wrong unit, because no robot rotates or reaches that far.
 constexpr double kSurelyDegrees = 25.0;                           // [rad] of a joint
 constexpr double kSurelyDegreesOfRotation = 6.2831853072 * 1.05;  // [rad] of a rotation vector
 constexpr double kSurelyMillimetres = 5.0;                        // [m]

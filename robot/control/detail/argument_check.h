@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks arguments before they are sent and reports an invalid one: NaN, out of range, or so large that it is
+// Checks arguments before they are sent. Reports invalid values: NaN, out of range, or so large that they are
 // probably in degrees or millimetres.
 
 #include "robot/control/detail/velocity_limiter.h"
@@ -10,13 +10,12 @@
 
 namespace tiller::control {
 
-// Limits shared by ur_rtde and the controller.
+// Limits used by ur_rtde and the controller.
 inline constexpr double kHighestToolSpeed = 3.0;           ///< [m/s]
 inline constexpr double kHighestToolAcceleration = 150.0;  ///< [m/s2]
 inline constexpr double kHighestBlend = 2.0;               ///< [m]
 
-/// Keeps the first error only. Names must be string literals.
-/// Real-time: yes, unless there is an error
+/// Keeps only the first error. Names must be string literals. Real-time: yes, unless there is an error
 class ArgumentCheck {
 public:
     explicit ArgumentCheck(const char* context) : context_(context) {}
@@ -32,7 +31,7 @@ public:
     ArgumentCheck& finite(const char* name, const double* values, int count);
     /// Checks that low <= value <= high.
     ArgumentCheck& range(const char* name, double value, double low, double high, const char* unit);
-    /// Checks a linear TCP speed [m/s]: 0 < speed <= cap. setSpeedCap() changes the cap.
+    /// Checks a linear TCP speed [m/s]: 0 < speed <= cap. The cap is set by setSpeedCap().
     ArgumentCheck& toolSpeed(const char* name, double speed, double cap);
     /// Checks that 0 < value <= high.
     /// hint  probable unit of a value that is far too large, e.g. "deg/s"
@@ -52,7 +51,7 @@ private:
 
 bool isFinite(const JogTarget& target);
 
-/// Detects values in a wrong unit. Speeds may be kNoCap; accelerations always need a limit.
+/// Detects values in a wrong unit. Speeds may be kNoCap. Accelerations must be limited.
 Error checkLimits(const MotionLimits& limits, const char* context);
 
 /// Speed limit of the fastest joint [rad/s].

@@ -18,10 +18,10 @@ using std::chrono::milliseconds;
 
 namespace {
 
-// Maximum interval in real time between two checks of the control thread if no data arrive. The Clock decides
-// whether data are late.
+// Maximum real time between two checks of the control thread if no data arrive. The Clock determines whether
+// data are late.
 constexpr std::int64_t kLookUpNs = 4 * kNsPerMs;
-// Data that are read within this time after other work of the thread may have arrived earlier.
+// Data read within this time after other work of the thread may have arrived earlier.
 constexpr std::int64_t kBusyNs = kNsPerMs / 20;
 // Marks a value that the sample does not contain.
 constexpr std::size_t kNoPlace = std::numeric_limits<std::size_t>::max();
@@ -34,14 +34,14 @@ RegisterRange other(RegisterRange range) {
     return range == RegisterRange::Upper ? RegisterRange::Lower : RegisterRange::Upper;
 }
 
-// Names the affected registers, their possible users, and the suggested action.
+// Names the affected registers, the possible users of these registers, and the suggested action.
 Error explainInUse(const Error& error, RegisterRange range) {
     const QString fieldbus =
         range == RegisterRange::Lower
             ? QStringLiteral("disable the fieldbus (EtherNet/IP, PROFINET) on the robot, ")
             : QString();
     return {ErrorCode::RegisterInUse, QStringLiteral("take the %1 registers").arg(rangeText(range)),
-            // The list of registers is long, so it comes last.
+            // Place the list of registers at the end, because it is long.
             QStringLiteral("Another client controls this robot or uses its registers, for example another "
                            "Tiller window. Close that client, %2or use the %3 registers. (%1)")
                 .arg(error.context, fieldbus, rangeText(other(range)))};
@@ -64,7 +64,7 @@ Result<void> ControlLink::open(const Deadline& deadline) {
         static_cast<std::uint16_t>(options_.rtdePort != 0 ? options_.rtdePort : 30004 + options_.portOffset);
     const std::vector<std::string> outputs = outputNames(options_.registers, options_.fields);
     wanted.request.outputs = outputs;
-    // Motion is possible without the watchdog or the external wrench.
+    // The watchdog and the external wrench are optional: motion is possible without them.
     wanted.request.inputs = {{inputNames(options_.registers, kCommandInputs), true},
                              {inputNames(options_.registers, kWatchdogInputs), false},
                              {inputNames(options_.registers, kWrenchInputs), false}};
@@ -104,8 +104,7 @@ Result<void> ControlLink::open(const Deadline& deadline) {
     return {};
 }
 
-// Uses the types reported by the robot. If a type differs from the catalogue, only the values that fit are
-// used.
+// Uses the types reported by the robot. If a type differs from the catalogue, only values that fit are used.
 void ControlLink::planSample(const std::vector<std::string>& names) {
     sample_ = receive::Sample(std::make_shared<receive::SampleLayout>(names));
     sample_.connection = 1;
@@ -164,7 +163,7 @@ Result<void> ControlLink::checkModes(const Deadline& deadline) {
     return {};
 }
 
-// Only reads registers: another program could interpret a request as a command.
+// Only reads registers, because another program could interpret a request as a command.
 Result<Echo> ControlLink::findProgram(const Deadline& deadline) {
     const QString context = QStringLiteral("join the control program at %1").arg(connection_->peer());
     const auto data = firstData(deadline, context);
@@ -217,15 +216,15 @@ bool ControlLink::send(const Command& command) {
     return sent;
 }
 
-// The package that was just read into `values`, or the newest one of a backlog.
+// The package that was read into `values`, or the newest package of a backlog.
 Feedback ControlLink::newest(std::vector<double>& values, std::int64_t lookedNs, std::int64_t doneNs) {
     Feedback data = decode(values);
     data.awaited = data.hostNs - doneNs > kBusyNs;
     data.lookedNs = lookedNs;
-    constexpr int kQueue = 1000;  // time limit for a peer that sends faster than this thread reads
+    constexpr int kQueue = 1000;  // limits the loop if the peer sends faster than this thread reads
     const bool mayQueue = !data.awaited || connection_->hasPackage();
     for (int passed = 0; passed < kQueue && mayQueue && loop_.wantsNewest(); ++passed) {
-        // A failure of the connection is detected by the next read.
+        // The next read detects a failure of the connection.
         if (connection_->readPackage(values, std::chrono::nanoseconds(0)) !=
             rtde::Connection::Read::Package) {
             break;
@@ -255,12 +254,12 @@ void ControlLink::run(script::PrimaryClient& primary) {
     const std::int64_t timeoutNs = std::chrono::nanoseconds(options_.connectionTimeout).count();
     const std::int64_t begunNs = doneNs;
     std::int64_t lookedNs = doneNs;
-    int looks = 0;  // number of unsuccessful checks since the newest package
-    // A controller may send no data while it compiles a program. No motion runs through this connection at
-    // that time.
+    int looks = 0;  // unsuccessful checks since the newest package
+    // A controller may send no data while it compiles a program. No motion through this connection is active
+    // then.
     constexpr std::int64_t kTakingTimeoutNs = 2 * kNsPerSecond;
     const auto isDead = [&](std::int64_t nowNs) {
-        // After a delay of this computer, data may still be in transit.
+        // After a delay of this PC, data may still be in transit.
         constexpr int kLooks = 10;
         const std::int64_t silentNs = nowNs - std::max(lastData(), begunNs);
         const std::int64_t takingNs = loop_.status().loss == ControlLoss::Taking ? kTakingTimeoutNs : 0;
@@ -311,7 +310,7 @@ void ControlLink::run(script::PrimaryClient& primary) {
     }
     if (!alive) {
         loop_.lost(now(), ControlLoss::LinkLost);
-        connection_->close();  // releases the registers for the next client
+        connection_->close();  // frees the registers for the next client
     }
     running_.store(false, std::memory_order_release);
 }

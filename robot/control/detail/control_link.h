@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The control thread and its RTDE connection: claims the registers, passes each package of the robot to the
+// The control thread and its RTDE connection: claims the registers, passes each package from the robot to the
 // ControlLoop and sends the resulting command.
 
 #include <array>
@@ -54,7 +54,7 @@ public:
     std::uint16_t localPort() const { return localPort_.load(std::memory_order_acquire); }
     bool isRunning() const { return running_.load(std::memory_order_acquire); }
 
-    /// Makes the control thread send the newest command immediately, unless the clock is virtual.
+    /// Makes the control thread send the newest command at once, unless the clock is virtual.
     void wake() const {
         if (options_.clock->runsByItself()) {
             waker_.wake();

@@ -12,10 +12,10 @@ namespace tiller::control {
 
 namespace {
 
-// The program counts as ended after this time without an answer.
+// After this time without an answer, the program is considered ended.
 constexpr std::int64_t kEchoLostNs = 500 * kNsPerMs;
 
-/// Cap in mm/s, at least 1 because 0 means that no torques were sent. kNoCap becomes a value that is never
+/// Cap [mm/s], at least 1, because 0 means that no torques were sent. kNoCap becomes a value that is never
 /// reached.
 std::int32_t inMillimetres(double cap) {
     constexpr double kLargest = 1e6;
@@ -83,9 +83,9 @@ void ControlLoop::permitScript(bool permitted) {
 }
 
 void ControlLoop::permitForce(bool permitted) {
-    // The permission is written before checking for a stop, and a stop revokes it after the stop itself. With
-    // two exchanges of the same atomic, the later one sees everything before the earlier one. A plain store
-    // would break this order.
+    // Write the permission before checking for a stop. A stop writes in the opposite order: first the stop,
+    // then the revocation. Exchanges of the same atomic are ordered, so the later one sees everything before
+    // the earlier one. A plain store would break this order.
     forcePermitted_.exchange(permitted, std::memory_order_acq_rel);
 }
 
@@ -108,7 +108,7 @@ std::int32_t ControlLoop::ask(Request request) {
 
 void ControlLoop::setHook(CycleHook* hook) {
     hook_.store(hook);
-    // Sleep rather than yield, so that a thread with lower priority can run.
+    // Sleep instead of yield, so that a thread with lower priority can run.
     while (hookInUse_.load()) {
         std::this_thread::sleep_for(std::chrono::microseconds(50));
     }
@@ -125,7 +125,7 @@ void ControlLoop::takeIn(const Feedback& data) {
         if (static_cast<double>(sinceLast) > 1.5 * period_ * static_cast<double>(kNsPerSecond)) {
             ++status_.late;
         }
-        // The data arrive again, but earlier commands are too old to be continued.
+        // Data arrive again, but earlier commands are too old to be continued.
         if (sinceLast > dataTimeoutNs()) {
             endActive(StopCause::DataStale, data.hostNs);
         }
@@ -133,7 +133,7 @@ void ControlLoop::takeIn(const Feedback& data) {
     data_ = data;
     sentEarly_ = false;
     ageNs_ = std::max<std::int64_t>(stream_.add(data.timestamp, data.hostNs).jitterNs, 0);
-    // The package may have been waiting in the queue since the last check.
+    // The package may have waited in the queue since the last check.
     arrivedNs_ = data.awaited ? data.hostNs : std::max(data.hostNs - ageNs_, data.lookedNs);
     if (!hasData_) {
         hasData_ = true;
@@ -184,7 +184,7 @@ bool ControlLoop::fallback(std::int64_t nowNs, Command& out) {
     mailbox_.active(nowNs);
     noteEnded(nowNs);
     publish();
-    // A slightly late package needs no action; the next tick sends the stop.
+    // A slightly late package needs no reaction. The next tick sends the stop.
     constexpr std::int64_t kAnswerTimeoutNs = 10 * kNsPerMs;
     if (age < kAnswerTimeoutNs || !isStopPending()) {
         return false;
@@ -240,9 +240,9 @@ bool ControlLoop::early(std::int64_t nowNs, Command& out) {
     hookInUse_.store(false);
     const MotionCommand* motion = hooked ? nullptr : mailbox_.active(nowNs);
     if (motion != nullptr && (motion->id != followed_ || motion->kind != MotionCommand::Kind::Program)) {
-        return false;  // the start depends on the current position of the arm
+        return false;  // the start depends on the current arm position
     }
-    // Set points are limited to one per package; stops are not.
+    // Set points are limited to one per package. Stops are not limited.
     if (motion != nullptr ? sentEarly_ : !isStopPending()) {
         return false;
     }
@@ -296,7 +296,8 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
     const std::int32_t behind = sequence_ - echo.sequence;
     if (behind >= 0 && static_cast<std::size_t>(behind) >= kSentMemory) {
-        // The command is older than all stored times, so the round trip takes at least the time they span.
+        // The command is older than all stored send times, so the round trip takes at least the time that
+        // they span.
         status_.roundTripMs = static_cast<double>(kSentMemory) * period_ * 1000.0;
     }
     if (behind >= 0 && static_cast<std::size_t>(behind) < kSentMemory) {
@@ -313,7 +314,7 @@ void ControlLoop::followEcho(const Feedback& data) {
     }
 }
 
-// Ends the motion if the data do not permit it.
+// Ends the motion if the data no longer permit it.
 void ControlLoop::watch(const Feedback& data) {
     status_.robotMode = data.robotMode;
     status_.safetyMode = data.safetyMode;
@@ -341,7 +342,7 @@ void ControlLoop::watch(const Feedback& data) {
     if (data.runtimeState != RuntimeState::Playing) {
         const bool asked = endRequested_.load(std::memory_order_acquire);
         paused_ = data.runtimeState == RuntimeState::Pausing || data.runtimeState == RuntimeState::Paused;
-        // A safeguard stop ends the motion some packages before the program is paused.
+        // A safeguard stop ends the motion some packages before it pauses the program.
         constexpr std::int64_t kUntilPausedNs = 500 * kNsPerMs;
         yieldedWhenPaused_ = yieldedNs_ && data.hostNs - *yieldedNs_ < kUntilPausedNs;
         leave(asked ? endLoss_.load(std::memory_order_relaxed) : ControlLoss::ScriptStopped,
@@ -356,7 +357,7 @@ void ControlLoop::watch(const Feedback& data) {
     if (unanswered > dataTimeoutNs()) {
         endActive(StopCause::ControlLost, data.hostNs);
     }
-    // Data arrive, but late, so a stop would be late as well.
+    // Data arrive, but too late: a stop would be late as well.
     if (status_.roundTripMs * static_cast<double>(kNsPerMs) > static_cast<double>(dataTimeoutNs())) {
         endActive(StopCause::LinkLost, data.hostNs);
     }
@@ -399,7 +400,7 @@ void ControlLoop::watch(const Feedback& data) {
                 break;
         }
     }
-    // A change of the TCP offset during a jog would shift its centre of rotation.
+    // A change of the TCP offset during a jog would shift the centre of rotation.
     constexpr double kSameOffset = 1e-6;
     const bool tcpChanged = (data.tcpOffset.position - followedTcp_.position).norm() > kSameOffset ||
                             (data.tcpOffset.rotation - followedTcp_.rotation).norm() > kSameOffset;
@@ -408,13 +409,13 @@ void ControlLoop::watch(const Feedback& data) {
     }
 }
 
-// Without control, no motion is possible except the program of a user.
+// Without control, only the program of a user can move the arm.
 void ControlLoop::watchScript(const Feedback& data) {
     const bool permitted = scriptPermitted_.load(std::memory_order_acquire);
     const MotionCommand* script = mailbox_.active(data.hostNs);
     const bool paused =
         data.runtimeState == RuntimeState::Pausing || data.runtimeState == RuntimeState::Paused;
-    // A paused program that an operator runs with a button must not continue by itself.
+    // A paused program that an operator runs by hold-to-run must not continue automatically.
     if (!permitted || (paused && script != nullptr && script->held)) {
         endActive(StopCause::ControlLost, data.hostNs);
     }
@@ -422,7 +423,7 @@ void ControlLoop::watchScript(const Feedback& data) {
 }
 
 void ControlLoop::leave(ControlLoss loss, StopCause cause, std::int64_t nowNs) {
-    // This order, and the opposite order at the start of motions (confirmControl), ensure that no motion is
+    // This order and the opposite order at the start of motions (confirmControl) ensure that no motion is
     // missed.
     inControl_.exchange(false, std::memory_order_acq_rel);
     endActive(cause, nowNs);
@@ -459,7 +460,7 @@ void ControlLoop::compose(const Feedback& data, Command& command) {
         pressed_ = 0;
         followedTimeoutNs_ = std::chrono::nanoseconds(motion->silence).count();
         status_.limiter = motion->limiter;
-        // The measurement belongs to a motion that was replaced before it reached standstill.
+        // The measured motion was replaced before it reached standstill.
         meter_.cancel();
     }
     if (motion->kind == MotionCommand::Kind::Jog) {
@@ -514,9 +515,9 @@ bool ControlLoop::feelsContact(const JogTarget& target, const Feedback& data) {
         return false;
     }
     if (!data.tcpForce) {
-        return true;  // no motion with contact detection if force data are missing
+        return true;  // without force data, contact detection is impossible
     }
-    // A single noisy package is not a contact. Three packages take 6 ms: a tenth of a millimetre at the
+    // A single package may be noise. Three packages take 6 ms, which is a tenth of a millimetre at the
     // intended speed.
     constexpr int kPackages = 3;
     const bool pressed = (*data.tcpForce - followedForce_).norm() > target.contactForce;
@@ -537,8 +538,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
         mailbox_.end(motion.id, StopCause::LimitReached, data.hostNs);
         return;
     }
-    // Slow down with the deceleration of a stop. With a lower value, the arm would brake too late before a
-    // limit.
+    // Decelerate as for a stop. With a lower deceleration, the arm would brake too late before a limit.
     const bool brake = status_.limiter.brake;
     bool slowing = false;
     if (target.kind == JogTarget::Kind::Cartesian) {
@@ -561,7 +561,7 @@ void ControlLoop::composeJog(const MotionCommand& motion, const Feedback& data, 
     command.rotation = {rotation.x(), rotation.y(), rotation.z()};
 }
 
-// Records the end of the current motion if it has ended. The epoch contains the cause and the time.
+// Records the end of the current motion, if it has ended. The epoch contains the cause and the time.
 void ControlLoop::noteEnded(std::int64_t nowNs) {
     const Epoch& epoch = mailbox_.epoch();
     if (followed_ == kNoMotion || epoch.isActive(followed_)) {
@@ -574,8 +574,8 @@ void ControlLoop::noteEnded(std::int64_t nowNs) {
     if (cause != StopCause::LimitReached) {
         status_.limiter = {};
     }
-    // Replacing or completing a motion is not a stop. If the operator input has ended, force mode ends as
-    // well.
+    // Replacement or completion of a motion is not a stop. If the operator input has ended, force mode ends
+    // too.
     if (cause == StopCause::EventLoopStalled || cause == StopCause::DataStale ||
         cause == StopCause::LinkLost) {
         forcePermitted_.exchange(false, std::memory_order_acq_rel);

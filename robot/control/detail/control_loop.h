@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Processes a package from the robot and computes the answer, without a socket or thread. The answer depends
+// Processes a package from the robot and computes the answer, without sockets or threads. The answer depends
 // only on the data, the mailbox and the time. Every automatic stop of a motion is decided here.
 
 #include <array>
@@ -34,11 +34,11 @@ inline constexpr std::int64_t kNoCycleDue = std::numeric_limits<std::int64_t>::m
 /// Trigger of a cycle.
 struct Occasion {
     double period = 0.002;  ///< [s]
-    bool fresh = true;      ///< the data are new; otherwise they are from the previous package
-    /// If fresh: start of the cycle scheduled for even spacing, on the clock of Feedback::hostNs.
+    bool fresh = true;      ///< the data are new; false: from the previous package
+    /// If fresh: evenly spaced start time of the cycle, on the clock of Feedback::hostNs.
     std::int64_t evenNs = 0;
-    /// Age of the data at Feedback::hostNs [ns], computed from the robot's timestamps and the fastest
-    /// observed arrival.
+    /// Age of the data at Feedback::hostNs [ns], from the robot's timestamps and the fastest observed
+    /// arrival.
     std::int64_t ageNs = 0;
 };
 
@@ -49,10 +49,9 @@ public:
     /// Called in the control thread.
     /// Returns  false to end the motion
     virtual bool cycle(const Feedback& data, const Occasion& occasion, MotionCommand& target) = 0;
-    /// End of the last cycle on the clock of Feedback::hostNs. Its target is sent at this time.
+    /// End of the last cycle on the clock of Feedback::hostNs; its target is sent at this time.
     virtual std::int64_t endedNs() const = 0;
-    /// Time at which the next cycle runs even without a package. kNoCycleDue: the next cycle waits for a
-    /// package.
+    /// Time of the next cycle if no package arrives. kNoCycleDue: the next cycle waits for a package.
     virtual std::int64_t dueNs(const realtime::ArrivalPace& pace) const = 0;
 
 protected:
@@ -67,7 +66,7 @@ public:
     ControlLoop(Mailbox& mailbox, const MotionLimits& limits)
         : mailbox_(mailbox), limits_(limits), speedCap_(limits.tcpSpeed) {}
 
-    /// Prepares for a new connection. Control begins when the program with this session responds.
+    /// Resets the state for a new connection. Control begins when the program with this session responds.
     void begin(std::int32_t session, double period, const ArmLimits& arm, std::int64_t nowNs);
     void setGranted(bool priority, bool cpus, bool fastWakeUps) {
         status_.priorityGranted = priority;
@@ -77,23 +76,22 @@ public:
 
     /// Processes one package from the robot and returns the answer.
     Command tick(const Feedback& data);
-    /// Processes a package that is not answered because a newer one has already arrived.
+    /// Processes a package that needs no answer because a newer package has arrived.
     void pass(const Feedback& data);
-    /// True if only the newest package matters: a slow packet loop must not process a backlog.
+    /// True if only the newest package is needed, because a slow packet loop must not process a backlog.
     bool wantsNewest();
-    /// Call this after sending the result of tick().
+    /// Call after sending the result of tick().
     void answered() { answeredTime_.store(data_.timestamp, std::memory_order_release); }
     /// Time at which fallback() must be called if no package arrives. kNoCycleDue: never.
     std::int64_t dueNs();
-    /// Call this if no package arrives. Ends the motion when the data are too old, and runs a scheduled
-    /// cycle.
-    /// Returns  true if `out` must be sent immediately
+    /// Call if no package arrives. Ends the motion when the data are too old, and runs a scheduled cycle.
+    /// Returns  true if `out` must be sent at once
     bool fallback(std::int64_t nowNs, Command& out);
-    /// Call this after a change by another thread while no package is due. Commands are sent immediately, but
-    /// set points only once between two packages.
+    /// Call after a change by another thread while no package is due. Commands are sent at once, but only one
+    /// set point between two packages.
     /// Returns  true if `out` must be sent
     bool early(std::int64_t nowNs, Command& out);
-    /// Handles the loss of the connection.
+    /// Call after loss of the connection.
     void lost(std::int64_t nowNs, ControlLoss loss);
 
     /// Requests the end of the program from the next tick on. `loss` is reported when the program has ended.
@@ -105,7 +103,7 @@ public:
     /// ends when either is exceeded.
     /// Threads: before the control thread starts
     void setDataTimeout(std::int64_t ns) { dataTimeoutNs_ = ns; }
-    /// As above, but for the active motion. Threads: the control thread
+    /// Same, for the active motion. Threads: the control thread
     std::int64_t dataTimeoutNs() const;
     /// For joining a running program: continues with the sequence and epoch of the previous client.
     /// Threads: after begin(), before the control thread starts
@@ -117,15 +115,15 @@ public:
     /// Accepts only the program with this session, from the next tick on.
     void expectSession(std::int32_t session) { nextSession_.store(session, std::memory_order_release); }
 
-    /// Adds a request to each package until another request replaces it.
+    /// Adds a request to each package until the next request replaces it.
     /// Returns  the number of the request
     std::int32_t ask(Request request);
-    /// Removes the request from the packages after its caller has stopped waiting.
+    /// Removes the request from the packages when its caller has stopped waiting.
     void withdraw();
     /// Newest answer of the program.
     Answer answer() const { return answer_.load(); }
-    /// Permits a motion of Kind::Script after the control program has ended. Call this before starting the
-    /// motion, and with false after its end.
+    /// Permits a motion of Kind::Script after the control program has ended. Call with true before starting
+    /// the motion and with false after its end.
     void permitScript(bool permitted);
     /// Permits force mode. The caller, an unsafe mode, the loss of control, or the end of a motion that was
     /// not refreshed in time revokes the permission.
@@ -138,26 +136,26 @@ public:
     void setCollisionCheck(std::shared_ptr<const collision::CollisionCheck> check) {
         check_.publish(std::move(check));
     }
-    /// Sets the hook; null removes it. After this call returns, the previous hook is no longer in use.
+    /// Sets the hook; null removes it. After this call has returned, the previous hook is not used.
     void setHook(CycleHook* hook);
 
-    /// Call this after starting a motion. True guarantees that a later loss of control ends the motion. False
+    /// Call after starting a motion. True guarantees that a later loss of control ends the motion. False
     /// means that the caller must end the motion. isInControl() does not give this guarantee, because control
     /// may be lost at the same time.
     bool confirmControl();
     bool isInControl() const { return inControl_.load(std::memory_order_acquire); }
     ControllerStatus status() const;
-    /// Returns true once after the program was paused. The paused program cannot be used again, and its
+    /// Returns true once after the program was paused. A paused program must not be used again, because its
     /// effects, such as force mode, might continue.
     /// Threads  the control thread
     bool takePaused() { return std::exchange(paused_, false); }
-    /// Whether force mode, freedrive or teach mode was active at the pause; only the paused program could end these
-    /// modes.
+    /// Whether force mode, freedrive or teach mode was active at the pause. Only the paused program could end
+    /// these modes.
     /// Threads  the control thread
     bool yieldedWhenPaused() const { return yieldedWhenPaused_; }
     /// State of the control program according to the newest package.
     ScriptState scriptState() const { return scriptState_.load(std::memory_order_acquire); }
-    /// Publishes a loss of control while there is no control thread.
+    /// Publishes a loss of control while no control thread exists.
     void publishLoss(ControlLoss loss);
 
 private:
@@ -183,7 +181,7 @@ private:
     MotionLimits limits_;
     std::atomic<double> speedCap_;  ///< replaces limits_.tcpSpeed
     VelocityLimiter limiter_{ArmLimits{}, MotionLimits{}};
-    /// The control thread only reads the newest value; the publisher frees older ones.
+    /// The control thread only reads the newest value. The publisher frees older ones.
     realtime::TripleBuffer<std::shared_ptr<const collision::CollisionCheck>> check_;
     StopMeter meter_;
 
@@ -222,8 +220,7 @@ private:
     static constexpr std::size_t kSentMemory = 512;
     std::array<std::int64_t, kSentMemory> sentNs_{};
     std::int32_t echoed_ = 0;
-    std::int64_t unansweredSinceNs_ =
-        0;  ///< time when the first package after the last new echo was sent; 0: none
+    std::int64_t unansweredSinceNs_ = 0;  ///< send time of the first package since the last new echo; 0: none
 
     MotionId sentMotion_ = kNoMotion;     ///< last motion sent to the robot
     bool sentForce_ = false;              ///< force mode permission sent with the last motion

@@ -14,7 +14,7 @@ using std::chrono::milliseconds;
 
 namespace {
 
-/// Formats a version, e.g. "5.4", or "5.25.1" if the bugfix version matters.
+/// Formats a version without a zero bugfix number, e.g. "5.4", "5.25.1".
 QString shortly(const SoftwareVersion& version) {
     const QString both = QStringLiteral("%1.%2").arg(version.major).arg(version.minor);
     return version.bugfix > 0 ? both + QStringLiteral(".%1").arg(version.bugfix) : both;
@@ -107,8 +107,8 @@ Result<void> ControlProgram::knows(const char* name, const QString& context) con
                      .arg(QLatin1String(name))};
 }
 
-// A controller refuses the whole program if it contains a function that was removed from the language. After
-// this error, the program is sent without the function.
+// A controller refuses a program that contains a function removed from the language. After such an error, the
+// program is sent again without the function.
 Result<void> ControlProgram::upload(std::int32_t session, const QString& section, const Deadline& deadline) {
     for (;;) {
         auto sent = uploadOnce(session, section, deadline);
@@ -125,7 +125,7 @@ Result<void> ControlProgram::upload(std::int32_t session, const QString& section
 }
 
 std::chrono::milliseconds ControlProgram::abandonedAfter() const {
-    // Delivered programs are nodes of the operator's program, which continues after them.
+    // A delivered program is a node of the operator's program, which continues after it.
     return options_.deliver
                ? kNeverAbandoned
                : std::max({kMinAbandonedAfter, options_.dataTimeout, options_.connectionTimeout});
@@ -149,8 +149,8 @@ Result<void> ControlProgram::uploadOnce(std::int32_t session, const QString& sec
         own_ = {};
     }
     session_ = session;
-    // Stays connected until the program responds, because a controller may discard a program whose sender
-    // disconnects immediately.
+    // Stay connected until the program responds, because a controller may discard a program whose sender
+    // disconnects at once.
     std::optional<script::ScriptClient> sender;
     if (options_.deliver) {
         if (auto delivered = options_.deliver(script.text, deadline); !delivered) {

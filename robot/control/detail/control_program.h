@@ -43,8 +43,8 @@ public:
     script::PrimaryClient& listener() { return *primary_; }
     SoftwareVersion version() const;
     ArmLimits arm() const;
-    /// Errors  VersionUnsupported below these versions. Zeros for CB3: never available there. Zeros for
-    ///         PolyScope X: all versions
+    /// Errors  VersionUnsupported below these versions. cb3 zeros: not available on CB3. Zeros for PolyScope
+    /// X: available in all versions
     Result<void> needs(const SoftwareVersion& eSeries, const SoftwareVersion& cb3, const QString& context,
                        const SoftwareVersion& polyScopeX = {}) const;
     /// Errors  VersionUnsupported if the controller does not have this built-in function
@@ -52,7 +52,7 @@ public:
 
     // ---- sending -------------------------------------------------------------------------------------------
 
-    /// Session of the program sent or joined last; 0: none.
+    /// Session of the last program sent or joined; 0: none.
     std::int32_t session() const { return session_; }
     void setSession(std::int32_t session) { session_ = session; }
     int primaryPort() const {
@@ -65,16 +65,16 @@ public:
     /// Ends the program if it is running.
     Result<void> end(ControlLoss loss, const Deadline& deadline);
     /// Ends the program and sends it again with this section.
-    /// name  of the section, used in messages
+    /// name  section name in messages
     Result<void> restart(const QString& section, const QString& name, const Deadline& deadline);
-    /// Sends the program without a section after another program has ended.
+    /// Sends the program without a section when another program has ended.
     Result<void> resend(const Deadline& deadline);
 
     // ---- messages ---------------------------------------------------------------------------------------------
 
-    /// Assigns later errors to a user script that replaces the control program.
+    /// Assigns the following errors to a user script that replaces the control program.
     void yieldTo(const script::SupervisedProgram& program);
-    /// Error reported by the controller since the last upload; code None if there is none.
+    /// Error reported by the controller since the last upload; code None if there was none.
     Error complaint(const QString& context);
     /// Number of robot states received on the message connection. A state arrives after all messages sent
     /// before it.

@@ -29,9 +29,9 @@ QString numbers(const std::array<double, 6>& values) {
     return out.join(QLatin1String(", "));
 }
 
-/// Returns true if `version` is at least `since`, e.g. "5.10 3.15": the first versions for e-Series and CB3.
-/// A missing CB3 version, or "-", means that this series does not have the function. An optional third
-/// version is for PolyScope X; without it the first version applies.
+/// Returns true if `version` is at least `since`. `since` contains the first versions for e-Series and CB3,
+/// e.g. "5.10 3.15". Without a CB3 version, or with "-", this series does not have the function. A third
+/// version is for PolyScope X; without it, the first version applies.
 bool isSince(const SoftwareVersion& version, const QString& since) {
     const QStringList series = since.split(QLatin1Char(' '), Qt::SkipEmptyParts);
     const bool ownOfX = version.isPolyScopeX() && series.size() > 2;
@@ -52,8 +52,8 @@ bool isCalled(const SoftwareVersion& version, const QString& mark, const QString
            (since.isEmpty() || isSince(version, since));
 }
 
-/// Empties the lines that do not apply to this software, controller or section. Lines are not removed, so
-/// that line numbers remain valid.
+/// Empties the lines that do not apply to this software, controller or section. No lines are removed, so that
+/// line numbers stay valid.
 QString linesFor(const SoftwareVersion& version, const QString& source, const QString& section,
                  const QStringList& refused) {
     QStringList lines = source.split(QLatin1Char('\n'));
@@ -78,7 +78,7 @@ QString linesFor(const SoftwareVersion& version, const QString& source, const QS
     return lines.join(QLatin1Char('\n'));
 }
 
-/// Adds a prefix to the names of the program, so that they do not collide with names in a section.
+/// Prefixes the names of the program, so that they cannot conflict with names in a section.
 QString prefixed(const QString& program) {
     static const QRegularExpression kDefinition(QStringLiteral("^    (?:(?:def|thread) (\\w+)\\(|(\\w+) = )"),
                                                 QRegularExpression::MultilineOption);

@@ -17,10 +17,10 @@ namespace tiller::control {
 /// control.script, control_requests.script and control_cycle.script, concatenated.
 const char* controlScriptTemplate();
 
-/// Default for a client with the default timeouts.
+/// Value for a client with the default timeouts.
 inline constexpr std::chrono::milliseconds kMinAbandonedAfter{500};
-/// For programs that other clients must not replace without confirmation. The value exceeds the time for
-/// which the program runs without a client.
+/// For programs that other clients must not replace without confirmation. Exceeds the time for which the
+/// program runs without a client.
 inline constexpr std::chrono::milliseconds kNeverAbandoned{60'000};
 
 struct ControlScript {
@@ -46,7 +46,7 @@ ControlScript controlScript(const SoftwareVersion& version, RegisterRange range,
                             const QStringList& refused = {}, const ForceSettings& force = {},
                             std::chrono::milliseconds abandonedAfter = kMinAbandonedAfter);
 
-/// Returns the name of the unknown function in a controller's compile error if the program can avoid this
+/// Returns the unknown function named in a compile error of the controller, if the program can avoid this
 /// function; otherwise empty.
 QString refusedName(const QString& text);
 

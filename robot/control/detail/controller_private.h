@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Internals of Controller: conditions for starting a motion and for taking and releasing control. Used only
-// by the sources in this folder.
+// Internals of Controller: conditions for starting motions and for taking and releasing control. Used only in
+// this folder.
 
 #include <array>
 #include <atomic>
@@ -37,39 +37,39 @@ struct Controller::Private {
     CancelToken underWay;  ///< token of the call that holds `taking`; protected by `tokenMutex`
     int ending = 0;        ///< number of release() calls waiting for `taking`; protected by `tokenMutex`
 
-    /// End of the pulse of each output [ns, on `options.clock`]. A time in the past means no pulse.
+    /// End of the pulse of each output [ns, on `options.clock`]. A time in the past: no pulse.
     std::array<std::atomic<std::int64_t>, kPulseOutputs> pulseEndsNs{};
 
     std::int64_t now() const { return options.clock->nowNs(); }
     std::int64_t dataTimeoutNs() const { return std::chrono::nanoseconds(options.dataTimeout).count(); }
-    /// The limits with the current cap. Call this after reading the number of stops, so that a change of the
-    /// cap stops a motion that was planned with the old cap.
+    /// The limits with the current cap. Call after reading the number of stops. A change of the cap then
+    /// stops a motion planned with the old cap.
     MotionLimits limitsNow() const {
         MotionLimits limits = options.limits;
         limits.tcpSpeed = loop.speedCap();
         return limits;
     }
 
-    /// True if takeControl() has nothing to do. Requires `taking`.
+    /// True if takeControl() need not do anything. Requires `taking`.
     bool isInControl() const { return link.isRunning() && loop.isInControl(); }
-    /// Connects and sends the control program, or joins the running one; cleans up on failure. Requires
+    /// Connects and sends the control program or joins the running program. Cleans up on failure. Requires
     /// `taking`.
     Result<void> take(const Deadline& deadline, bool join);
-    /// Cancels a takeControl() in progress, then calls `whenRunning` before the control thread ends.
+    /// Cancels a running takeControl(), then calls `whenRunning` before the control thread ends.
     void end(const std::function<void()>& whenRunning);
     void disconnect();
 
     /// Waits until no output is pulsing, because sending another control program would cut pulses short.
-    /// Returns early after a stop; the caller must check for this.
+    /// Returns early after a stop, for which the caller must check.
     /// Errors   Timeout with the name of an output that is still pulsing, Cancelled
     Result<void> awaitPulses(std::uint64_t stops, const Deadline& deadline, const QString& context) const;
-    /// Starts a motion, unless a stop has occurred since `stops` was read or control has ended.
+    /// Starts a motion, unless a stop has occurred since `stops` was read, or control has ended.
     Result<MotionId> start(const MotionCommand& command, std::uint64_t stops, const QString& context);
     /// Sends the program with this section, unless a stop has occurred since `stops` was read.
     /// Returns  the empty epoch in which the section can be started
     Result<std::uint64_t> sendSection(const QString& section, const QString& name, std::uint64_t stops,
                                       const Deadline& deadline, const QString& context);
-    /// Starts the section sent last, unless a stop or another motion has occurred since this epoch.
+    /// Starts the last section sent, unless a stop or another motion has occurred since this epoch.
     /// silence  maximum time without a heartbeat; 0: default
     Result<MotionId> beginSection(std::uint64_t epoch, Holding holding, std::chrono::milliseconds silence,
                                   const QString& context);
@@ -77,7 +77,7 @@ struct Controller::Private {
     Result<MotionId> startSection(const QString& section, const QString& name, Holding holding,
                                   std::chrono::milliseconds silence, std::uint64_t stops,
                                   const Deadline& deadline, const QString& context);
-    /// Why no motion may start; code None if a motion may start.
+    /// Reason why no motion may start; code None if motions may start.
     Error obstacle(const QString& context) const;
 
 private:
@@ -115,7 +115,7 @@ struct MotionAccess {
     static Controller* controller(const Motion& motion) { return motion.controller_; }
 };
 
-/// A deadline that release() can cancel: registers its token for the lifetime of the object. Requires
+/// A deadline that release() can cancel. Its token is registered during the lifetime of the object. Requires
 /// `taking`.
 class UnderWay {
 public:

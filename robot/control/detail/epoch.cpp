@@ -8,7 +8,7 @@ Epoch::Word Epoch::word(std::uint64_t epoch, bool occupied, StopCause cause) {
 }
 
 // Stores the cause of an earlier epoch before its word is overwritten. Several threads may store the same
-// value concurrently. A thread that is late finds a newer entry and does not overwrite it.
+// value concurrently. A late thread finds a newer entry and does not overwrite it.
 void Epoch::remember(Word w) {
     const std::uint64_t ended = epochOf(w) - 1;
     const std::uint64_t entry = (ended << 8) | static_cast<std::uint64_t>(causeOf(w));
@@ -21,8 +21,8 @@ void Epoch::remember(Word w) {
 bool Epoch::replace(Word& seen, bool occupied, StopCause cause, std::int64_t nowNs) {
     remember(seen);
     const std::uint64_t next = epochOf(seen) + 1;
-    // Stored before the exchange, so that the time is visible together with the epoch. A concurrent caller
-    // for the same epoch writes nearly the same time.
+    // Store before the exchange, so that the time is visible with the epoch. A concurrent caller for the same
+    // epoch writes nearly the same time.
     began_[next % kMemory].store(nowNs, std::memory_order_relaxed);
     return word_.compare_exchange_weak(seen, word(next, occupied, cause), std::memory_order_acq_rel,
                                        std::memory_order_acquire);
@@ -45,8 +45,8 @@ MotionId Epoch::beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs) {
     return kNoMotion;
 }
 
-// stop() increments the count before it exchanges the word. If a stop is not yet visible here, it either ends
-// this motion or makes the exchange fail.
+// stop() increments the count before it exchanges the word. If the increment is not visible here, stop()
+// either ends this motion or makes the exchange fail.
 MotionId Epoch::beginMotionUnlessStopped(std::uint64_t stops, std::int64_t nowNs) {
     Word seen = word_.load(std::memory_order_acquire);
     while (this->stops() == stops) {

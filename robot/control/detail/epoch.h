@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The counter that makes a stop final. Every motion starts a new epoch and uses its number as its id; every
-// stop starts a new, empty epoch. A command is valid only in its own epoch. Epochs are never reused.
+// The counter that makes a stop final. Every motion starts a new epoch, whose number is the ID of the motion.
+// Every stop starts a new, empty epoch. A command is valid only in its own epoch. Epochs are never reused.
 
 #include <array>
 #include <atomic>
@@ -15,7 +15,7 @@ namespace tiller::control {
 /// Threads  any. Blocks: never (compare-and-swap). Real-time: yes
 class Epoch {
 public:
-    /// Starts the epoch of a new motion; the active one ends with StopCause::Superseded.
+    /// Starts the epoch of a new motion. The active motion ends with StopCause::Superseded.
     MotionId beginMotion(std::int64_t nowNs);
     /// Like beginMotion(), but returns kNoMotion if the epoch has changed since `epoch` was read.
     MotionId beginMotionAfter(std::uint64_t epoch, std::int64_t nowNs);
@@ -24,15 +24,15 @@ public:
     /// Starts an empty epoch, which ends the active motion.
     /// Returns  this epoch
     std::uint64_t stop(StopCause cause, std::int64_t nowNs);
-    /// Starts this epoch as an empty one. Used to continue after another client. No effect if the epoch is in
-    /// the past.
+    /// Continues with this epoch as an empty epoch, after another client. No effect if the epoch is in the
+    /// past.
     void skipTo(std::uint64_t epoch);
     /// Like stop(), but only if this motion is active.
     bool end(MotionId motion, StopCause cause, std::int64_t nowNs);
 
     std::uint64_t current() const;
-    /// Number of stops; replacements by another motion do not count. Compare two values to detect a stop
-    /// during the preparation of a motion.
+    /// Number of stops. Replacing a motion does not count. Compare two values to detect a stop during the
+    /// preparation of a motion.
     std::uint64_t stops() const { return stops_.load(std::memory_order_acquire); }
     bool isActive(MotionId motion) const;
     MotionId activeMotion() const;  ///< kNoMotion in an empty epoch
@@ -58,7 +58,7 @@ private:
 
     std::atomic<Word> word_{word(1, false, StopCause::None)};
     std::atomic<std::uint64_t> stops_{0};
-    std::array<std::atomic<std::uint64_t>, kMemory> causes_{};  ///< epoch * 2^8 + cause of the epoch's end
+    std::array<std::atomic<std::uint64_t>, kMemory> causes_{};  ///< epoch * 2^8 + cause of its end
     std::array<std::atomic<std::int64_t>, kMemory> began_{};
 };
 

@@ -7,7 +7,8 @@ namespace tiller::control {
 
 MotionId Mailbox::start(MotionCommand command, std::int64_t nowNs) {
     const std::lock_guard lock(callers_);
-    // Store the time first: the control thread must not see the new motion with the previous refresh time.
+    // Store the time first. Otherwise, the control thread could see the new motion with the previous refresh
+    // time.
     refreshedNs_.store(nowNs, std::memory_order_release);
     command.id = epoch_.beginMotion(nowNs);
     publish(command);
@@ -114,8 +115,8 @@ bool Mailbox::isRefreshable(MotionId motion, std::int64_t nowNs) {
 
 std::uint64_t Mailbox::stop(const Brake& brake, StopCause cause, std::int64_t nowNs) {
     const std::lock_guard lock(callers_);
-    // Published before the stop, so that the arm decelerates as requested from the start. Repeated if another
-    // stop occurred in between.
+    // Publish before the stop, so that the arm brakes as requested from the start. Repeat if another stop has
+    // occurred in between.
     Brake chosen = brake;
     chosen.epoch = epoch_.current() + 1;
     brake_.publish(chosen);

@@ -20,8 +20,8 @@ namespace tiller::control {
 inline constexpr std::int64_t kHoldTimeNs = std::chrono::nanoseconds(kHoldTime).count();
 
 struct MotionCommand {
-    /// Script: the program of a user runs instead of the control program, so the packets contain only the
-    /// heartbeat, the epoch and the step gate.
+    /// Script: a user program runs instead of the control program, so the packets contain only the heartbeat,
+    /// the epoch and the step gate.
     enum class Kind : std::uint8_t { None, Jog, MoveJ, MoveL, Program, Script };
     MotionId id = kNoMotion;
     Kind kind = Kind::None;
@@ -50,8 +50,8 @@ struct Brake {
     double rotationDeceleration = 0;
 };
 
-/// Callers: any thread. They wait for each other while copying a command, but never for the control thread,
-/// and stop() does not wait. Control thread: take() and active() are real-time and wait-free.
+/// Callers: any thread. They wait for each other while copying a command, but never for the control thread;
+/// stop() does not wait. Control thread: take() and active() are real-time and wait-free.
 class Mailbox {
 public:
     MotionId start(MotionCommand command, std::int64_t nowNs);
@@ -65,7 +65,7 @@ public:
     /// Returns  false if the motion has ended, e.g. because this call came too late
     bool refresh(MotionId motion, std::int64_t nowNs);
     bool refresh(MotionId motion, const JogTarget& target, std::int64_t nowNs);
-    /// Refreshes a Program with new values; its id and holding are unchanged.
+    /// Refreshes a Program with new values. ID and holding do not change.
     bool change(MotionId motion, const MotionCommand& values, std::int64_t nowNs);
     /// Sets the step gate of a Script. Does not refresh the motion.
     /// Returns  false if the motion has ended
@@ -92,7 +92,7 @@ public:
     /// True if the active motion has a target: a move or a path.
     bool hasAnEnd();
 
-    /// Returns the command to execute, or null. A command that was not refreshed in time is ended first.
+    /// Returns the command to execute, or null. Ends a command that was not refreshed in time.
     /// Threads  the control thread only; the reference is valid until the next call
     const MotionCommand* active(std::int64_t nowNs);
     /// The deceleration requested for this empty epoch. Threads: the control thread only

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Values exchanged between the controller and control.script through RTDE registers, and the RTDE field of
-// each value. The numbers are the same as in control.script.
+// Values exchanged between the controller and control.script through RTDE registers, and their RTDE fields.
+// The numbers are the same as in control.script.
 
 #include <array>
 #include <cstdint>
@@ -27,7 +27,7 @@ inline constexpr int kSessionRegister = 4;  ///< integer input, relative to the 
 inline constexpr int kStateRegister = 2;    ///< integer output, relative to the first register
 
 enum class ScriptCommand : std::int32_t {
-    Idle = 0,  ///< no motion; ends an active one
+    Idle = 0,  ///< no motion; ends the active motion
     JogCartesian = 1,
     JogJoints = 2,
     MoveJ = 3,
@@ -53,14 +53,14 @@ enum class ScriptState : std::int32_t {
     Done = 2,       ///< the move of the echoed epoch has reached its target
     Braking = 3,
     /// No new sequence number for 100 ms: the arm has stopped, and the echoed epoch is invalid. A negative
-    /// register value means the same; see AbandonedProgram.
+    /// register value has the same meaning; see AbandonedProgram.
     Expired = 4,
     OutOfReach = 5,  ///< no joint positions for the target; stopped, epoch invalid
     Contact = 6,     ///< contact detected; stopped, epoch invalid
     TooFar = 7,      ///< servo target too far away; stopped, epoch invalid
-    TcpTooFast = 8,  ///< torques made the TCP exceed the cap; stopped, epoch invalid
+    TcpTooFast = 8,  ///< TCP above the cap with torques; stopped, epoch invalid
     ElbowTooFast = 9,
-    /// Set by a user program that replaced the control program and ended because of a missing heartbeat.
+    /// Set by a user program that replaced the control program and ended without a heartbeat.
     HeartbeatExpired = 100'004,
 };
 
@@ -117,8 +117,8 @@ struct Answer {
     std::array<double, 6> numbers{};
 };
 
-/// Sequence numbers are larger than this. Programs written for ur_rtde keep 1 or 2 in the register that
-/// echoes the sequence number, so the running program can be identified without a query.
+/// Sequence numbers exceed this value. Programs written for ur_rtde keep 1 or 2 in the register that echoes
+/// the sequence number, so the running program can be identified without a query.
 inline constexpr std::int32_t kBeforeFirstSequence = 0x1000;
 
 /// One package to the robot.
@@ -171,8 +171,7 @@ struct Feedback {
     Pose tcpOffset;
     std::optional<Eigen::Vector3d> tcpForce;  ///< force at the TCP in the base frame [N]
     Echo echo;
-    /// All values of the package; null for packages before control is taken. Valid until the next package is
-    /// read.
+    /// All values of the package; null before control is taken. Valid until the next package is read.
     const receive::Sample* sample = nullptr;
 };
 
@@ -181,7 +180,6 @@ std::vector<std::string> outputNames(RegisterRange range, const std::vector<std:
 /// Recipes of the control connection, in the order in which they are set up.
 enum Inputs : std::size_t { kCommandInputs, kWatchdogInputs, kWrenchInputs, kInputRecipes };
 std::vector<std::string> inputNames(RegisterRange range, Inputs recipe = kCommandInputs);
-/// The watchdog register.
 std::string watchdogName(RegisterRange range);
 
 /// Resolves the values of a recipe once, so that decoding only copies.

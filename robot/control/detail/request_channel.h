@@ -34,7 +34,7 @@ public:
     Result<Answer> request(RequestKind kind, std::int32_t whole, std::span<const double> numbers,
                            const QString& context, const Deadline& deadline);
 
-    /// Blocks requests while `begin` runs, and discards the numbers stored for the previous program.
+    /// Blocks requests while `begin` runs, and discards the numbers stored in the previous program.
     template <class Begin>
     void restart(Begin begin) {
         const std::lock_guard lock(turn_);

@@ -8,7 +8,7 @@
 namespace tiller::control {
 
 Result<void> checkBlocks(const QString& body, const QString& context) {
-    // Strings and comments are matched too, so that keywords inside them are ignored.
+    // Also matches strings and comments, so that keywords inside them are skipped.
     static const QRegularExpression kTokens(QStringLiteral("\"[^\"\\n]*\"?|#[^\\n]*|[A-Za-z_][A-Za-z0-9_]*"));
     static const QStringList kOpening{QStringLiteral("def"), QStringLiteral("thread"), QStringLiteral("sec"),
                                       QStringLiteral("if"), QStringLiteral("while")};

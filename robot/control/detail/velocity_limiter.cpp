@@ -12,8 +12,8 @@ namespace tiller::control {
 
 namespace {
 
-// Joint speed limit for Cartesian jogging. It is higher than for joint jogging, because the TCP limits apply
-// as well. It slows the arm down near a singularity.
+// Joint speed limit for Cartesian jogging, which slows the arm down near a singularity. It is higher than for
+// joint jogging, because the TCP limits also apply.
 constexpr double kCartesianJointSpeed = 1.5;  // [rad/s]
 
 // Deceleration before a joint limit. It is lower than for a stop, so that it is always achieved, and leaves a
@@ -28,15 +28,15 @@ constexpr double kClearDeceleration = 0.5;
 // along a wall.
 constexpr double kClearBand = 0.0003;
 constexpr double kDeepInside = 0.0006;
-// Approach speeds below this fraction of the body's maximum speed count as sliding. Deep inside the safety
-// distance, only rounding errors count as sliding.
+// Approach below this fraction of the body's maximum speed is sliding. Deep within the safety distance, only
+// rounding errors are sliding.
 constexpr double kSliding = 2e-3;
 constexpr double kSlidingDeepInside = 1e-4;
 
-// Smaller scales count as a blocked motion.
+// Motion with a smaller scale is blocked.
 constexpr double kSmallestScale = 0.02;
 
-// Singularity measures at which the slow-down begins and at which motion towards the singularity ends.
+// Singularity measures at which slowing down begins and at which motion towards the singularity ends.
 struct SingularityZone {
     double begin;
     double end;
@@ -46,9 +46,8 @@ constexpr SingularityZone kElbowZone{0.26, 0.05};  // |sin q3|: 15 deg, 3 deg
 constexpr SingularityZone kShoulderZone{0.10,
                                         0.02};  // [m], from the wrist to the cylinder around the base axis
 
-/// Below this fraction of SingularityZone::end, no linear motion is possible, not even away from the
-/// singularity. The joint speeds would have to change faster than a robot can follow, which would cause a
-/// protective stop.
+/// Below this fraction of SingularityZone::end, linear motion is blocked even away from the singularity. The
+/// joint speeds would have to change faster than a robot can follow, which would cause a protective stop.
 constexpr double kDeepPart = 1.0 / 3;
 
 constexpr int kBase = 0;
@@ -60,7 +59,7 @@ struct Geometry {
     Eigen::Matrix<double, 3, 6> elbow;  // of the elbow, linear part only
 };
 
-// The robot reports the TCP position, so TCP offset and calibration need not be known.
+// The robot reports the TCP position, so TCP offset and calibration are not needed.
 Geometry geometryAt(const DhParameters& dh, const JointPositions& q, const Eigen::Vector3d& tcp) {
     const auto frames = kinematics::linkFrames(dh, q);
     const Eigen::Vector3d elbow = frames[2].translation();
@@ -78,7 +77,7 @@ Geometry geometryAt(const DhParameters& dh, const JointPositions& q, const Eigen
     return g;
 }
 
-// The damping is small enough to have an effect only at the singularity, where it keeps the values finite.
+// The damping has an effect only at the singularity, where it keeps the values finite.
 Vector6 jointSpeeds(const Matrix6& jacobian, const Vector6& twist) {
     constexpr double kDamping = 1e-4;
     Matrix6 normal = jacobian * jacobian.transpose();
@@ -188,7 +187,8 @@ struct VelocityLimiter::Motion {
 
     bool isCartesian() const { return target.kind == JogTarget::Kind::Cartesian; }
 
-    /// Joint positions after this time at this speed. A straight line of the TCP is curved in joint space.
+    /// Joint positions after this time at constant TCP velocity. A straight TCP line is curved in joint
+    /// space.
     JointPositions after(const DhParameters& dh, double seconds) const {
         Vector6 bend = Vector6::Zero();
         if (isCartesian()) {
@@ -203,7 +203,7 @@ struct VelocityLimiter::Motion {
     }
 };
 
-/// Duration of the normal deceleration of a jog.
+/// Duration of the normal deceleration of a jog [s].
 double VelocityLimiter::brakingTime(bool cartesian, const Twist& twist, const Vector6& qd) const {
     const double joints = kClearDeceleration * limits_.jointDeceleration;
     if (!cartesian) {
@@ -213,9 +213,9 @@ double VelocityLimiter::brakingTime(bool cartesian, const Twist& twist, const Ve
                     twist.angular.norm() / joints);
 }
 
-// Makes the arm stop at the safety distance from all objects. The approach speed to each object is computed
+// Makes the arm stop at the safety distance from all objects. The approach speed to each object is calculated
 // from the distances a moment later and at the expected stop position, because the nearest object there may
-// differ from the nearest one now.
+// differ from the current one.
 void VelocityLimiter::keepClear(Limiter& limiter, const Motion& motion, const Situation& situation) const {
     using collision::CollisionCheck;
     const CollisionCheck& check = *situation.check;
@@ -341,9 +341,10 @@ Limiter VelocityLimiter::limit(const JogTarget& target, const JointPositions& q,
     }
     const double fastest = qd.cwiseAbs().maxCoeff();
     if (cartesian && fastest > 0) {
-        // Joint jogs are not limited: only Cartesian motion causes high joint speeds at a singularity.
+        // Joint jogs are not limited, because only Cartesian motion causes high joint speeds at a
+        // singularity.
         const auto here = kinematics::singularityMeasure(arm_.dh, q);
-        // A path may first approach the singularity and then lead away from it, or the other way round.
+        // A path may first approach the singularity and then lead away from it, or vice versa.
         for (const double lookAhead : {1e-5, 0.005}) {  // [rad], fastest joint
             const JointPositions next(Vector6(q.values + qd * (lookAhead / fastest)));
             const auto ahead = kinematics::singularityMeasure(arm_.dh, next);

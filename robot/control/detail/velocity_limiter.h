@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reduces a requested velocity to the currently permitted value and reports the limit. The velocity is only
-// scaled; its direction is unchanged.
+// Reduces a requested velocity to the permitted value and reports the limit. The velocity is only scaled; its
+// direction does not change.
 
 #include <array>
 
@@ -23,7 +23,7 @@ struct ArmLimits {
     std::array<double, 6> maxTorque{};    ///< [Nm]
 
     static ArmLimits of(const RobotModel& model);
-    /// Uses the values reported by the robot. Values of the model replace missing or implausible ones.
+    /// Uses the values reported by the robot. Model values replace missing or implausible values.
     static ArmLimits of(const RobotModel& model, const script::RobotConfiguration& reported);
 };
 
