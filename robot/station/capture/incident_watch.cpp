@@ -43,7 +43,7 @@ IncidentWatch::IncidentWatch(RobotSession& session, const QString& folder, QObje
             [this](const QString& text, qint64 utcNs) { box_.note(operatorNote(text, utcNs)); });
 }
 
-// The worker is destroyed before the black box, whose destructor completes the current incident.
+// The destructor of the black box completes the current incident, so the worker must be destroyed first.
 IncidentWatch::~IncidentWatch() = default;
 
 void IncidentWatch::setProject(const QString& name, const QByteArray& content) {
@@ -61,8 +61,8 @@ void IncidentWatch::restart() {
         QMetaObject::invokeMethod(
             this, [this, incident] { tell(incident); }, Qt::QueuedConnection);
     };
-    // Starting the black box may first write an incident of the previous connection, so this is done by the
-    // worker.
+    // Run in the worker, because starting the black box may first write an incident of the previous
+    // connection.
     worker_.post(this, [this, options, receiver = session_.sharedReceiver()](const CancelToken&) {
         static_cast<void>(box_.start(options, *receiver));
         return std::function<void()>([this] {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The incident recorder of the window. It runs while a robot is connected, receives the log messages, and
-// reports the file of an incident.
+// Incident recorder of the window. It runs while a robot is connected, receives the log messages, and reports
+// the file of each incident.
 
 #include <QObject>
 #include <QString>
@@ -18,18 +18,18 @@ class IncidentWatch : public QObject {
     Q_OBJECT
 
 public:
-    /// folder  for the files; created when the first file is written
+    /// folder  for the incident files; created when the first file is written
     IncidentWatch(RobotSession& session, const QString& folder, QObject* parent = nullptr);
     ~IncidentWatch() override;
 
     /// Sets the project stored in each file.
     void setProject(const QString& name, const QByteArray& content);
-    /// Number of packets from the robot on this connection so far.
+    /// Number of packets received on this connection.
     std::uint64_t packets() const { return box_.packets(); }
 
 Q_SIGNALS:
-    /// text    one sentence about the file
-    /// detail  the suggested action
+    /// text    sentence about the file
+    /// detail  suggested action
     /// path    of the file; empty if it could not be written
     void told(tiller::Severity severity, const QString& text, const QString& detail, const QString& path);
 

@@ -11,11 +11,11 @@
 namespace tiller {
 namespace {
 
-constexpr double kMessageWindow = 2.0;  ///< maximum time between a stop and messages about it [s]
+constexpr double kMessageWindow = 2.0;  ///< maximum time between a stop and a message about it [s]
 constexpr double kBlameWindow = 0.5;    ///< time before the stop in which a deviating joint is searched [s]
-constexpr double kBlameLeast = 0.5;     ///< minimum current deviation for naming a joint [A]
+constexpr double kBlameLeast = 0.5;     ///< minimum current deviation of a deviating joint [A]
 constexpr double kMaxGap = 0.5;         ///< maximum time between two packets of one record [s]
-constexpr double kElsewhere = 0.002;    ///< minimum joint change that counts as a moved arm [rad]
+constexpr double kElsewhere = 0.002;    ///< minimum joint change of an arm that has been moved [rad]
 
 /// Missing values are drawn as zero.
 double finiteOrZero(double value) {
@@ -33,7 +33,7 @@ int suspectOf(const std::vector<StopRecord::Point>& points, double stoppedAt) {
     return worst.maxCoeff(&joint) < kBlameLeast ? -1 : static_cast<int>(joint);
 }
 
-/// Unknown positions (NaN) count as moved.
+/// Unknown positions (NaN) are treated as moved.
 bool hasMoved(const JointPositions& from, const JointPositions& to) {
     return !((to.values - from.values).cwiseAbs().array() <= kElsewhere).all();
 }
@@ -80,11 +80,11 @@ void StopRecorder::take(const receive::Sample& sample) {
         const double since = point.time - points_.back().time;
         gap = sample.connection != connection_ || since < 0 || since > kMaxGap;
         if (since < 0) {
-            points_.clear();  // the controller was restarted
+            points_.clear();  // the controller has been restarted
         }
     }
-    // While no data arrived, the arm may have been unlocked, moved and stopped again. If it is at the same
-    // position, this is the same stop.
+    // During a gap in the data, the arm may have been unlocked, moved and stopped again. If its position has
+    // not changed, this is the same stop.
     const bool another = gap && hasMoved(q_, robot.q());
     connection_ = sample.connection;
     q_ = robot.q();

@@ -2,7 +2,7 @@
 #pragma once
 
 // Stores the last five seconds before a stop by the safety system, at the full data rate of the robot, and
-// the related messages from the controller.
+// the controller messages about the stop.
 
 #include <QObject>
 #include <QStringList>
@@ -44,13 +44,13 @@ public:
 
     /// The last stop of this connection; empty if there was none.
     const std::optional<StopRecord>& last() const { return record_; }
-    /// Time since the stop on the controller's clock [s]; 0 if there was none.
+    /// Time since the stop on the controller's clock [s]; 0 without a stop.
     double secondsSince() const;
 
     static constexpr double kSeconds = 5.0;
 
 Q_SIGNALS:
-    /// A stop was recorded, or further messages about the last stop arrived.
+    /// A stop was recorded, or more messages about the last stop have arrived.
     void changed();
 
 private:
@@ -64,7 +64,7 @@ private:
     std::deque<std::pair<double, QString>> said_;
     bool stopped_ = false;
     std::uint64_t connection_ = 0;  ///< connection of the last sample
-    JointPositions q_;              ///< position of the arm at the stop
+    JointPositions q_;              ///< arm position at the stop
     double now_ = 0;
     std::optional<StopRecord> record_;
 };

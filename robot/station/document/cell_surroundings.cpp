@@ -11,7 +11,7 @@ collision::CellSurroundings surroundingsOf(const project::Project& project) {
     if (const project::Tool* tool = project.tooling.tools.find(project.tooling.activeTool)) {
         result.toolRadius = tool->radius;
     }
-    /// The pose in the base frame; empty if the part is not checked.
+    /// The pose in the base frame; empty if the part is disabled or its frame is unknown.
     const auto inBase = [&](const auto& part) -> std::optional<Pose> {
         if (!part.enabled) {
             return std::nullopt;

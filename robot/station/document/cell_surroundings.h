@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The parts of the project that the arm could collide with, in the base frame.
+// The objects of the project that the arm could collide with, in the base frame.
 
 #include "robot/collision/surroundings.h"
 #include "robot/project/project_file.h"

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = ProjectFinding::Kind;
 
-/// The pair of bodies with the largest violation of its safety distance; empty if there is none.
+/// The pair of bodies with the largest violation of the safety distance; empty if there is none.
 std::optional<collision::Contact> closest(const collision::CollisionCheck& check, const JointPositions& q) {
     std::optional<collision::Contact> worst;
     double missing = collision::kSafetyTolerance;
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    /// Returns  the joint positions at the waypoint; empty if the waypoint cannot be reached
+    /// Returns  the joint positions at the waypoint; empty if it is unreachable
     std::optional<JointPositions> checkWaypoint(int row, const std::optional<JointPositions>& from) {
         const project::Waypoint& point = project_.waypoints.at(row);
         ProjectFinding finding;

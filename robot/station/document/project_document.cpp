@@ -110,7 +110,7 @@ void ProjectDocument::notifyAllChanged() {
 
 namespace {
 
-/// Id of the first entry that was added or changed.
+/// ID of the first entry that was added or changed.
 template <class List>
 QUuid firstOther(const List& before, const List& after) {
     for (const auto& now : after) {
@@ -272,7 +272,7 @@ void ProjectDocument::removeFrame(int row) {
 }
 
 void ProjectDocument::leaveFrame(const QUuid& frame, const QString& text) {
-    // Waypoints with a joint target are included, because their stored pose also refers to the frame.
+    // Includes waypoints with a joint target, because their stored pose also depends on the frame.
     QVector<int> rows;
     std::vector<project::Waypoint> points;
     for (int i = 0; i < waypoints().size(); ++i) {
@@ -293,8 +293,8 @@ void ProjectDocument::leaveFrame(const QUuid& frame, const QString& text) {
         pattern.columnEnd = T_base_frame * pattern.columnEnd;
         pattern.rowEnd = T_base_frame * pattern.rowEnd;
         patternsAfter.replace(i, pattern);
-        // Use the exact result of the pattern, so that later changes of the pattern recognize these waypoints
-        // as unmodified.
+        // Use the exact result of the pattern. Otherwise, later changes of the pattern would treat these
+        // waypoints as edited.
         for (std::size_t n = 0; n < points.size(); ++n) {
             if (project::isWhereLaid(waypoints().at(rows[static_cast<int>(n)]), patterns().at(i))) {
                 points[n].pose = project::poseAt(pattern, points[n].place);
@@ -360,7 +360,7 @@ void ProjectDocument::changePaths(const project::PathList& after, const QString&
 
 void ProjectDocument::changeModel(const project::ModelChange& change, const QString& text) {
     beginGroup(text);
-    // Set the robot first because waypoint positions depend on it.
+    // Set the robot first, because waypoint positions depend on it.
     pushPart(&project::Project::robot, change.project.robot, text);
     QVector<int> rows;
     std::vector<project::Waypoint> changed;
@@ -428,7 +428,7 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
     for (const int row : rows) {
         rowAt[keyOf(waypoints().at(row).place)] = row;
     }
-    // Build the new list of the pattern's waypoints. Existing waypoints keep their ids.
+    // Build the new waypoint list of the pattern. Existing waypoints keep their IDs.
     QVector<int> changedRows;
     std::vector<project::Waypoint> changed;
     std::vector<project::Waypoint> added;
@@ -452,8 +452,8 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
             then.joints = laid.joints;
             then.tcpOffset = laid.tcpOffset;
         }
-        // Fields that still have the value of the pattern are updated. Fields edited for a single waypoint
-        // are kept.
+        // Update fields that still have the value of the pattern. Keep fields that were edited for a single
+        // waypoint.
         const project::Waypoint& old = before.first;
         const auto follow = [&](auto project::Waypoint::*field) {
             if (now.*field == old.*field) {
@@ -487,7 +487,7 @@ void ProjectDocument::relay(const project::Pattern& before, const project::Patte
     if (!added.empty()) {
         insertWaypoints(behind, added, text);
     }
-    // Rows of the pattern keep their positions in the list and are filled in pattern order.
+    // The rows of the pattern keep their positions in the list and are filled in pattern order.
     QVector<QUuid> ids;
     qsizetype next = 0;
     for (const project::Waypoint& point : waypoints()) {
@@ -531,12 +531,12 @@ void ProjectDocument::removePattern(const QUuid& id, const QString& text) {
     endGroup();
 }
 
-/// Updates patterns that were taught with the changed waypoints.
+/// Updates the patterns whose corners are the changed waypoints.
 void ProjectDocument::followCorners(const std::vector<project::Waypoint>& changed, const QString& text) {
     for (const project::Pattern& pattern : project::PatternList(patterns())) {
         project::Pattern after = pattern;
         for (const project::Waypoint& point : changed) {
-            // Convert to the pattern's frame, because the corner waypoint may use a different frame.
+            // Convert to the pattern's frame, because the corner waypoint may use another frame.
             const auto place = project::givenIn(point, pattern.first.frame, frames());
             if (!place) {
                 continue;
@@ -560,7 +560,7 @@ void ProjectDocument::followCorners(const std::vector<project::Waypoint>& change
 }
 
 /// Called before the waypoints at these rows are removed. Removes their positions from their patterns.
-/// Patterns that were taught with these waypoints keep the corner pose but lose the link to the waypoint.
+/// Patterns that use these waypoints as corners keep the corner pose but lose the link to the waypoint.
 void ProjectDocument::forgetPlaces(const QList<int>& rows, const QString& text) {
     QSet<QUuid> going;
     for (const int row : rows) {
@@ -608,7 +608,7 @@ void ProjectDocument::insertRaw(int row, const std::vector<project::Waypoint>& w
 
 std::vector<project::Waypoint> ProjectDocument::takeRaw(const QVector<int>& rows) {
     std::vector<project::Waypoint> taken;
-    // Adjacent rows are removed as one range, starting with the last range.
+    // Remove adjacent rows as one range, starting with the last range.
     for (auto to = static_cast<int>(rows.size()); to > 0;) {
         int from = to - 1;
         while (from > 0 && rows[from - 1] == rows[from] - 1) {

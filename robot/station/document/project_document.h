@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The project in memory: waypoints, frames and all other parts, and the robot model they are for. Every
-// change is an edit (project_edits.h) that can be applied and reverted. A subclass may store the edits for
-// undo (widgets/project/undoable_document.h). Must be used in one thread; in a window, this is the GUI
-// thread.
+// The project in memory: waypoints, frames and all other parts, and their robot model. Every change is an
+// edit (project_edits.h) that can be applied and reverted. A subclass may store the edits for undo
+// (widgets/project/undoable_document.h). Must be used in one thread; in a window, this is the GUI thread.
 
 #include <QObject>
 #include <QUuid>
@@ -18,7 +17,7 @@
 
 namespace tiller {
 
-/// The part of the project that an edit changes. Determines where the window shows the edit.
+/// The part of the project that an edit changes. Determines where the window shows the change.
 enum class ProjectPart { Waypoints, Frames, Tcps, Payloads, Positions, Cell, Programs };
 
 /// An edit that was undone or redone.
@@ -26,7 +25,7 @@ struct ProjectStep {
     bool undone = true;
     QString text;  ///< description of the edit, e.g. "Change the TCP “gripper”"
     ProjectPart part = ProjectPart::Waypoints;
-    QUuid id;  ///< the first changed waypoint, frame, tool, payload or position; null if removed
+    QUuid id;  ///< first changed waypoint, frame, tool, payload or position; null if removed
 };
 
 class ProjectEdit;
@@ -41,18 +40,18 @@ public:
     const project::Project& project() const { return project_; }
     const project::WaypointList& waypoints() const { return project_.waypoints; }
     const project::FrameList& frames() const { return project_.frames; }
-    /// The connected arm or, if no robot is connected, that of the project.
+    /// The connected arm or, without a connected robot, the arm of the project.
     const RobotModel& robot() const { return robot_; }
-    /// Sets the arm that determines reachability. If its geometry differs from that of the arm the project
-    /// was taught with, no waypoint counts as reachable; see isOfOtherModel().
+    /// Sets the arm that determines reachability. If its geometry differs from that of the arm with which the
+    /// project was taught, no waypoint is reachable; see isOfOtherModel().
     void setRobot(const RobotModel& connected);
     /// Call when no robot is connected.
     void clearRobot();
-    /// True if the positions of the project were taught with a model other than robot(), so that equal joint
-    /// positions result in different poses.
+    /// True if the project was taught with a model other than robot(), so that the same joint positions
+    /// result in different poses.
     bool isOfOtherModel() const { return project::isOfOtherModel(project_, robot_.id); }
-    /// Sets the robot model of a project without a model or without waypoints. This is not an edit, and is
-    /// saved together with the next edit. An undo that restores waypoints also restores their model.
+    /// Sets the robot model of a project without a model or without waypoints. This is not an edit and is
+    /// saved with the next edit. An undo that restores waypoints also restores their model.
     void adoptRobot(RobotModelId connected);
     /// Replaces the project by the result of project::changeModel(), as one undo step.
     void changeModel(const project::ModelChange& change, const QString& text);
@@ -62,28 +61,28 @@ public:
     const project::PatternList& patterns() const { return project_.patterns; }
     const project::CellGeometry& cell() const { return project_.cell; }
     const project::PathList& paths() const { return project_.paths; }
-    /// Author in the history of waypoints; by default the name of the user account.
+    /// Author in the waypoint history; by default the name of the user account.
     void setAuthor(const QString& name) { author_ = name; }
 
     /// Replaces the project and clears the undo history.
     void setProject(project::Project project);
 
-    // Manual edits. Each is one undo step named `text`. Rows count from 0.
+    // User edits. Each edit is one undo step named `text`. Rows count from 0.
     void insertWaypoints(int row, const std::vector<project::Waypoint>& waypoints, const QString& text);
     void removeWaypoints(QList<int> rows);
-    /// Does nothing if `waypoint` is unchanged. The previous version is added to the history of the waypoint.
-    /// Patterns that use the waypoint as a corner are updated.
+    /// Does nothing if `waypoint` is unchanged. Adds the previous version to the history of the waypoint.
+    /// Updates patterns that use the waypoint as a corner.
     void changeWaypoint(int row, const project::Waypoint& waypoint, const QString& text);
     /// Changes several waypoints.
     /// after  one per row; unchanged waypoints are ignored
     void changeWaypoints(const QList<int>& rows, const std::vector<project::Waypoint>& after,
                          const QString& text);
-    /// Moves the waypoints at `rows`, in their order, to the position before the waypoint at `before`.
+    /// Moves the waypoints at `rows` before the waypoint at `before`, keeping their order.
     void moveWaypointsBefore(const QList<int>& rows, int before);
     void insertFrame(int row, const project::Frame& frame, const QString& text);
     /// Does nothing if `frame` is unchanged.
     void changeFrame(int row, const project::Frame& frame, const QString& text);
-    /// Waypoints, patterns and other objects in the frame keep their positions and are converted to Base.
+    /// Waypoints, patterns and other objects in the frame are converted to Base without moving.
     void removeFrame(int row);
 
     // Each function does nothing if the value is unchanged.
@@ -95,20 +94,19 @@ public:
 
     /// Adds the pattern and inserts its waypoints before `row`.
     void insertPattern(int row, const project::Pattern& pattern, const QString& text);
-    /// Replaces the pattern with the same id and updates its waypoints. Unmodified waypoints move, manually
-    /// moved ones remain, missing ones are added, and waypoints that are not part of the changed pattern are
-    /// removed.
+    /// Replaces the pattern with the same ID and updates its waypoints: unedited waypoints move, manually
+    /// moved waypoints stay, missing waypoints are added, and waypoints that are not part of the changed
+    /// pattern are removed.
     void changePattern(const project::Pattern& pattern, const QString& text);
-    /// Removes the pattern but keeps its waypoints as ordinary waypoints.
+    /// Removes the pattern and keeps its waypoints as ordinary waypoints.
     void dissolvePattern(const QUuid& id, const QString& text);
-    /// Removes the pattern and its waypoints.
     void removePattern(const QUuid& id, const QString& text);
 
     /// Edits between the two calls form one undo step. Calls may be nested.
     virtual void beginGroup(const QString& /*text*/) {}
     virtual void endGroup() {}
 
-    // Used by the edits.
+    // For the edits.
     void insertRaw(int row, const std::vector<project::Waypoint>& waypoints);
     /// rows     ascending
     /// Returns  the removed waypoints, in the same order
@@ -116,7 +114,7 @@ public:
     /// Replaces the waypoints with the same ids.
     void replaceRaw(const std::vector<project::Waypoint>& waypoints);
     void reorderRaw(const QVector<QUuid>& order);
-    /// Afterwards, every frame used by waypoints must exist in the project.
+    /// After this call, every frame used by waypoints must exist in the project.
     template <class Part>
     void setPartRaw(Part project::Project::*part, const Part& value) {
         project_.*part = value;
@@ -124,21 +122,19 @@ public:
     }
 
 Q_SIGNALS:
-    /// The project has changed.
     void documentChanged();
     /// An edit was undone or redone.
     void stepTaken(const tiller::ProjectStep& step);
-    /// Frames were added, removed or changed.
     void framesChanged();
     void toolingChanged();
     void positionsChanged();
     void patternsChanged();
     void cellChanged();
     void pathsChanged();
-    /// Waypoints were added or restored and should be selected.
+    /// Waypoints were added or restored. Views should select them.
     void waypointsAppeared(int first, int last);
 
-    // For table models. Emitted before and after each change of the list of waypoints.
+    // For table models. Emitted before and after each change of the waypoint list.
     void projectAboutToBeReplaced();
     void projectReplaced();
     void waypointsAboutToBeInserted(int first, int last);
@@ -154,9 +150,9 @@ protected:
     /// Applies the edit. A subclass with an undo history also stores it.
     virtual void push(std::unique_ptr<ProjectEdit> edit);
     virtual void clearHistory() {}
-    /// Number of edits currently applied.
+    /// Number of applied edits.
     virtual int historyIndex() const { return 0; }
-    /// Restores the robot model and emits stepTaken(). To be called by a subclass after an undo or redo.
+    /// Restores the robot model and emits stepTaken(). A subclass must call this after an undo or redo.
     /// before  the project before the undo or redo
     void finishStep(const project::Project& before, bool undone, const QString& text);
 
@@ -190,9 +186,9 @@ private:
     std::vector<project::Reach> reach_;  ///< one per waypoint, in list order
     RobotModel robot_;
     bool isConnected_ = false;  ///< robot_ is the connected arm
-    /// A robot model that the project adopted while the undo history contained edits.
+    /// Robot model that the project adopted while the undo history contained edits.
     struct Adoption {
-        int index = 0;  ///< index in the undo history; at lower indices, the model is `before`
+        int index = 0;  ///< index in the undo history; below it, the model is `before`
         std::optional<RobotModelId> before;
     };
     std::vector<Adoption> adoptions_;

@@ -27,7 +27,7 @@ void RemoveWaypoints::apply(ProjectDocument& document) {
 }
 
 void RemoveWaypoints::revert(ProjectDocument& document) {
-    // Adjacent rows are inserted together.
+    // Insert adjacent rows together.
     for (int from = 0; from < rows_.size();) {
         int to = from + 1;
         while (to < rows_.size() && rows_[to] == rows_[to - 1] + 1) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The edits of a project as objects that can be applied and reverted: four for the list of waypoints, and one
-// for any other part. ProjectDocument creates them; an undo history stores them.
+// Project edits as objects that can be applied and reverted: four for the waypoint list, and one for any
+// other part. ProjectDocument creates them; an undo history stores them.
 
 #include <QString>
 #include <QVector>
@@ -12,8 +12,8 @@
 
 namespace tiller {
 
-/// One edit, with the content before and after it. apply() requires the document in the state before the
-/// edit, revert() in the state after it.
+/// One edit, with the content before and after it. apply() requires the document state before the edit,
+/// revert() the state after it.
 class ProjectEdit {
 public:
     explicit ProjectEdit(const QString& text) : text_(text) {}
@@ -64,7 +64,8 @@ private:
 
 class ReorderWaypoints : public ProjectEdit {
 public:
-    /// before, after  the ids of all waypoints in their order
+    /// before,
+    /// after  the IDs of all waypoints in list order
     ReorderWaypoints(QVector<QUuid> before, QVector<QUuid> after, const QString& text);
     void apply(ProjectDocument& document) override;
     void revert(ProjectDocument& document) override;
@@ -74,7 +75,7 @@ private:
     QVector<QUuid> after_;
 };
 
-/// All parts except the waypoints are small, so the whole part is stored.
+/// All parts except the waypoints are small, so the edit stores the whole part.
 template <class Part>
 class EditPart : public ProjectEdit {
 public:

@@ -71,7 +71,7 @@ void ProjectStore::onChange() {
     }
     modified_ = true;
     ++revision_;
-    // Frequent changes must not postpone saving indefinitely.
+    // Frequent changes must not postpone the save indefinitely.
     if (!autosave_.isActive() || autosave_.remainingTime() > kAutosaveMs) {
         autosave_.start(kAutosaveMs);
     }
@@ -129,7 +129,8 @@ bool ProjectStore::isOpen(const QString& path) const {
 
 Result<void> ProjectStore::open(const QString& path) {
     if (isOpen(path)) {
-        // Reopening the current project must not fail because of its own lock.
+        // This window already holds the lock of the current project, so read the file again instead of
+        // opening it.
         if (const Result<void> saved = saveLast(); !saved) {
             return saved;
         }
@@ -181,7 +182,8 @@ Result<void> ProjectStore::saveLast() {
     }
     if (!path_.isEmpty() && obstacle_ == Obstacle::None) {
         const Result<void> saved = saveNow();
-        // A copy in the application folder is sufficient, because the next start offers to restore it.
+        // A copy in the application folder is sufficient, because Tiller offers to restore it at the next
+        // start.
         return saved || (!copyFolder_.isEmpty() && keepCopy()) ? Result<void>() : saved;
     }
     return keepCopy();
@@ -206,7 +208,7 @@ Result<project::RecoveredProject> ProjectStore::openRecovered(const QString& pat
             return saved.error();
         }
         show(recovered->document, path, std::move(access));
-        // Do not save before the first edit, because the damaged file is still the only complete one.
+        // Do not save before the first edit, because the damaged file is still the only complete version.
         modified_ = true;
         Q_EMIT statusChanged(statusText());
     }
@@ -283,7 +285,7 @@ void ProjectStore::autosave() {
         }
         return std::function<void()>([this, access, revision, saved] {
             if (access != access_) {
-                return;  // another file was opened in the meantime
+                return;  // another file has been opened
             }
             const bool failedBefore = lastError_.code != ErrorCode::None;
             settle(revision, saved);
@@ -362,7 +364,7 @@ void ProjectStore::settleCheck(const project::ProjectAccess::Check& check) {
     }
 }
 
-/// A view-only window loads each save of the lock owner without asking.
+/// In a view-only window, loads each save of the lock owner without asking.
 bool ProjectStore::showOwnersSave() {
     const Result<project::Project> loaded = access_->load(revision_);
     if (!loaded) {
@@ -382,7 +384,8 @@ Result<void> ProjectStore::reload() {
     if (access_ == nullptr) {
         return {};
     }
-    // Reloading cannot be undone. Unsaved changes are stored as a copy that the next start offers to restore.
+    // Reloading cannot be undone. Keep unsaved changes as a copy, which Tiller offers to restore at the next
+    // start.
     if (modified_ && !copyFolder_.isEmpty()) {
         if (const Result<void> kept = keepCopy(); !kept) {
             return kept;

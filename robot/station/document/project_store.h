@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The file of the open project: its path, its save state, and automatic saving shortly after every change.
-// Other windows can open the file, and other programs can change it. The store never overwrites content that
-// it has not read, and keeps a copy of all work that is not saved in a file.
+// The file of the open project: path, save state, and automatic saving shortly after every change. Other
+// windows can open the file, and other programs can change it. The store never overwrites content that it has
+// not read, and keeps a copy of all work that is not saved in a file.
 
 #include <QFileSystemWatcher>
 #include <QObject>
@@ -27,14 +27,14 @@ public:
     enum class Obstacle {
         None,
         OpenElsewhere,   ///< another window has the project open
-        ChangedByOther,  ///< changed by another program; the operator has not decided yet
+        ChangedByOther,  ///< changed by another program; waiting for the operator's decision
     };
 
     explicit ProjectStore(ProjectDocument& document, QObject* parent = nullptr);
     /// Saves unsaved changes, or keeps a copy of them.
     ~ProjectStore() override;
 
-    /// Folder for copies of unsaved work. If it is empty, no copies are kept.
+    /// Folder for copies of unsaved work. Empty: no copies are kept.
     void setCopyFolder(const QString& folder);
     const QString& copyFolder() const { return copyFolder_; }
 
@@ -42,44 +42,42 @@ public:
     bool isModified() const { return modified_; }
     /// True if all changes are saved in the file.
     bool isSaved() const { return !modified_ && !path_.isEmpty(); }
-    /// Name of a project that was opened as a copy and has no file yet; otherwise empty.
+    /// Name of a project that was opened as a copy and has no file yet; empty otherwise.
     QString copyName() const { return copyName_; }
     Obstacle obstacle() const { return obstacle_; }
-    /// The other window that has the project open.
     const std::optional<project::LockOwner>& otherOwner() const { return owner_; }
     /// Name of the project: that of its file or, for a copy, copyName().
     QString name() const;
     /// Text for the status bar, e.g. "cell-7.tiller — saved", "cell-7.tiller — not saved: disk full".
     QString statusText() const;
 
-    /// Opens the project file. Later changes are saved to this file. On an error the state is unchanged.
+    /// Opens the project file. Later changes are saved to this file. After an error, the state is unchanged.
     Result<void> open(const QString& path);
     /// Opens the readable part of a damaged file. The first save renames the damaged file.
     Result<project::RecoveredProject> openRecovered(const QString& path);
     /// Opens the content of the file as a project without a file. Nothing is saved before saveAs().
-    /// name  name of the copy until then
+    /// name  name of the copy until saveAs()
     Result<void> openCopy(const QString& path, const QString& name);
     /// Opens unsaved work of an earlier window as a modified copy.
     Result<void> openKept(const project::KeptCopy& copy);
-    /// Saves to this file. Later changes are also saved to it.
+    /// Saves to this file. Later changes are also saved to this file.
     Result<void> saveAs(const QString& path);
-    /// Like open(), but creates an empty project if the file does not exist. Used at program start.
+    /// Like open(), but creates an empty project if the file does not exist. Called at program start.
     Result<void> openOrStart(const QString& path);
     Result<void> saveNow();
-    /// Discards the unsaved changes on the operator's request, without keeping a copy.
+    /// Discards the unsaved changes at the operator's request, without keeping a copy.
     void discardChanges();
 
     /// Reads the file again after another program has changed it. Unsaved changes are lost.
     Result<void> reload();
-    /// Takes over the project from the other window. If nothing was changed in this window, reads the state
-    /// last saved by the other one.
+    /// Takes over the project from the other window. Without changes in this window, reads the last state
+    /// saved by the other window.
     Result<void> takeOver();
-    /// Saves to a separate file next to the file that another program has changed. Later changes are saved to
-    /// the separate file.
+    /// Saves to a new file next to the file that another program has changed. Later changes are saved to the
+    /// new file.
     /// Returns  its path
     Result<QString> keepBoth();
-    /// Checks whether another window or program has locked or changed the file. Reports the result by a
-    /// signal.
+    /// Checks whether another window or program has locked or changed the file. A signal reports the result.
     void checkFile();
 
     /// Delay of the automatic save after the last change [ms].
@@ -93,17 +91,15 @@ Q_SIGNALS:
     void pathChanged(const QString& path);
     /// A damaged file was renamed to `copy`.
     void copyKept(const QString& copy);
-    /// Automatic saving failed.
     void saveFailed(const tiller::Error& error);
-    /// Automatic saving works again.
+    /// Automatic saving has succeeded again.
     void saveRecovered();
     /// Another window has the project open, so changes in this window are not saved.
     void openElsewhere();
-    /// The other window has closed the project, so changes in this window are saved.
+    /// The other window has closed the project, so changes in this window are saved again.
     void freeAgain();
-    /// Another program has changed the file.
     void changedByOther();
-    /// The file again contains what this window has read or written.
+    /// The content of the file is again as this window has read or written it.
     void externalChangeResolved();
 
 private:
@@ -112,7 +108,7 @@ private:
     void autosave();
     project::Project snapshot() const;
     void settle(std::uint64_t revision, const Result<project::ProjectAccess::SaveResult>& saved);
-    /// Switches to this file, to which the project has just been saved.
+    /// Continues with this file, to which the project has just been saved.
     void continueIn(const QString& path, Access access,
                     const Result<project::ProjectAccess::SaveResult>& saved);
     void settleCheck(const project::ProjectAccess::Check& check);
@@ -135,16 +131,16 @@ private:
     QString copyName_;
     QString copyFolder_;
     QTimer autosave_;
-    QTimer check_;  ///< runs shortly after a change of the folder
+    QTimer check_;  ///< started by a change in the folder
     QFileSystemWatcher watcher_;
     Error lastError_;
     bool modified_ = false;
     bool loading_ = false;
     Obstacle obstacle_ = Obstacle::None;
     std::optional<project::LockOwner> owner_;
-    std::optional<QByteArray> announced_;  ///< content by another program that was reported
-    std::uint64_t revision_ = 0;           ///< document revision; detects late completions of saves
-    Access access_;                        ///< null if there is no file
+    std::optional<QByteArray> announced_;  ///< reported content of another program
+    std::uint64_t revision_ = 0;           ///< document revision; detects saves that complete too late
+    Access access_;                        ///< null without a file
     std::shared_ptr<project::CopyKeeper> keeper_;
     SerialExecutor worker_;  ///< runs automatic saves
 };

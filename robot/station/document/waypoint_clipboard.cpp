@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMmPerM = 1000.0;
 
-// Headings are part of an exchange format, so they are not translated.
+// Headings are not translated, because they are part of an exchange format.
 enum Column {
     Name,
     Move,
@@ -45,7 +45,7 @@ struct WaypointClipboard {
     Q_DECLARE_TR_FUNCTIONS(WaypointClipboard)
 };
 
-/// Escapes a multi-line text for one field.
+/// Escapes a multi-line text for a single field.
 QString inOneLine(QString text) {
     return text.replace(QLatin1Char('\\'), QLatin1String("\\\\"))
         .replace(QLatin1Char('\n'), QLatin1String("\\n"))
@@ -79,7 +79,7 @@ void appendPose(QStringList& fields, const Pose& pose) {
     }
 }
 
-/// One line of the text, with the field index of each column.
+/// One line of the text, and the field index of each column.
 class Line {
 public:
     Line(int number, QStringList fields, const std::array<int, ColumnCount>& places)
@@ -215,7 +215,7 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
         const Pose there = kinematics::forwardTcp(dh, point.joints, point.tcpOffset);
         point = project::taughtAt(point, point.joints, there, point.tcpOffset, frames).value_or(point);
     } else if (const auto place = project::poseInBase(point, frames); !hasJoints && place) {
-        // If the pose cannot be reached, the waypoint gets the default joint positions and is marked in the
+        // If the pose is unreachable, the waypoint gets the default joint positions and is marked in the
         // list.
         point.joints =
             kinematics::inverseNearest(dh, *place, point.tcpOffset, defaults.near).value_or(defaults.near);
@@ -223,7 +223,7 @@ project::Waypoint waypointOf(Line& line, const project::FrameList& frames, const
     return point;
 }
 
-/// Columns of text without a heading line, depending on the number of fields in its first line.
+/// Columns of text without a heading line, according to the number of fields in the first line.
 std::optional<std::array<int, ColumnCount>> placesWithoutHeading(qsizetype fields) {
     std::array<int, ColumnCount> places{};
     if (fields >= Tcp) {

@@ -18,16 +18,16 @@ QString toText(const std::vector<project::Waypoint>& waypoints, const project::F
 
 /// Values for fields that are missing in a line.
 struct Defaults {
-    const RobotModel* robot = nullptr;  ///< model used to solve poses; null: a UR5e
-    JointPositions near;                ///< reference for choosing the nearest solution [rad]
+    const RobotModel* robot = nullptr;  ///< model for solving poses; null: a UR5e
+    JointPositions near;                ///< the solution nearest to these positions is selected [rad]
     Pose tcpOffset;
 };
 
-/// The heading line is optional. If it exists, the columns may be in any order, and only the joints or the
-/// pose are required. Without it, the text has either all columns in the order of toText(), or the six
-/// numbers of a pose, optionally preceded by a name. If only the pose is given, the joints are computed as
-/// the nearest solution. If only the joints are given, the pose is computed from them. Waypoints get new ids.
-/// Names are kept, or numbered if they already exist.
+/// The heading line is optional. With a heading line, the columns may be in any order, and only the joints or
+/// the pose are required. Without it, the text has either all columns in the order of toText(), or the six
+/// numbers of a pose, optionally preceded by a name. Missing joints are computed from the pose as the nearest
+/// solution, and a missing pose from the joints. Waypoints get new IDs. Names are kept, or numbered if they
+/// already exist.
 /// Errors   InvalidArgument with line and column; a text with an error is rejected as a whole
 Result<std::vector<project::Waypoint>> fromText(const QString& text, const project::FrameList& frames,
                                                 const Defaults& defaults = {});

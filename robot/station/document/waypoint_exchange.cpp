@@ -31,7 +31,7 @@ QChar separatorOf(const QString& text) {
     return more(more(QLatin1Char(','), QLatin1Char(';')), QLatin1Char('\t'));
 }
 
-/// Converts the text to tab-separated fields as used by the clipboard.
+/// Converts the text to the tab-separated fields of the clipboard.
 Result<QString> tabbed(const QString& text) {
     const QChar separator = separatorOf(text);
     QString result;
@@ -82,7 +82,7 @@ Result<std::vector<project::Waypoint>> fromCsv(const QByteArray& bytes, const pr
                                                const waypoint_clipboard::Defaults& defaults) {
     QString text = QString::fromUtf8(bytes);
     if (text.startsWith(QChar(0xFEFF))) {
-        text.remove(0, 1);  // byte order mark written by spreadsheets
+        text.remove(0, 1);  // byte order mark, which spreadsheets write
     }
     const Result<QString> table = tabbed(text.remove(QLatin1Char('\r')));
     if (!table) {

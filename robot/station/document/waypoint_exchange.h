@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reads and writes waypoints in separate files: CSV with the columns of the clipboard table, and JSON with
-// all their properties and the frames they use.
+// Reads and writes waypoint files: CSV with the columns of the clipboard table, and JSON with all waypoint
+// properties and the frames used.
 
 #include <QByteArray>
 #include <vector>
@@ -23,10 +23,10 @@ Result<QByteArray> toJson(const std::vector<project::Waypoint>& waypoints, const
                           RobotModelId robot);
 
 struct Imported {
-    std::vector<project::Waypoint> waypoints;  ///< with new ids
-    std::vector<project::Frame> frames;        ///< frames used by the waypoints and missing in the project
+    std::vector<project::Waypoint> waypoints;  ///< with new IDs
+    std::vector<project::Frame> frames;        ///< frames of these waypoints that the project does not have
 };
-/// If the project has a frame with the same name, that frame is used.
+/// If the project has a frame with the same name, that frame is used instead.
 /// Errors   as project::parseProject
 Result<Imported> fromJson(const QByteArray& bytes, const project::FrameList& frames);
 

@@ -38,7 +38,7 @@ struct SerialExecutor::Private {
             if (completion && job.context) {
                 QMetaObject::invokeMethod(job.context.data(), completion, Qt::QueuedConnection);
             }
-            // Resources of the job (sockets, threads) are released here, outside the lock.
+            // Release the resources of the job (sockets, threads) outside the lock.
             job = {};
             lock.lock();
         }

@@ -11,9 +11,8 @@
 
 namespace tiller {
 
-/// Thread: one, normal priority. Started by the constructor and ended by the destructor, which cancels the
-/// current job through its token and drops the waiting ones. Jobs are passed to the thread; completions are
-/// returned from it.
+/// Runs jobs in one thread of normal priority, from construction to destruction. The destructor cancels the
+/// current job through its token and drops waiting jobs. Completions run in the thread of their context.
 class SerialExecutor {
 public:
     SerialExecutor();
@@ -25,9 +24,9 @@ public:
     /// unless `context` has been destroyed.
     /// Threads  any. Blocks: never
     void post(QObject* context, std::function<std::function<void()>(const CancelToken&)> job);
-    /// Runs `job` even while the worker is ending. Use it to close resources.
+    /// Runs `job` even if the worker is ending, e.g. to close resources.
     void postCleanup(std::function<void()> job);
-    /// Cancels the current job and drops the waiting ones, except for cleanup jobs.
+    /// Cancels the current job and drops waiting jobs, except cleanup jobs.
     void cancelAll();
 
 private:

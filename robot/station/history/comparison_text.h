@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Text for the result of comparing a recording with the model of its arm.
+// Text for the comparison of a recording with the model of its arm.
 
 #include <QString>
 
@@ -15,12 +15,12 @@ QString amountText(divergence::Quantity quantity, double amount);
 QString deviationMark(const divergence::Difference& parting);
 /// Example: "Arm and model diverge at 12.348 s: Elbow deviates by 0.80°".
 QString deviationText(const divergence::Difference& parting);
-/// Result of the whole comparison, including the result that there is no deviation.
+/// Result of the whole comparison, including the case without a deviation.
 QString reportText(const divergence::Report& report);
 /// The suggested checks, and one line per quantity with its largest deviation and the time at which it first
 /// exceeds the limit.
 QString reportDetails(const divergence::Report& report);
-/// Reason why the comparison is not possible, and the suggested action.
+/// Why the comparison is not possible, and the suggested action.
 QString comparisonError(const Error& error);
 
 }  // namespace tiller

@@ -39,7 +39,7 @@ QString fromParser(const mu::string_type& text) {
     return QString::fromStdString(text);
 }
 
-/// An expression in which the names in braces are replaced by identifiers that the parser accepts.
+/// An expression in which names in braces are replaced by identifiers that the parser accepts.
 struct Plain {
     QString expression;
     QStringList braced;  ///< names in braces, in order of first appearance
@@ -53,7 +53,7 @@ struct Plain {
             if (known < 0) {
                 braced.append(match.captured(1));
             }
-            // The surrounding spaces prevent an adjacent name from merging with the identifier.
+            // Spaces keep an adjacent name from merging with the identifier.
             expression += text.mid(done, match.capturedStart() - done) + QLatin1Char(' ') +
                           word(known < 0 ? braced.size() - 1 : known) + QLatin1Char(' ');
             done = match.capturedEnd();
@@ -81,10 +81,10 @@ private:
     static QString word(qsizetype number) { return QStringLiteral("braced_%1_").arg(number); }
 };
 
-/// An expression that is evaluated for the values of one sample.
+/// An expression evaluated for each sample.
 class Expression : public DerivedSignal {
 public:
-    /// Returns the error message, or an empty string.
+    /// Returns the error message; empty without an error.
     QString read(const Plain& plain, const std::function<bool(const QString&)>& exists) {
         try {
             parser_.DefineNameChars("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ.");
@@ -157,7 +157,7 @@ public:
     double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                    std::int64_t sample) override {
         const double value = history.value(columns[0], sample);
-        // The window restarts where the samples are not consecutive.
+        // Samples are not consecutive, so restart the window.
         if (sample != next_ || history.gapBefore(sample) || std::isnan(value)) {
             points_.clear();
             sum_ = 0;
@@ -169,8 +169,8 @@ public:
         points_.push_back({history.time(sample), value});
         sum_ += value;
         const double since = points_.back().time - seconds_ * (1 + 1e-9);
-        // The rate of change also needs the last point before the window; the mean needs only the points
-        // inside.
+        // The rate of change also needs the last point before the window. The mean needs only points within
+        // it.
         while (points_.size() > 2 && (mean_ ? points_.front().time : points_[1].time) < since) {
             sum_ -= points_.front().value;
             points_.pop_front();
@@ -189,7 +189,7 @@ public:
     }
 
 private:
-    static constexpr std::int64_t kSumAgainEvery = 4096;  // limits accumulated rounding errors
+    static constexpr std::int64_t kSumAgainEvery = 4096;  // bounds the accumulated rounding error
 
     struct Point {
         double time, value;
@@ -228,7 +228,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
                                "norm(actual_TCP_force_0, actual_TCP_force_1)"));
     }
     const QString expression = form.captured(3).trimmed();
-    // The parser would interpret a single "=" as an assignment to the signal.
+    // The parser would interpret "=" as an assignment to the signal.
     static const QRegularExpression kAssigns(QStringLiteral("(?<![=<>!])=(?!=)"));
     const Plain plain(expression);
     if (plain.expression.contains(kAssigns)) {
@@ -260,7 +260,7 @@ Result<std::shared_ptr<DerivedSignal>> DerivedSignal::make(
     made->text_ = made->unit_.isEmpty()
                       ? QStringLiteral("%1 = %2").arg(made->name_, expression)
                       : QStringLiteral("%1 [%2] = %3").arg(made->name_, made->unit_, expression);
-    // The normalized text must also be accepted as input, so it has the same length limit.
+    // The normalized text must also be valid input, so it has the same length limit.
     return made->text_.size() > kMaxTextLength ? Result<std::shared_ptr<DerivedSignal>>(tooLong())
                                                : Result<std::shared_ptr<DerivedSignal>>(made);
 }

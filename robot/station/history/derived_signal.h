@@ -29,7 +29,7 @@ class DerivedSignal {
 public:
     virtual ~DerivedSignal() = default;
 
-    /// The normalized source text, which is also the key of the signal.
+    /// The normalized source text. It is also the key of the signal.
     const QString& text() const { return text_; }
     const QString& name() const { return name_; }
     const QString& unit() const { return unit_; }
@@ -37,14 +37,14 @@ public:
     const QStringList& inputs() const { return inputs_; }
 
     /// Length of the window before a sample that affects its value [s]. The last sample before the window is
-    /// also needed.
+    /// also used.
     virtual double lookBack() const { return 0; }
     /// columns  history columns of the inputs
     virtual double valueAt(const SeriesBuffer& history, const std::vector<int>& columns,
                            std::int64_t sample) = 0;
 
     /// exists  returns whether a signal with this key exists
-    /// Errors  InvalidArgument, with a message that contains the error and its position
+    /// Errors  InvalidArgument; the message contains the error and its position
     static Result<std::shared_ptr<DerivedSignal>> make(const QString& text,
                                                        const std::function<bool(const QString&)>& exists);
     /// The notation of a signal's key in an expression.

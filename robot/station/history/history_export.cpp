@@ -14,7 +14,7 @@ namespace tiller {
 
 Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<int>& shown, double t0,
                                    double t1, const QString& path) {
-    // A context that is a complete sentence is shown without the text of the error code.
+    // If the context is a complete sentence, it is shown without the text of the error code.
     const auto refusal = [](const char* sentence, ErrorCode code = ErrorCode::Rejected) {
         return Error{code, QCoreApplication::translate("tiller::PlotDock", sentence), {}};
     };
@@ -34,7 +34,7 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
                                                  "other formats, record the signals first."));
     }
     const std::unique_ptr<recording::Recording> selected = store.selected(shown);
-    // A cursor placed on a row includes the row, although its time on the plots' axis is rounded.
+    // A cursor on a row includes the row, although its time on the plot axis is rounded.
     constexpr double kRounding = 1e-6;  // [s]
     const double begin = store.timesOf(source)->firstTime();
     recording::ExportChoice choice;

@@ -23,12 +23,12 @@ Result<std::int64_t> exportSignals(const SignalStore& store, const std::vector<i
                                    double t1, const QString& path);
 
 /// Writes every sample of t0 ... t1 [s] as CSV: "timestamp", then one column per signal, named as in
-/// recordings. Rows are the samples of the standard stream; additionally requested signals have the value
-/// that was valid at that time. A value that the robot does not send is written as an empty cell. A lost
-/// sample is written as a missing row, as in recordings.
+/// recordings. Rows are the samples of the standard stream. Additionally requested signals have their last
+/// valid value at that time. A value that the robot does not send is an empty cell. A lost sample is a
+/// missing row, as in recordings.
 /// Returns  number of rows written
 /// Errors   FileNotWritable, DiskFull; InvalidArgument if there is no sample in the range. An existing file
-///          remains unchanged on any error.
+/// is unchanged after an error
 Result<std::int64_t> exportCsv(const SignalStore& store, const std::vector<int>& shown, double t0, double t1,
                                const QString& path);
 

@@ -11,9 +11,9 @@ namespace tiller {
 
 namespace {
 
-/// Minimum time between the last sample and the first one after an interruption [s].
+/// Minimum time between the last sample and the first sample after an interruption [s].
 constexpr double kRestartDistance = 0.1;
-/// A step that exceeds the previous sample interval by more than this factor is a gap, independently of
+/// A step that exceeds the previous sample interval by more than this factor is a gap, independent of
 /// lost-packet counts.
 constexpr double kHole = 3.5;
 
@@ -76,8 +76,8 @@ bool HistoryFeed::place(const receive::Sample& sample, double robotTime, double 
             return false;
         }
         if (forward <= 0 || gapPending_) {
-            // The controller restarted its clock, or another controller is connected. Only the host clock can
-            // measure the duration of the interruption.
+            // The controller has restarted its clock, or another controller is connected. Only the host clock
+            // measures the duration of the interruption.
             const double silence =
                 static_cast<double>(sample.hostTimeNs - lastHostNs_) / static_cast<double>(kNsPerSecond);
             offset_ = newest + std::max(kRestartDistance, silence) - robotTime;
@@ -107,7 +107,8 @@ bool HistoryFeed::place(const receive::Sample& sample, double robotTime, double 
 }
 
 int HistoryFeed::takeExtra(const SampleBatch& batch) {
-    // The standard stream defines the time axis, so extra samples can only be added after it has started.
+    // The standard stream defines the time axis, so extra samples can be added only after the stream has
+    // started.
     if (batch.samples.empty() || !any_ || gapPending_) {
         return 0;
     }

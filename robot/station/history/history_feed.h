@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Writes the samples of each frame into the history of the signals. Defines the time axis of the plots: the
-// time stamps of the controller, or the host time for interruptions in which the controller may have
-// restarted.
+// Writes the samples of each frame into the history of the signals. Defines the time axis of the plots from
+// the time stamps of the controller. For interruptions in which the controller may have restarted, the host
+// time is used.
 
 #include <cstdint>
 #include <memory>
@@ -21,7 +21,7 @@ class HistoryFeed {
 public:
     explicit HistoryFeed(SignalStore& store) : store_(store) {}
 
-    /// Call when the following data belong to another robot. The history is kept, with a gap of the actual
+    /// Call when the next data are from another robot. The history is kept, with a gap of the actual
     /// duration.
     void beginLink();
     /// Returns  number of rows added
@@ -37,18 +37,18 @@ public:
         double to = 0;
     };
     static constexpr double kNoticeableGap = 0.3;  ///< [s]
-    /// Interruptions that ended since the last call.
+    /// Returns the interruptions that have ended since the last call.
     std::vector<Silence> takeDataGaps() { return std::exchange(silences_, {}); }
 
     /// Number of rows lost because the window did not read the ring buffer in time.
     std::uint64_t overrun() const { return overrun_; }
-    /// Number of gaps in the history so far, from any cause.
+    /// Number of gaps in the history from any cause.
     std::uint64_t gaps() const { return gaps_; }
 
 private:
     /// Converts the samples of each batch to rows of one history.
     struct Intake {
-        std::shared_ptr<const receive::SampleLayout> layout;  ///< layout for which `places` is valid
+        std::shared_ptr<const receive::SampleLayout> layout;  ///< layout to which `places` refers
         std::vector<std::size_t> places;                      ///< index of each column in a sample
         std::size_t timestamp = 0;
         std::vector<SeriesBuffer::Row> rows;

@@ -12,9 +12,10 @@ namespace tiller {
 namespace {
 
 constexpr std::int64_t kBlock = SeriesColumn::kBlockRows;
-/// Recordings up to this number of rows (two minutes at 500 Hz) are read faster as a whole than in parts.
+/// Recordings with up to this number of rows (two minutes at 500 Hz) are read faster as a whole than in
+/// parts.
 constexpr std::uint64_t kShort = 60'000;
-/// Number of rows read before the first drawing, and in later steps.
+/// Number of rows read before the first drawing and in each later step.
 constexpr std::int64_t kRowsAtOnce = 8'000;
 constexpr std::int64_t kRowsInTheEnd = 64'000;
 constexpr std::int64_t kBlocksInTurn = 1;
@@ -22,10 +23,10 @@ constexpr std::int64_t kExtentsInTurn = 1500;
 constexpr std::int64_t kDraftColumns = 4;
 /// Minimum number of extents for the first drawing of a long recording.
 constexpr std::int64_t kMinExtents = 1000;
-/// Number of blocks whose rows are kept in memory.
+/// Maximum number of blocks whose rows are kept in memory.
 constexpr std::size_t kBlocksKept = 64;
 
-/// The time marks of the file, plus two at each gap, because there are no rows within a gap.
+/// The time marks of the file, and two more at each gap, because a gap contains no rows.
 std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
                                         const std::vector<recording::TimeMark>& known, double begin) {
     std::vector<SeriesBuffer::Mark> marks;
@@ -47,7 +48,7 @@ std::vector<SeriesBuffer::Mark> marksOf(const recording::Recording& file,
             if (behind < sample) {
                 marks.push_back({behind, std::min(time, before + gap->seconds)});
             } else {
-                // The part may begin with a note from within the gap, which is earlier than its first row.
+                // The part may begin with a note from within the gap, before its first row.
                 time = std::max(time, before + gap->seconds);
             }
         }
@@ -105,8 +106,8 @@ Result<void> HistoryFile::readExtents(std::span<const Column> columns, recording
     for (const Column& column : columns) {
         wanted.push_back(column.file);
     }
-    // The file returns its stored extents for this number of rows. If a crash prevented storing them, it
-    // returns finer ones.
+    // The file returns its stored extents for this number of rows, or finer extents if a crash prevented
+    // storing them.
     const auto each = static_cast<std::uint64_t>(rowsEach);
     const auto read = file_.summaries(wanted, range, std::max<std::uint64_t>(1, range.count / each));
     if (!read) {
@@ -291,8 +292,7 @@ bool HistoryFile::sharpen(std::int64_t begin, std::int64_t end, int pixelColumns
     };
     const std::int64_t wanted = coarsest(perColumn);
     if (effort == Effort::Draft) {
-        // The extents of the first drawing may span several columns. Finer ones are read in the following
-        // calls.
+        // For the first drawing, an extent may span several pixel columns. The next calls read finer extents.
         readExtents(first, last, coarsest(kDraftColumns * perColumn),
                     std::numeric_limits<std::int32_t>::max());
         for (std::int64_t block = first; block <= last; ++block) {

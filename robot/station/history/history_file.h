@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A history backed by a long recording. Several hours of data open immediately because the summaries stored
-// in the file are sufficient to draw them. Rows are read only when the user zooms in or a value is requested.
+// A history backed by a long recording. Several hours of data open at once, because the summaries in the file
+// are sufficient for drawing. Rows are read only when the user zooms in or when a value is requested.
 
 #include <cstdint>
 #include <list>
@@ -18,7 +18,7 @@ namespace tiller {
 /// Threads  GUI
 class HistoryFile : public SampleFile {
 public:
-    /// False for files without summaries, and for short files, which are faster to read as a whole.
+    /// False for files without summaries and for short files, which are read faster as a whole.
     static bool isWorthIt(const recording::Recording& file);
 
     /// begin   time of the first row on the time axis [s]
@@ -33,13 +33,14 @@ public:
                                  std::span<const Precision> precisions);
 
     /// Adds a column computed from columns of the file. Its values are available only for rows that have been
-    /// read. For all other rows, its extents have to be set in the history, which requires reading all rows.
+    /// read. For all other rows, the caller must set its extents in the history, which requires reading all
+    /// rows.
     /// Returns  its column number in the history
     int addComputed(const RecordedSignal& signal);
 
     /// Amount of work per call of sharpen().
     enum class Effort {
-        Draft,  ///< sufficient for a first image: extents up to four pixel columns wide, or rows if zoomed in
+        Draft,  ///< for a first image: extents of up to four pixel columns, or rows if zoomed in
         Turn,   ///< reads the next part of the missing data
     };
     /// Reads the data needed to draw these samples with this number of pixel columns.
@@ -65,12 +66,12 @@ private:
         : file_(file), history_(history), begin_(begin) {}
     std::int64_t blocks() const;
     bool isFilled(std::int64_t block) const;
-    /// Releases the rows in memory. Blocks are read again, with all columns, when they are next accessed.
+    /// Releases the rows in memory. Blocks are read again, with all columns, at the next access.
     void forgetRows();
     /// The coarsest resolution of any column in this block [rows].
     std::int64_t resolutionOf(std::int64_t block) const;
-    /// Reads extents of `rowsEach` rows for the blocks first ... last, `mostExtents` extents at most.
-    /// Returns  true if something was read
+    /// Reads extents of `rowsEach` rows for the blocks first ... last, up to `mostExtents` extents.
+    /// Returns  true if any data were read
     bool readExtents(std::int64_t first, std::int64_t last, std::int64_t rowsEach, std::int64_t mostExtents);
     Result<void> readExtents(std::span<const Column> columns, recording::RowRange range,
                              std::int64_t rowsEach);
@@ -84,7 +85,7 @@ private:
     std::vector<Column> columns_;
     std::vector<Computed> computed_;
     std::vector<std::int64_t> levels_;  ///< available extent sizes in the file [rows], finest first
-    std::list<std::int64_t> filled_;    ///< blocks, most recently used first
+    std::list<std::int64_t> filled_;    ///< most recently used block first
     QString problem_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Text that describes the activity of the robot in the lane below the plots.
+// Text for the activity of the robot in the lane below the plots.
 
 #include <QString>
 #include <optional>
@@ -20,9 +20,8 @@ struct LaneEntry {
 LaneEntry laneEntry(const SessionState& state, const QString& jogLabel);
 /// Entry for a mode in which the arm cannot move; empty if it can.
 std::optional<LaneEntry> hinderedEntry(RobotMode robotMode, SafetyMode safetyMode);
-/// Entry for an arm that can move, by itself or by another client.
+/// Entry for an arm that can move, whether Tiller or another client controls it.
 LaneEntry motionEntry(bool moving);
-/// Entry for a period without data from the robot.
 LaneEntry noDataEntry();
 
 }  // namespace tiller

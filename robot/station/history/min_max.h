@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Range of a signal: its minimum and maximum over some samples.
+// Minimum and maximum of a signal over a range of samples.
 
 #include <limits>
 
 namespace tiller {
 
-/// If min > max, there is no value.
+/// Without a value, min > max.
 struct MinMax {
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();

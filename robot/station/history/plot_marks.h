@@ -21,7 +21,6 @@ struct Threshold {
     friend bool operator==(const Threshold&, const Threshold&) = default;
 };
 
-/// A text label at a point in time.
 struct PlotMark {
     double time = 0;  ///< on the plots' time axis [s]
     QString text;
@@ -42,14 +41,14 @@ public:
     void forgetOf(const QString& recording);
     void forgetRecordings();
     const std::deque<PlotMark>& marks() const { return marks_; }
-    void forgetBefore(double time);  ///< Does not remove marks of recordings.
+    void forgetBefore(double time);  ///< Keeps marks of recordings.
 
     const QVector<Threshold>& thresholds() const { return thresholds_; }
     void setThresholds(const QVector<Threshold>& thresholds);
     void add(const Threshold& threshold);
     void remove(const Threshold& threshold);
-    /// Checks the samples added since the last call. A signal triggers an alarm when it exceeds the limit,
-    /// and can trigger the next one only after returning within the limit.
+    /// Checks the samples added since the last call. A signal triggers an alarm when it exceeds the limit.
+    /// The next alarm requires that it has returned within the limit.
     void check();
     /// Description of the threshold, e.g. "Fz above 50.0 N".
     QString words(const Threshold& threshold) const;
@@ -65,7 +64,7 @@ Q_SIGNALS:
 private:
     struct Watch {
         int signal = -1;
-        std::int64_t seen = -1;  ///< the next sample to check; -1: start with the next new sample
+        std::int64_t seen = -1;  ///< next sample to check; -1: start with the next new sample
         bool beyond = false;
     };
     void mark(PlotMark mark);

@@ -11,7 +11,7 @@ namespace tiller {
 namespace {
 
 constexpr std::int64_t kSumRows = SeriesColumn::kBlockRows;
-/// Maximum number of blocks in memory that are summed per call, which takes a few milliseconds.
+/// Maximum number of blocks in memory that are summed per call. This takes a few milliseconds.
 constexpr std::int64_t kBlocksAtOnce = 300;
 /// Maximum number of blocks of a file that are read synchronously.
 constexpr std::int64_t kFewBlocks = 4;
@@ -96,7 +96,7 @@ std::int64_t RangeStatisticsCache::Range::endBlock() const {
 RangeStatisticsCache::RangeStatisticsCache(const SignalStore& store, QObject* parent)
     : QObject(parent), store_(store) {
     connect(&store_, &SignalStore::signalAdded, this, [this](int signal) {
-        if (signal < 0) {  // the recordings were closed
+        if (signal < 0) {  // the recordings have been closed
             endReading();
             failed_.clear();
         }

@@ -2,7 +2,7 @@
 #pragma once
 
 // Statistics of the samples in a time range. Sums of whole blocks are cached, so moving a cursor over an hour
-// is as fast as over a second. For a long recording, a worker computes the sums and reads the file once.
+// is as fast as over a second. For a long recording, a worker reads the file once to compute the sums.
 
 #include <QHash>
 #include <QObject>
@@ -29,8 +29,8 @@ struct RangeStatistics {
     double max = 0;
     double mean = 0;
     double rms = 0;
-    double deviation = 0;  ///< standard deviation of the population (divided by count)
-    double slope = 0;      ///< slope of the least-squares line [per s]; 0 for a single point in time
+    double deviation = 0;  ///< population standard deviation (divided by count)
+    double slope = 0;      ///< slope of the least-squares line [per s]; 0 if all samples have the same time
 
     double peakToPeak() const { return max - min; }
 };
@@ -49,7 +49,6 @@ struct Moments {
 
     /// NaN is ignored.
     void add(double time, double value);
-    /// Merges the sums of other samples.
     void add(const Moments& other);
     std::optional<RangeStatistics> statistics() const;
 };
@@ -64,14 +63,14 @@ public:
     ~RangeStatisticsCache() override;
 
     /// Selects the signals and the range of the next queries: the samples between `from` and `to`, in either
-    /// order. Computes some of the missing sums immediately and the rest later. Emits known() when results
-    /// have changed.
+    /// order. Computes some missing sums at once and the others later. Emits known() when results have
+    /// changed.
     void want(std::span<const int> wanted, double from, double to);
-    /// Available fraction of the sums: 0 ... 1.
+    /// Fraction of the sums that is available: 0 ... 1.
     double part() const { return part_; }
-    /// Reason why sums are missing or incomplete; empty if they are available or still being computed.
+    /// Why sums are missing or incomplete; empty if they are available or still being computed.
     const QString& problem() const { return problem_; }
-    /// Returns nothing if there is no value, or while part() is below 1.
+    /// Empty if there is no value, or while part() is below 1.
     std::optional<RangeStatistics> statistics(int signal, double from, double to) const;
 
 Q_SIGNALS:
@@ -88,7 +87,7 @@ private:
     struct Reading;
     std::optional<Range> rangeOf(int signal, double from, double to) const;
     Moments sum(int signal, std::int64_t begin, std::int64_t end) const;
-    /// Reads blocks first ... end - 1 of these signals from the file. Replaces the current job.
+    /// Reads blocks first ... end - 1 of these signals from the file. Cancels the current job.
     void read(const QString& recording, const std::vector<int>& wanted, std::int64_t firstBlock,
               std::int64_t endBlock);
     void endReading();
@@ -99,7 +98,7 @@ private:
     double part_ = 1;
     QString problem_;
     QHash<QString, QString> failed_;    ///< error message by recording
-    std::shared_ptr<Reading> reading_;  ///< null: nothing is being read
+    std::shared_ptr<Reading> reading_;  ///< null: no job
     SerialExecutor worker_;             ///< last member, so its jobs end before the others are destroyed
 };
 

@@ -56,7 +56,7 @@ public:
         if (robot.isEmpty() || safety.isEmpty()) {
             return noDataEntry();
         }
-        // If a mode changes within the column, the value that does not permit motion is shown.
+        // If a mode changes within the pixel column, the value that does not permit motion is shown.
         const auto safetyMode = static_cast<SafetyMode>(std::lround(
             allowsMotion(static_cast<SafetyMode>(std::lround(safety.max))) ? safety.min : safety.max));
         constexpr auto kRunning = static_cast<double>(RobotMode::Running);
@@ -78,7 +78,7 @@ private:
         const int column = store_.column(signal);
         return column < 0 ? MinMax() : history_.minMax(column, begin, end);
     }
-    /// The largest magnitude of any component, which may come from several samples.
+    /// The largest magnitude of all components, which may be from different samples.
     std::optional<double> fastest(const std::vector<int>& speeds, std::int64_t begin,
                                   std::int64_t end) const {
         std::optional<double> speed;
@@ -119,9 +119,9 @@ std::vector<LaneSegment> recordedLane(const SignalStore& store, const QString& r
         return segments;
     }
     const LaneReader reader(store, needed, *history);
-    std::int64_t known = -1;  // sample whose entry is `held`
+    std::int64_t known = -1;  // sample with the entry `held`
     LaneEntry held;
-    bool continues = false;  // the last segment ends at this column
+    bool continues = false;  // the last segment extends to this column
     for (int i = 0; i < grid.columns(); ++i) {
         const std::int64_t begin = grid.edges[static_cast<std::size_t>(i)];
         const std::int64_t end = grid.edges[static_cast<std::size_t>(i) + 1];
@@ -133,7 +133,7 @@ std::vector<LaneSegment> recordedLane(const SignalStore& store, const QString& r
             held = reader.entryIn(begin, end);
             known = -1;
         } else if (begin != known) {
-            // The last state applies between two samples, but not across a gap.
+            // The last state holds between two samples, but not across a gap.
             held = history->gapBefore(begin) ? noDataEntry() : reader.entryIn(begin - 1, begin);
             known = begin;
         }

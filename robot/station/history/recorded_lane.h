@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The state lane of a recording, from its robot mode, safety mode and speeds.
+// State lane of a recording, from its robot mode, safety mode and speeds.
 
 #include <QString>
 #include <vector>
@@ -13,12 +13,12 @@ namespace tiller {
 
 class SignalStore;
 
-/// The signals of a recording that its state lane needs. Empty if the recording does not contain the robot
+/// The signals needed for the state lane of a recording. Empty if the recording does not contain the robot
 /// mode and the safety mode.
 std::vector<int> recordedLaneSignals(const SignalStore& store, const QString& recording);
 
-/// Segments for the columns of a grid. A stop that is shorter than a column is shown for the whole column.
-/// There are no segments before the first and after the last sample, and none at all unless the signals of
+/// Segments for the columns of a grid. A stop shorter than a column is shown for the whole column. There are
+/// no segments before the first and after the last sample, and none unless the signals of
 /// recordedLaneSignals() are loaded.
 std::vector<LaneSegment> recordedLane(const SignalStore& store, const QString& recording,
                                       const ColumnGrid& grid);

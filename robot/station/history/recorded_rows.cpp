@@ -12,9 +12,10 @@ namespace tiller {
 namespace {
 
 constexpr double kNotThere = std::numeric_limits<double>::quiet_NaN();
-/// Rows read per step: one block of the history, which is the amount that a recording keeps decompressed.
+/// Rows read per step: one block of the history, which is the amount of data that a recording keeps
+/// decompressed.
 constexpr std::uint64_t kRowsAtATime = static_cast<std::uint64_t>(SeriesColumn::kBlockRows);
-/// Signals with a look-back use larger steps, because each step reads the preceding rows again.
+/// Signals with a look-back use larger steps, because each step must read the preceding rows again.
 constexpr std::uint64_t kRowsWithLookBack = 8 * kRowsAtATime;
 
 }  // namespace
@@ -125,7 +126,7 @@ Result<void> RecordedRows::readAll(recording::RowRange range, const CancelToken&
         if (cancel.isCancelled()) {
             return Error{ErrorCode::Cancelled, QStringLiteral("read %1").arg(file_.path()), {}};
         }
-        // Steps end at multiples of the step size, so they are aligned with the blocks.
+        // Steps end at multiples of the step size, which aligns them with the blocks.
         const std::uint64_t next = std::min(end, (at / atATime + 1) * atATime);
         const Result<Rows> rows = read({at, next - at});
         if (!rows) {

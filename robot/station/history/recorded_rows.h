@@ -2,7 +2,7 @@
 #pragma once
 
 // Reads the values of selected signals of a recording row by row: stored columns, single bits, or computed
-// signals. RecordedStretch describes such a read for a worker that opens the file itself.
+// signals. RecordedStretch describes a read for a worker that opens the file itself.
 
 #include <QString>
 #include <cstdint>
@@ -19,11 +19,11 @@
 
 namespace tiller {
 
-/// A signal, described by its source columns in the file.
+/// A signal, given by its source columns in the file.
 struct RecordedSignal {
     std::vector<std::size_t> columns;  ///< columns of the file; for a computed signal its inputs, in order
     int bit = -1;                      ///< bit of the only column; -1: the whole value
-    QString derivation{};              ///< expression of a computed signal; otherwise empty
+    QString derivation{};              ///< expression of a computed signal; empty otherwise
 };
 
 /// Row times on the plots' time axis. They never decrease, even if a clock was set back or rows could not be
@@ -31,7 +31,7 @@ struct RecordedSignal {
 /// seconds  on the recording's own axis; missing rows repeat the last value
 std::vector<double> axisOf(std::vector<double> seconds, double begin, std::uint64_t rows);
 
-/// Threads  one at a time; each thread needs a separate recording object
+/// Threads  one at a time; each thread needs its own recording object
 class RecordedRows {
 public:
     /// file     must outlive this object
@@ -46,7 +46,7 @@ public:
     Result<Rows> read(recording::RowRange range);
 
     /// Reads the rows in file order, in several steps.
-    /// each    receives the rows and the number of the first row; returns false to stop
+    /// each    gets the rows and the number of the first row; returns false to stop
     /// Errors  as for Recording; Cancelled
     Result<void> readAll(recording::RowRange range, const CancelToken& cancel,
                          const std::function<bool(std::uint64_t first, const Rows& rows)>& each);
@@ -60,16 +60,15 @@ private:
     std::vector<std::shared_ptr<DerivedSignal>> derivations_;  ///< null for signals that are not computed
     std::vector<std::size_t> columns_;                         ///< columns of the file, without duplicates
     std::vector<std::vector<std::size_t>> places_;             ///< index of each signal's columns in columns_
-    double lookBack_ = -1;                                     ///< [s]; negative if no signal is computed
+    double lookBack_ = -1;                                     ///< [s]; negative without computed signals
 };
 
-/// Describes the read of some signals of a recording for a worker.
+/// A read of some signals of a recording, for a worker.
 struct RecordedStretch {
     QString path;
     double begin = 0;  ///< time of the first row on the plots' time axis [s]
     recording::RowRange rows;
-    std::optional<std::int64_t>
-        startUtcNs;  ///< used with `columns` to detect that the recording was replaced
+    std::optional<std::int64_t> startUtcNs;  ///< with `columns`, detects a replaced recording
     std::size_t columns = 0;
     std::vector<RecordedSignal> wanted;
 

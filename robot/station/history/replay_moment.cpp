@@ -17,7 +17,7 @@ struct ReplayText {
 }  // namespace
 
 QString ReplayMoment::words() const {
-    // The file name comes last, so it is elided first when space is limited.
+    // The file name is last, so that it is elided first.
     QStringList parts{ReplayText::tr("REPLAY")};
     if (wallTime.isValid()) {
         parts << wallTime.toString(QStringLiteral("HH:mm:ss.zzz"));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A past point in time that the 3D view, the inputs and outputs, and the log show together. It refers to an
-// opened recording, or to the history while the plots are paused. Live data continue in the background, and
-// jogging is not affected.
+// A past point in time that the 3D view, the inputs and outputs, and the log show. It refers to an opened
+// recording, or to the history while the plots are paused. Live data continue in the background, and jogging
+// is not affected.
 
 #include <QDateTime>
 #include <QString>
@@ -25,8 +25,7 @@ struct ReplayMoment {
     /// The log of the recording; null for the history, which uses the log of the window.
     std::shared_ptr<const std::vector<recording::RecordedEvent>> events;
 
-    /// Label shown by every view during replay, e.g. "REPLAY · 14:02:11.250 · at 12.350 s of
-    /// incident_….mcap".
+    /// Label in every view during replay, e.g. "REPLAY · 14:02:11.250 · at 12.350 s of incident_….mcap".
     QString words() const;
 };
 

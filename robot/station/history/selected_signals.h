@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Presents selected signals of a recording as a recording with the same rows, for exports. The signals can be
-// columns of the file, single bits, and computed signals.
+// Makes selected signals of a recording available as a recording with the same rows, for exports. The signals
+// can be columns of the file, single bits, and computed signals.
 
 #include <vector>
 
@@ -11,7 +11,7 @@
 
 namespace tiller {
 
-/// The first column is the time column of the file or, if the file has none, `seconds` since the first row.
+/// The first column is the time column of the file or, if there is none, `seconds` since the first row.
 class SelectedSignals : public recording::Recording {
 public:
     struct Column {
@@ -41,7 +41,7 @@ public:
 private:
     const recording::Recording& file_;
     std::vector<recording::RecordedColumn> columns_;
-    std::vector<RecordedSignal> signals_;  ///< one per column; the time has no columns of the file
+    std::vector<RecordedSignal> signals_;  ///< one per column; the time column has no source columns
 };
 
 }  // namespace tiller

@@ -183,8 +183,8 @@ std::int64_t SeriesBuffer::lowerBoundNear(double time, std::int64_t guess) const
     const std::int64_t oldest = first();
     std::int64_t low = std::clamp(guess, oldest, end_);
     std::int64_t high = low;
-    // Widen the range until `low` is before the result or at the oldest sample, and `high` is at or after the
-    // result.
+    // Extend the range until `low` is before the result or at the oldest sample, and `high` is at or after
+    // the result.
     for (std::int64_t step = 1; high < end_ && roughTime(high) < time; step *= 2) {
         low = high + 1;
         high = std::min(end_, high + step);
@@ -211,7 +211,7 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
         grid.width == width && grid.columns() == columns && std::abs(shift - std::round(shift)) < 1e-6 &&
         std::abs(shift) < static_cast<double>(count) && grid.end <= end_ && grid.revision == revision_;
     const auto by = sameRaster ? static_cast<std::ptrdiff_t>(std::lround(shift)) : 0;
-    // An edge remains valid if it had samples on both sides and still has them.
+    // An edge remains valid if it had and still has samples on both sides.
     const auto keeps = [&](std::int64_t edge) {
         return edge > first() && edge > grid.first && edge < grid.end;
     };
@@ -226,7 +226,7 @@ void SeriesBuffer::cut(double start, double width, int columns, ColumnGrid& grid
         } else if (i == 0) {
             edges[i] = lowerBoundBetween(start, first_, end_);
         } else {
-            // Assume that this column holds about as many samples as the previous one.
+            // Estimate: this column has as many samples as the previous one.
             const std::int64_t previous = i == 1 ? 0 : edges[i - 1] - edges[i - 2];
             edges[i] = lowerBoundNear(start + static_cast<double>(i) * width, edges[i - 1] + previous);
         }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The history behind the plots: one column of times, and one column of values per signal with levels of
-// minima and maxima. The cost of a query depends on the number of pixel columns and not on the number of
-// samples. The oldest samples are dropped when the limits of age or memory are exceeded.
+// The history behind the plots: one time column, and one value column per signal with levels of minima and
+// maxima. The cost of a query depends on the number of pixel columns instead of the number of samples. The
+// oldest samples are dropped when the age or memory limit is exceeded.
 //
-// The samples can instead be stored in a file. Then only summaries are in memory, and a block of rows is read
+// The samples can also be stored in a file. Then, only summaries are in memory, and a block of rows is read
 // when one of its rows is requested.
 
 #include <cstdint>
@@ -18,16 +18,16 @@
 
 namespace tiller {
 
-/// Assignment of samples to pixel columns. Column i holds the samples edges[i] ... edges[i + 1] - 1, those
-/// with start + i * width <= time < start + (i + 1) * width. Computed once per frame and shared by all
+/// Assignment of samples to pixel columns. Column i holds the samples edges[i] ... edges[i + 1] - 1, which
+/// satisfy start + i * width <= time < start + (i + 1) * width. Computed once per frame and shared by all
 /// curves.
 struct ColumnGrid {
     double start = 0;  ///< time of the left edge of column 0 [s]
     double width = 0;  ///< width of a column [s]
     std::vector<std::int64_t> edges;
-    std::vector<std::uint8_t> gapBefore;  ///< samples were lost directly before one of this column's samples
+    std::vector<std::uint8_t> gapBefore;  ///< samples were lost directly before a sample of this column
 
-    std::int64_t first = 0;  ///< first(), end() and revision() of the history for which the grid was computed
+    std::int64_t first = 0;  ///< first(), end() and revision() of the history when the grid was computed
     std::int64_t end = 0;
     std::uint64_t revision = 0;
 
@@ -35,14 +35,14 @@ struct ColumnGrid {
     bool empty() const { return edges.empty() || edges.front() == edges.back(); }
 };
 
-/// A history that exceeds these limits drops its oldest samples.
+/// Limits above which the oldest samples are dropped.
 struct HistoryLimits {
-    /// Half an hour, plus a margin because blocks are dropped as a whole.
+    /// Half an hour plus a margin, because whole blocks are dropped.
     double seconds = 30 * 60 + 10;
     std::size_t bytes = std::size_t{1} << 30;
 };
 
-/// Source of the samples whose values are not in memory.
+/// Source of samples whose values are not in memory.
 class SampleFile {
 public:
     virtual ~SampleFile() = default;
@@ -56,7 +56,7 @@ public:
     explicit SeriesBuffer(int columns = 0, const HistoryLimits& limits = {});
 
     int columnCount() const { return static_cast<int>(columns_.size()); }
-    /// Adds a signal, which has no values until the next row is appended.
+    /// Adds a signal, which has no values before the next appended row.
     /// Returns  its column number
     int addColumn(Precision precision = Precision::Single);
     const HistoryLimits& limits() const { return limits_; }
@@ -65,7 +65,7 @@ public:
     /// Memory used by all samples [bytes].
     std::size_t memoryBytes() const;
 
-    /// Appends one row. A signal has no value at this time if its value is NaN or missing.
+    /// Appends one row. NaN or a missing value: the signal has no value at this time.
     /// time       [s], later than that of the previous row
     /// gapBefore  samples between this row and the previous one were lost
     /// Returns    false, without appending, if the time does not increase or is not finite
@@ -74,9 +74,8 @@ public:
         double time = 0;
         bool gapBefore = false;
     };
-    /// Appends many rows column by column, which is several times faster. Their times must increase and be
-    /// later than lastTime().
-    /// source(column, row)  returns each value
+    /// Appends many rows by column, which is several times faster. Their times must increase and be later
+    /// than lastTime(). source(column, row)  returns each value
     template <class Source>
     void appendRows(std::span<const Row> rows, Source source) {
         for (const Row& row : rows) {
@@ -99,7 +98,7 @@ public:
 
     // For a history stored in a file. Rows cannot be appended, and the limits do not apply.
 
-    /// Approximate time of a sample, refined by setTimes().
+    /// Approximate time of a sample. setTimes() sets the exact time.
     struct Mark {
         std::int64_t sample = 0;
         double time = 0;  ///< [s]
@@ -107,11 +106,11 @@ public:
     /// file   must outlive the history
     /// marks  include the first and the last sample; samples between two marks are assumed to be evenly
     /// spaced
-    /// gaps   samples before which others were lost, ascending
+    /// gaps   samples directly after lost samples, ascending
     void lieIn(SampleFile& file, std::int64_t samples, std::vector<Mark> marks,
                std::vector<std::int64_t> gaps);
     bool isInFile() const { return file_ != nullptr; }
-    /// Incremented when more of a history stored in a file becomes known.
+    /// Incremented when data of a history stored in a file are read.
     std::uint64_t revision() const { return revision_; }
     /// True if all values of these samples are in memory.
     bool hasRows(int column, std::int64_t begin, std::int64_t end) const;
@@ -126,8 +125,8 @@ public:
     /// Releases times and values of a block.
     void forget(std::int64_t block);
 
-    /// Samples are numbered starting with the first one ever appended. first() is the oldest sample kept,
-    /// end() is one past the newest.
+    /// Samples are numbered from the first sample ever appended. first() is the oldest sample kept, end() is
+    /// one past the newest.
     std::int64_t first() const { return first_; }
     std::int64_t end() const { return end_; }
     bool isEmpty() const { return end_ == 0; }
@@ -166,8 +165,8 @@ public:
     std::int64_t lastBefore(double time) const;
 
     /// Divides start ... start + columns * width into columns. If the grid already belongs to this history
-    /// and has the same time raster, unchanged columns are kept, so a scrolling view computes only the added
-    /// columns.
+    /// and has the same time raster, unchanged columns are kept, so that a scrolling view computes only the
+    /// new columns.
     void cut(double start, double width, int columns, ColumnGrid& grid) const;
     /// Exact minimum and maximum per column of the grid.
     void envelope(int column, const ColumnGrid& grid, std::vector<MinMax>& out) const;

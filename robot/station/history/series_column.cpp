@@ -41,7 +41,7 @@ struct SeriesColumn::RunningExtent {
         min = low < min ? low : min;
         max = high > max ? high : max;
     }
-    /// Adds the extents of several entries of a level.
+    /// Adds the extents of several entries of one level.
     void add(const Extent<Value>* entries, std::size_t count) {
 #ifdef __SSE2__
         if constexpr (sizeof(Value) == sizeof(float)) {
@@ -53,7 +53,7 @@ struct SeriesColumn::RunningExtent {
             add(entries[i].min, entries[i].max);
         }
     }
-    /// Uses four independent accumulators to shorten the dependency chain.
+    /// Four independent accumulators shorten the dependency chain.
     static RunningExtent of(const Value* rows, std::size_t count) {
 #ifdef __SSE2__
         if constexpr (sizeof(Value) == sizeof(float)) {
@@ -95,8 +95,8 @@ private:
             add(entries[count - 1].min, entries[count - 1].max);
         }
     }
-    /// Processes eight values per iteration. If one operand is NaN, these instructions return the second
-    /// operand, which is the number.
+    /// Processes eight values per iteration. If an operand is NaN, min and max return the second operand. The
+    /// values are the first operand, so NaN is ignored.
     static RunningExtent ofFloats(const float* rows, std::size_t count) {
         const RunningExtent none;
         __m128 min[2] = {_mm_set1_ps(none.min), _mm_set1_ps(none.min)};

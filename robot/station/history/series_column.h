@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The values of one signal in blocks, with levels of minima and maxima inside each block. A block with a
+// The values of one signal in blocks, with levels of minima and maxima within each block. A block with a
 // constant value stores only that value, so registers, modes and bit fields need very little memory.
 //
-// For a column stored in a file, only extents of several rows each may be known. If the requested rows are
-// not in memory, queries use these extents. The result then covers at least the requested rows and possibly
-// more.
+// For a column stored in a file, only extents of several rows may be known. Queries for rows that are not in
+// memory use these extents. The result then covers at least the requested rows, and possibly more.
 
 #include <array>
 #include <bit>
@@ -33,14 +32,14 @@ class SeriesColumn {
 public:
     static constexpr int kBlockBits = 12;
     static constexpr std::int64_t kBlockRows = std::int64_t{1} << kBlockBits;
-    /// Row ranges that begin and end at multiples of this number are evaluated from summaries only.
+    /// Row ranges that begin and end at multiples of this value are evaluated from summaries only.
     static constexpr std::int64_t kSummary = 32;
-    /// Like kSummary, but with far fewer summaries to read.
+    /// Like kSummary, but far fewer summaries must be read.
     static constexpr std::int64_t kCoarseSummary = 256;
-    /// Larger than the number of rows of any extent.
+    /// Exceeds the number of rows of any extent.
     static constexpr std::int64_t kUnknown = std::int64_t{1} << 40;
 
-    /// rowsBefore  number of existing rows of the other columns, for which this column has no values
+    /// rowsBefore  number of rows that the other columns already have; this column has no values for them
     explicit SeriesColumn(Precision precision, std::int64_t rowsBefore = 0);
 
     Precision precision() const { return precision_; }
@@ -62,18 +61,17 @@ public:
 
     // For a column stored in a file.
 
-    /// Adds rows that are stored in the file and whose values are still unknown. The column must not have any
+    /// Adds rows that are stored in the file and whose values are not known yet. The column must not have any
     /// other rows.
     void outline(std::int64_t rows);
-    /// Sets extents of `rowsEach` rows each, starting at a multiple of rowsEach. An empty extent means that
-    /// there are no values.
+    /// Sets extents of `rowsEach` rows each, starting at a multiple of rowsEach. An empty extent has no
+    /// values.
     /// rowsEach  a multiple of kSummary that divides the block size, or a multiple of the block size
     void setExtents(std::int64_t first, std::int64_t rowsEach, std::span<const MinMax> extents);
-    /// Sets the values of a block.
     void setRows(std::int64_t block, std::span<const double> values);
     /// Releases the values of a block and restores the state before setRows().
     void forgetRows(std::int64_t block);
-    /// Rows per known extent of this block: kUnknown at first, 1 if its rows are in memory.
+    /// Rows per known extent of this block: initially kUnknown; 1 if its rows are in memory.
     std::int64_t resolutionOf(std::int64_t block) const {
         return blocks_[static_cast<std::size_t>(block)].grain;
     }
@@ -85,8 +83,8 @@ public:
                : block.exact ? block.exact->rows[at]
                              : block.constant;
     }
-    /// Prefetches the memory that minMax() reads for this row. Without this, each access to distant rows
-    /// waits for a cache miss.
+    /// Prefetches the memory that minMax() reads for this row. Otherwise, each access to distant rows waits
+    /// for a cache miss.
     void fetchAhead(std::int64_t row) const {
 #if defined(__GNUC__)
         if (row < 0 || row >= rows_) {
@@ -125,9 +123,9 @@ private:
         Value min, max;
     };
     static constexpr std::size_t kCacheLine = 64;
-    /// Allocates memory aligned to a cache line through the ordinary allocator. The aligned allocation of
-    /// glibc rarely reuses freed memory, so the memory use of a history that drops old blocks and adds others
-    /// would grow for days.
+    /// Allocates memory aligned to a cache line with the ordinary allocator. The aligned allocation of glibc
+    /// rarely reuses freed memory, so the memory use of a history that drops and adds blocks would grow for
+    /// days.
     struct OnCacheLine {
         static void* operator new(std::size_t size, std::align_val_t);
         static void operator delete(void* at, std::align_val_t);
@@ -147,14 +145,14 @@ private:
     struct RunningExtent;
     /// Summary of a block stored in a file, used while its rows are not in memory.
     struct Outline {
-        /// The two halves of the block, sufficient if there are no levels.
+        /// The two halves of the block. Sufficient without levels.
         std::array<MinMax, 2> halves;
         std::unique_ptr<Levels<float>> single;
         std::unique_ptr<Levels<double>> exact;
         std::int64_t grain = kUnknown;
     };
     struct Block {
-        double constant = 0;  ///< the value of every row while `single` and `exact` are null
+        double constant = 0;  ///< value of every row if `single` and `exact` are null
         std::unique_ptr<Values<float>> single;
         std::unique_ptr<Values<double>> exact;
         MinMax whole;                      ///< range of a full block
@@ -202,7 +200,7 @@ private:
         }
     }
     void beginBlock();
-    /// Allocates individual values for a block that is not constant.
+    /// Allocates individual values for a block that is no longer constant.
     template <class Value>
     void spread(Block& block, std::size_t rows);
     template <class Value>

@@ -27,7 +27,7 @@ struct SignalText {
 
 enum class Axes { None, Cartesian, Joints };
 
-/// Components of a field that are displayed next to each other.
+/// Components of a field that are displayed together.
 struct Family {
     const char* field;
     int first;
@@ -49,7 +49,7 @@ constexpr const char* kMore = QT_TRANSLATE_NOOP("SignalInfo", "Other");
 constexpr const char* kRegisters = QT_TRANSLATE_NOOP("SignalInfo", "Registers");
 constexpr std::array kGroups = {kTcp, kJoints, kIo, kModes, kPower, kProgram, kPayload, kMore, kRegisters};
 
-// In display order. All other signals are listed under "Other" by their RTDE names.
+// In display order. Other signals are listed under "Other" with their RTDE names.
 constexpr Family kFamilies[] = {
     {"actual_TCP_force", 0, 3, kTcp, QT_TRANSLATE_NOOP("SignalInfo", "TCP force"), "F", Axes::Cartesian},
     {"actual_TCP_force", 3, 3, kTcp, QT_TRANSLATE_NOOP("SignalInfo", "TCP torque"), "T", Axes::Cartesian},

@@ -20,15 +20,15 @@ bool isSame(double a, double b) {
 struct ColumnState {
     double first = kUnknown;
     double last = kUnknown;
-    int changes = 0;  ///< number of states, counted up to two
+    int changes = 0;  ///< number of states, up to two
 };
 
 ColumnState stateOf(const SignalStore& store, int signal, std::int64_t begin, std::int64_t end) {
     const SeriesBuffer& history = *store.buffer(signal);
     ColumnState state;
     if (!history.hasRows(store.column(signal), begin, end)) {
-        // For rows that are not in memory only the extent is known. If minimum and maximum are equal, the
-        // state was constant.
+        // For rows that are not in memory, only the extent is known. If minimum and maximum are equal, the
+        // state is constant.
         const MinMax extent = history.minMax(store.column(signal), begin, end);
         state.changes = extent.isEmpty() || extent.min == extent.max ? 0 : 2;
         if (!extent.isEmpty() && extent.min == extent.max) {
@@ -91,13 +91,13 @@ std::vector<LaneSegment> signalSegments(const SignalStore& store, int signal, co
         const std::int64_t end = grid.edges[at + 1];
         const double start = grid.start + i * grid.width;
         if (begin == end) {
-            // The last state applies between two samples, but not across a gap or after the newest sample.
+            // The last state holds between two samples, but not across a gap or after the newest sample.
             const bool holds = begin < history->end() && !history->gapBefore(begin);
             add(segmentOf(info, holds ? now : kUnknown, start, start + grid.width));
             continue;
         }
         const ColumnState state = stateOf(store, signal, begin, end);
-        // A change between two columns is attributed to the later one.
+        // A change between two columns is assigned to the later column.
         const int between = std::isnan(now) || isSame(now, state.first) ? 0 : 1;
         if (state.changes + between > 1) {
             add({start, start + grid.width, LaneKind::Varied, {}});

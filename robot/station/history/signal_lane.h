@@ -12,8 +12,8 @@ namespace tiller {
 
 class SignalStore;
 
-/// Segments for the columns of a grid. A column in which the state changes more than once is Varied, so
-/// changes remain visible at any zoom level.
+/// Segments for the columns of a grid. A column with more than one change of the state is Varied, so that
+/// changes are visible at any zoom level.
 std::vector<LaneSegment> signalSegments(const SignalStore& store, int signal, const ColumnGrid& grid);
 
 }  // namespace tiller

@@ -16,7 +16,7 @@ namespace tiller {
 namespace {
 
 constexpr double kNoData = std::numeric_limits<double>::quiet_NaN();
-/// Time for which the value of the newest sample remains valid [s].
+/// Time for which the newest sample is valid [s].
 constexpr double kHolds = 0.05;
 
 /// Adds the row times of a recording as samples without values.
@@ -126,7 +126,7 @@ std::vector<std::int64_t> SignalStore::changes(int signal, std::int64_t begin, s
     if (buffer == nullptr) {
         return found;
     }
-    // Ranges in which the whole column is constant are skipped.
+    // Skip ranges in which the whole column is constant.
     constexpr std::int64_t kStretch = 256;
     const auto differs = [](double a, double b) { return a != b && !(std::isnan(a) && std::isnan(b)); };
     const int column = this->column(signal);
@@ -138,8 +138,8 @@ std::vector<std::int64_t> SignalStore::changes(int signal, std::int64_t begin, s
         const bool same =
             !extent.isEmpty() && extent.min == extent.max && !std::isnan(buffer->value(column, at - 1));
         if (same || extent.isEmpty()) {
-            // Extents ignore NaN, so a range that begins and ends with a value may still contain a sample
-            // without a value.
+            // Extents ignore NaN, so a range that begins and ends with a value may contain a sample without a
+            // value.
             if (extent.isEmpty() || !std::isnan(buffer->value(column, to - 1))) {
                 at = to;
                 continue;
@@ -295,8 +295,7 @@ void SignalStore::compute(int signal) {
     computed.isComputing = true;
     const std::array<int, 1> itself = {signal};
     const RecordedStretch stretch = *stretchOf(itself, 0, table.buffer->end());
-    // All rows have to be read, which takes several seconds per hour of data. Therefore this runs on the
-    // worker.
+    // All rows must be read, which takes several seconds per hour of data, so this runs on the worker.
     worker_.post(this, [this, signal, stretch, closing = closing_](const CancelToken& ending) {
         if (closing.isCancelled()) {
             return std::function<void()>();
@@ -394,7 +393,7 @@ bool SignalStore::want(const void* who, const QSet<int>& shown) {
         wanted_ = wanted;
         return true;
     }
-    constexpr qsizetype kTimestamp = 10;  // length of "timestamp" including its comma
+    constexpr qsizetype kTimestamp = 10;  // length of "timestamp,"
     if (static_cast<std::size_t>(fields.join(QLatin1Char(',')).size() + kTimestamp) >
         receive::longestFieldList()) {
         problem_ = tr("The robot cannot send this many signals at once. Remove other signals first.");
@@ -445,7 +444,7 @@ Result<QString> SignalStore::open(std::unique_ptr<recording::Recording> file, do
     table.buffer = std::move(history);
     table.pieces = std::move(pieces);
     table.name = name;
-    // Recorded signals get the same display names as the signals of the robot.
+    // Recorded signals have the same display names as the signals of the robot.
     QHash<QString, QVector<int>> known;
     const int robots = count();
     for (int i = 0; i < robots; ++i) {
@@ -674,7 +673,7 @@ std::vector<int> SignalStore::signalsOf(const QString& recording) const {
 void SignalStore::closeRecordings() {
     closing_.cancel();
     closing_ = {};
-    // Signal numbers are never reused, so these entries remain empty.
+    // Signal numbers are never reused, so these entries stay empty.
     for (Signal& signal : signals_) {
         if (signal.table >= kFirstRecording) {
             byKey_.remove(signal.info.key);

@@ -2,8 +2,8 @@
 #pragma once
 
 // All signals that can be displayed, and the location of their values: standard fields of the robot,
-// additionally requested fields, and signals computed from others. A signal keeps its number as long as the
-// store exists.
+// additionally requested fields, and signals computed from others. A signal keeps its number during the
+// lifetime of the store.
 
 #include <QHash>
 #include <QObject>
@@ -35,7 +35,7 @@ public:
 
     int count() const { return static_cast<int>(signals_.size()); }
     const SignalInfo& info(int signal) const { return signals_[static_cast<std::size_t>(signal)].info; }
-    /// False if the signal is computed here, or belongs to a recording.
+    /// False if the signal is derived or belongs to a recording.
     bool isRobots(int signal) const {
         const Signal& one = signals_[static_cast<std::size_t>(signal)];
         return one.table < kFirstRecording && !one.derivation;
@@ -46,18 +46,18 @@ public:
     bool isRecorded(int signal) const {
         return signals_[static_cast<std::size_t>(signal)].table >= kFirstRecording;
     }
-    /// Returns -1 if there is no such signal.
+    /// Returns -1 if the signal does not exist.
     int find(const QString& key) const { return byKey_.value(key, -1); }
 
     /// Adds a signal computed from others, with values for the existing samples. See DerivedSignal for the
     /// syntax of the text. For a long recording, a worker reads the file from its beginning, and the values
     /// become available step by step.
-    /// Returns  its number; the existing one if the signal was added before
-    /// Errors   InvalidArgument, with a message that contains the error; those of Recording
+    /// Returns  its number, also if the signal already exists
+    /// Errors   InvalidArgument, with the error as message; those of Recording
     Result<int> derive(const QString& text);
-    /// Reports why derive() failed for a menu command.
+    /// Reports an error of derive() for a menu command.
     void refuse(const Error& error) { Q_EMIT computationFailed(error.controllerMessage); }
-    /// Returns the signal with this key, or -1. If necessary, creates a derived signal, whose key is its
+    /// Returns the signal with this key, or -1. Creates a derived signal if necessary, because its key is its
     /// expression.
     int findOrDerive(const QString& key);
 
@@ -66,48 +66,47 @@ public:
     int column(int signal) const { return signals_[static_cast<std::size_t>(signal)].column; }
     /// Value of the column, or of its bit; NaN if there is no value.
     double value(int signal, std::int64_t sample) const;
-    /// The value of the last sample at or before this time; empty in a gap or without data.
+    /// Value of the last sample at or before this time; empty in a gap or without data.
     std::optional<double> valueAt(int signal, double time) const;
-    /// All samples in begin ... end - 1 at which the value differs from the previous one.
+    /// The samples of begin ... end - 1 at which the value differs from the previous sample.
     std::vector<std::int64_t> changes(int signal, std::int64_t begin, std::int64_t end) const;
 
     /// Adds a recording to the live signals. Its signals form a separate group, and their keys start with the
     /// name of the recording. Values are read from the file on demand.
     /// begin    time of its first row on the plots' time axis [s]
     /// Returns  the name of the recording, derived from the file name
-    /// Errors   as for Recording; InvalidArgument if it contains no row
+    /// Errors   as for Recording; InvalidArgument if it contains no rows
     Result<QString> open(std::unique_ptr<recording::Recording> file, double begin);
-    /// The recording that a signal belongs to; empty for live signals.
+    /// The recording of a signal; empty for live signals.
     QString recordingOf(int signal) const;
     /// The opened recording with this name, or null.
     const recording::Recording* recorded(const QString& recording) const;
     /// The row times of a recording on the plots' time axis, as samples without values. Null if there is no
     /// recording with this name.
     const SeriesBuffer* timesOf(const QString& recording) const;
-    /// The complete sample of the robot at this time, from a recording or, if the name is empty, from the
-    /// live data. Empty in a gap and where there are no data.
+    /// The complete robot sample at this time, from a recording or, if the name is empty, from the live data.
+    /// Empty in a gap or without data.
     receive::Sample sampleAt(const QString& recording, double time) const;
     /// Reads the data of a long recording that are needed to draw these samples with this number of pixel
     /// columns. Call before drawing.
     /// Returns  true if another call would improve the resolution
     bool sharpen(const SeriesBuffer& history, std::int64_t begin, std::int64_t end, int pixelColumns,
                  HistoryFile::Effort effort);
-    /// The signals of an opened recording.
     std::vector<int> signalsOf(const QString& recording) const;
-    /// Closes all recordings. They must no longer be displayed.
+    /// Closes all recordings. They must not be displayed any more.
     void closeRecordings();
     bool hasRecordings() const { return tables_.size() > kFirstRecording; }
-    /// Describes how a worker can read samples of these signals from the file of a long recording.
-    /// begin, end  the samples begin ... end - 1
+    /// Describes a read of these signals from the file of a long recording, for a worker. begin,
+    /// end  the samples begin ... end - 1
     /// Returns  nothing unless all signals belong to the same long recording
     std::optional<RecordedStretch> stretchOf(std::span<const int> wanted, std::int64_t begin,
                                              std::int64_t end) const;
-    /// Presents these signals as a recording with the rows and times of their file. They must all belong to
-    /// one recording.
+    /// Makes these signals available as a recording with the rows and times of their file. They must all
+    /// belong to one recording.
     std::unique_ptr<recording::Recording> selected(std::span<const int> wanted) const;
-    /// For a signal computed from a long recording, the fraction that is available: 0 ... 1.
+    /// Available fraction of a signal computed from a long recording: 0 ... 1.
     double computedPart(int signal) const { return signals_[static_cast<std::size_t>(signal)].computedPart; }
-    /// Reason why the last want() failed: too many signals for the robot, or for the memory limit.
+    /// Why the last want() failed: too many signals for the robot or for the memory limit.
     const QString& problem() const { return problem_; }
 
     /// History of the standard fields, and history of the additionally requested fields.
@@ -128,11 +127,11 @@ public:
 
     /// Sets the signals that a client displays, so that fields outside the standard stream are requested.
     /// Replaces the previous signals of this client.
-    /// who      identifies the client by its address; not accessed
+    /// who      address that identifies the client; not accessed
     /// Returns  false, without change, if the robot cannot send so many signals
     bool want(const void* who, const QSet<int>& shown);
     const QStringList& extraFields() const { return furtherFields_; }
-    /// All fields of the robot that the displayed signals need, in alphabetical order.
+    /// All robot fields of the displayed signals, in alphabetical order.
     QStringList shownFields() const;
 
     const HistoryLimits& limits() const { return limits_; }
@@ -154,10 +153,10 @@ private:
     struct Table {
         std::unique_ptr<SeriesBuffer> buffer;
         std::vector<std::string> columns;
-        std::vector<int> derived;  ///< the derived signal of each column; -1: a field of the robot
+        std::vector<int> derived;  ///< derived signal of each column; -1: robot field
         QString name{};            ///< name of the recording
         std::unique_ptr<recording::Recording> file{};
-        std::unique_ptr<HistoryFile> pieces{};  ///< for a long recording, which is not read as a whole
+        std::unique_ptr<HistoryFile> pieces{};  ///< for a long recording, which is read in parts
         /// Layout of the samples returned by sampleAt().
         std::shared_ptr<const receive::SampleLayout> layout{};
         std::vector<std::size_t> places{};  ///< index of the file's columns in a sample
@@ -174,11 +173,10 @@ private:
         bool isComputing = false;
     };
 
-    /// The sample whose values apply at this time; empty in a gap or without data.
+    /// The sample that is valid at this time; empty in a gap or without data.
     static std::optional<std::int64_t> heldAt(const SeriesBuffer& buffer, double time);
     static void prepareSamples(Table& table);
     const Table* tableOf(const QString& recording) const;
-    /// Adds a column for every component of the field.
     void addField(int table, const QString& field);
     double derivedAt(const SeriesBuffer& history, int signal, std::int64_t sample) {
         Signal& derived = signals_[static_cast<std::size_t>(signal)];
@@ -188,7 +186,7 @@ private:
     void append(Table& table, std::span<const SeriesBuffer::Row> rows, Source source) {
         SeriesBuffer& history = *table.buffer;
         const std::int64_t begin = history.end();
-        // Derived columns follow their inputs, so the input values are already available.
+        // Derived columns follow their inputs, so the input values are available.
         history.appendRows(rows, [&](std::size_t column, std::size_t row) {
             const int derived = table.derived[column];
             return derived < 0 ? static_cast<double>(source(column, row))
@@ -215,7 +213,7 @@ private:
     QStringList furtherFields_;
     QString problem_;
     CancelToken closing_;    ///< cancelled when the recordings are closed
-    SerialExecutor worker_;  ///< last member, so its jobs end before the others are destroyed
+    SerialExecutor worker_;  ///< last member, so that its jobs end before the other members are destroyed
 };
 
 }  // namespace tiller

@@ -19,7 +19,7 @@ struct SpectrumText {
     Q_DECLARE_TR_FUNCTIONS(Spectrum)
 };
 
-/// Longer segments would result in a resolution that is not visible on a screen.
+/// Longer segments would have a resolution that a screen cannot show.
 constexpr std::size_t kMaxSegment = 8192;
 
 struct FreePlan {
@@ -75,7 +75,7 @@ Result<Spectrum> spectrumOf(std::span<const double> values, double period) {
         ++spectrum.segments;
     }
     for (std::size_t i = 0; i < power.size(); ++i) {
-        // Half of the power of a line is at its negative frequency, except for the first and last lines.
+        // Half of the power is at negative frequencies, except for the first and the last line.
         const double sides = i == 0 || i + 1 == power.size() ? 1 : 2;
         spectrum.amplitude.push_back(sides * std::sqrt(power[i] / spectrum.segments) / sum);
     }

@@ -31,7 +31,7 @@ class StateLane {
 public:
     static constexpr std::size_t kMaxSegments = 20000;
 
-    /// Sets the state from this time on. The same kind and label extend the last segment.
+    /// Sets the state from this time on. Extends the last segment if kind and label are the same.
     void add(double time, LaneKind kind, const QString& label);
     /// Removes segments that ended before this time.
     void forgetBefore(double time);
@@ -40,10 +40,10 @@ public:
     bool isEmpty() const { return segments_.empty(); }
     /// Time until which the state is known [s]; 0 while empty.
     double endTime() const { return segments_.empty() ? 0 : segments_.back().end; }
-    /// Complete segments, oldest first. The last one ends at the time of its last add().
+    /// Segments, oldest first. The last segment ends at the time of the last add().
     const std::deque<LaneSegment>& segments() const { return segments_; }
     /// The segments within t0 ... t1, clipped to this range. Segments shorter than `least` [s] are merged
-    /// with their successor.
+    /// with the next segment.
     std::vector<LaneSegment> visible(double t0, double t1, double least) const;
 
 private:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Axes that can be moved by hand in freedrive, and the check whether the arm can hold its load in freedrive.
+// Axes in which the arm can be moved by hand in freedrive, and the check whether the arm can hold its load in
+// freedrive.
 
 #include <QString>
 #include <array>
@@ -24,15 +25,15 @@ inline constexpr std::array kFreedriveAxes = {FreedriveAxes::All, FreedriveAxes:
 
 /// Label of the selection, e.g. "All axes", "Position only".
 QString freedriveAxesText(FreedriveAxes axes);
-/// R_base_frame  axes of the chosen frame; the origin is the TCP
+/// R_base_frame  axes of the selected frame; the origin is the TCP
 control::Freedrive freedriveOf(FreedriveAxes axes, const Eigen::Matrix3d& R_base_frame, const Pose& tcp);
 
-/// Maximum force and torque measured by an arm at rest without contact, above the noise of every model.
+/// Maximum force and torque of an arm at rest without contact. Exceeds the noise of every model.
 inline constexpr double kPayloadForce = 12;  ///< [N]
 inline constexpr double kPayloadTorque = 2;  ///< [Nm]
 
-/// Reason why freedrive should not start: the arm measures a force without contact, so it would sink or rise.
-/// Empty if freedrive can start.
+/// Why freedrive should not start: the arm measures a force without contact, so it would drift. Empty if
+/// freedrive can start.
 QString payloadDoubt(const SessionState& state);
 
 }  // namespace tiller

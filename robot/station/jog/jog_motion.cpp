@@ -13,7 +13,7 @@ namespace tiller {
 
 namespace {
 
-// Steps use the acceleration of the jog, so only the speed is limited here.
+// Steps use the acceleration of a jog, so only the speed must be limited.
 double capped(double speed, double cap) {
     return std::min(speed, cap);
 }
@@ -29,7 +29,7 @@ double allowed(const JogSelection& selection, double factor) {
     return selection.motion == MotionChoice::UntilContact ? std::min(factor, 1.0) : factor;
 }
 
-/// The speed parameter for a linear move that is a pure rotation [m/s].
+/// Speed parameter of a linear move that is a pure rotation [m/s].
 double turnSpeed(double rotation, const control::MotionLimits& limits) {
     return std::min(capped(rotation, limits.tcpRotationSpeed) * kinematics::kTurnRadius, limits.tcpSpeed);
 }
@@ -149,8 +149,8 @@ MoveRequest jointStep(const JogSelection& selection, int joint, int direction, d
 double jointKeySpeed(const JogSelection& selection, int joint, double factor, const JointPositions& from,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits) {
     const control::JogTarget target = jointJog(selection, joint, 1, factor, limits);
-    // While only this joint rotates, the distances of TCP and elbow from its axis are constant, so any target
-    // results in the same bound.
+    // While only this joint rotates, TCP and elbow keep their distances from its axis, so the bound is the
+    // same for any target.
     JointPositions to = from;
     to[joint] += 1;
     return std::min(target.qd[joint],

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Motion of a jog button: the speed classes and steps of the interface, and the calculation of a velocity or
-// a limited step from a button, a frame and a speed. Free functions without widgets.
+// Motion of a jog button: speed classes and steps of the interface, and the calculation of a velocity or a
+// limited step from a button, a frame and a speed. Free functions without widgets.
 
 #include <Eigen/Core>
 #include <QString>
@@ -40,8 +40,8 @@ struct StepSize {
 };
 StepSize stepSize(MotionChoice motion);
 
-/// The step sizes offered by menus and commands, in display units. In commands, length and angle are chosen
-/// together; in menus, separately.
+/// Step sizes in menus and commands, in display units. Commands set length and angle together, menus
+/// separately.
 struct StepPreset {
     double millimetres;
     double degrees;
@@ -49,16 +49,15 @@ struct StepPreset {
 };
 inline constexpr StepPreset kStepPresets[] = {{0.05, 0.01}, {0.1, 0.1}, {1, 1},   {5, 5},
                                               {10, 15},     {50, 45},   {100, 90}};
-/// The lowest jog speed offered by menus and commands [m/s].
+/// Lowest jog speed in menus and commands [m/s].
 inline constexpr double kSlowestJog = 0.001;
 
-/// Steps up to this size run to their end after the button is released. Longer steps run only while it is
-/// held.
+/// Steps up to this size continue after the button is released. Longer steps move only while it is held.
 inline constexpr double kFreeStepLength = 0.010;            ///< [m]
 inline constexpr double kFreeStepAngle = 0.17453292519943;  ///< [rad] 10 deg
 
-/// For UntilContact: the default force, the smallest force that a robot can distinguish from noise, the
-/// largest allowed force [N], and the maximum speeds for all speed classes.
+/// For UntilContact: the default force, the lowest force above the measurement noise, the highest permitted
+/// force [N], and the maximum speeds for all speed classes.
 inline constexpr double kContactForce = 10;
 inline constexpr double kMinContactForce = 5;
 inline constexpr double kMaxContactForce = 50;
@@ -99,33 +98,30 @@ control::JogTarget cartesianJog(const JogSelection& selection, const CartesianKe
 control::JogTarget jointJog(const JogSelection& selection, int joint, int direction, double factor,
                             const control::MotionLimits& limits);
 
-/// One bounded step of the TCP from `from`. Rotations are about the TCP, in the axes of the chosen frame.
+/// One step of the TCP from `from`. Rotations are about the TCP, in the axes of the selected frame.
 MoveRequest cartesianStep(const JogSelection& selection, const CartesianKey& key, double factor,
                           const Pose& from, const control::MotionLimits& limits);
-/// One bounded step of one joint at jointKeySpeed(), limited to the joint's range.
+/// One step of one joint at jointKeySpeed(), limited to the joint range.
 MoveRequest jointStep(const JogSelection& selection, int joint, int direction, double factor,
                       const JointPositions& from, const RobotModel& model, const Pose& tcpOffset,
                       const control::MotionLimits& limits);
-/// Speed of a joint button [rad/s]: the selected joint speed, or less if TCP or elbow would exceed the
-/// selected TCP speed.
+/// Speed of a joint button [rad/s]: the selected joint speed, or a lower speed if TCP or elbow would exceed
+/// the selected TCP speed.
 double jointKeySpeed(const JogSelection& selection, int joint, double factor, const JointPositions& from,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
 
-/// A joint move whose TCP stays below the selected speed and the limit of the application.
+/// Joint move whose TCP speed stays below the selected speed and the limit of the application.
 MoveRequest homeMove(const JogSelection& selection, const JointPositions& from, const JointPositions& home,
                      const RobotModel& model, const Pose& tcpOffset, const control::MotionLimits& limits);
 
-/// The selected or custom step.
 StepSize chosenStep(const JogSelection& selection);
-/// The selected or custom speeds.
 SpeedClass chosenSpeed(const JogSelection& selection);
-/// All speeds for a custom TCP speed. The ratios of the rotation and joint speeds to the TCP speed are those
-/// of the speed classes.
+/// Speeds for a custom TCP speed, with the ratios of the speed classes.
 SpeedClass speedFor(double tcpSpeed);
-/// True if the arm jogs while the button is pressed, false if a press makes one step.
+/// True if the arm jogs while the button is held; false if a press makes one step.
 bool isHeld(MotionChoice motion);
 /// True for steps that may continue after the button is released.
-/// turns  the button rotates the tool or a joint, so the angle is relevant instead of the length
+/// turns  the button rotates the tool or a joint, so the angle of the step applies
 bool stepRunsToEnd(const JogSelection& selection, bool turns);
 
 /// Rotates the tool about the TCP until its Z axis is parallel to the nearest axis of the selected frame, or
@@ -134,11 +130,11 @@ MoveRequest alignMove(const JogSelection& selection, const Pose& from, const con
 
 /// "Base", "Tool", "View" or the name of the taught frame.
 QString frameName(const JogSelection& selection);
-/// The frame for displaying the current pose, relative to the base. This is the selected frame, or Base for
-/// the tool frame, in which the TCP is always zero.
+/// Frame of the displayed pose, relative to the base: the selected frame, or Base for the tool frame, in
+/// which the TCP pose is always zero.
 Pose readingFrame(const JogSelection& selection);
 QString readingFrameName(const JogSelection& selection);
-/// Axes of the selected frame, along which jogging moves the TCP, as columns in the base frame.
+/// Axes of the selected frame, as columns in the base frame.
 Eigen::Matrix3d frameAxes(const JogSelection& selection, const Pose& tcp);
 
 /// Factor by which the modifier keys change the speed: 0.1 for Ctrl, 3 for Shift.

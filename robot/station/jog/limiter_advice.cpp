@@ -29,7 +29,7 @@ struct LimiterAdviceText {
 LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     struct Kind {
         Singularity singularity;
-        int joint;  ///< joint number used by the controller's limiter
+        int joint;  ///< joint number in the controller's limiter
         bool near;
         QString what;
         QString slowed;
@@ -52,8 +52,8 @@ LimiterAdvice nearestSingularity(const SessionState& state, const Eigen::Matrix3
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°"),
          LimiterAdviceText::tr("Wrist 2 near 0° or 180°: %1 speed"), LimiterAdviceText::tr("rotate wrist 2"),
          LimiterAdviceText::tr("jog %1 or rotate wrist 2")}};
-    // The limit that slows down the jog has priority. The controller still reports a limit that has ended the
-    // jog.
+    // The limit that slows down the jog has priority. The controller also keeps reporting a limit that has
+    // ended the jog.
     const bool slowed = state.limiter.kind == control::LimiterKind::Singularity && state.limiter.scale < 0.98;
     for (const bool slowing : {true, false}) {
         for (const Kind& kind : kinds) {
@@ -73,13 +73,13 @@ bool isCollision(control::LimiterKind kind) {
     return kind == LimiterKind::SelfCollision || kind == LimiterKind::Obstacle || kind == LimiterKind::Border;
 }
 
-/// Bodies at or near the safety distance. While they slow down a jog, the text includes the remaining speed
+/// Bodies at or near the safety distance. While they slow down a jog, the text contains the remaining speed
 /// in percent.
 LimiterAdvice nearestCollision(const SessionState& state, const Eigen::Matrix3d& R_base_frame) {
     constexpr double kWarnBeyond = 0.010;  // added to the safety distance [m]
     const std::optional<NearestBodies> nearest = nearestBodies(state, kWarnBeyond);
     const control::Limiter& limiter = state.limiter;
-    // After the jog has ended, another program may have moved the arm.
+    // After the end of the jog, another program may have moved the arm.
     const bool slowed =
         state.check != nullptr && state.motionActive && isCollision(limiter.kind) && limiter.scale < 0.98;
     if (!nearest && !slowed) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Text for the limit that currently affects the arm, and the jog button that moves the arm away from it.
+// Text for the limit that affects the arm, and the jog button that moves the arm away from it.
 
 #include <QString>
 

@@ -11,10 +11,10 @@
 namespace tiller {
 namespace {
 
-/// Distance from the start of the trail below which the start counts as reached [rad].
+/// Distance at which the start of the trail is reached [rad].
 constexpr double kThere = 0.001;
-/// A position counts as reached this time before the arm arrives, because the reported positions are delayed
-/// by a few hundredths of a second [s].
+/// Positions are considered reached this time in advance, because the reported positions are delayed by a few
+/// hundredths of a second [s].
 constexpr double kAhead = 0.08;
 /// Deceleration at the end of the trail [rad/s per rad].
 constexpr double kApproach = 4.0;
@@ -77,15 +77,15 @@ std::optional<JointPositions> RetracePath::nextPlace() const {
     if (isEmpty()) {
         return std::nullopt;
     }
-    // The newest position may equal the current one.
+    // The newest position may be the current position.
     const auto place = std::find_if(trail_.rbegin(), trail_.rend(), [this](const JointPositions& q) {
         return apart(q, now_) >= kSpacing / 2;
     });
     return place == trail_.rend() ? trail_.front() : *place;
 }
 
-/// The cell may have changed since the arm moved along the trail, or a jog went as far as a limit, closer than a
-/// move may come. Returns the refusal if not even the newest part is permitted.
+/// The cell may have changed since the arm moved along the trail, or a jog went closer to a limit than a move
+/// may. Returns an error if not even the newest part is permitted.
 Result<void> RetracePath::keepPermitted() {
     const std::vector<JointPositions> way(trail_.rbegin(), trail_.rend());
     const auto permitted = [&](std::size_t count) { return port_.permitsPath(std::span(way).first(count)); };
@@ -98,7 +98,7 @@ Result<void> RetracePath::keepPermitted() {
         const std::size_t middle = kept + (end - kept) / 2;
         (permitted(middle) ? kept : end) = middle;
     }
-    if (kept < 2) {  // the newest place may be where the arm is
+    if (kept < 2) {  // the newest position may be the current one
         return whole;
     }
     trail_.erase(trail_.begin(), trail_.end() - static_cast<std::ptrdiff_t>(kept));
@@ -154,7 +154,7 @@ HoldMotion RetracePath::motion() {
                     port_.endMotion(id, control::StopCause::Completed);
                     return false;
                 }
-                // Every end of the jog counts as a stop, after which the motion cannot continue.
+                // Any end of the jog is a stop, after which the motion cannot continue.
                 if (!port_.holdWith(id, *target)) {
                     going_ = 0;
                 }

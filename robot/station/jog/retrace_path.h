@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The recorded trail of the arm as joint positions, and the motion back along it while a button is held. In a
-// narrow space, the trail is the only path out that is known to be free.
+// The recorded trail of the arm as joint positions, and the motion back along the trail while a button is
+// held. In a narrow space, the trail may be the only path that is known to be free.
 
 #include <cstdint>
 #include <deque>
@@ -20,35 +20,35 @@ public:
     using Speed = std::function<double(const JointPositions& from, const JointPositions& to)>;
 
     /// port   moves the arm
-    /// speed  of the motion back; called for each segment
+    /// speed  speed of the motion back, called for each segment
     RetracePath(const MotionPort& port, Speed speed);
 
-    /// Adds the position of the arm, except while the arm moves back. After a jump the path in between is
-    /// unknown, so the trail is restarted.
+    /// Adds the arm position, except while the arm moves back. After a jump, the path in between is unknown,
+    /// so the trail starts again.
     void record(const JointPositions& q);
-    /// Discards the trail. Call when another program has moved the arm, or when the connection has changed.
+    /// Discards the trail. Call when another program has moved the arm or when the connection has changed.
     void clear();
     bool isEmpty() const;
-    /// Speed of the motion if the button were pressed now; 0 if no trail is left.
+    /// Speed that the motion would have; 0 without a trail.
     double speed() const;
-    /// Target of the next segment; empty if no trail is left.
+    /// Target of the next segment; empty without a trail.
     std::optional<JointPositions> nextPlace() const;
     int size() const { return static_cast<int>(trail_.size()); }
-    /// Positions of the trail. The first one is the oldest and the final target.
+    /// Positions of the trail. The first is the oldest and the final target.
     const std::deque<JointPositions>& places() const { return trail_; }
     /// Changes with every change of the positions.
     std::uint64_t revision() const { return revision_; }
 
-    /// The motion for the button: a joint jog between the positions of the trail, with the heartbeat timeout,
-    /// limits and stops of a jog. It ends at the start of the trail, or before a part where the arm would come too
-    /// close to an obstacle; that part and the older trail are discarded. A stop ends the motion earlier, and the
-    /// remaining trail is kept.
+    /// The motion of the button: a joint jog between the positions of the trail, with the heartbeat timeout,
+    /// limits and stops of a jog. It ends at the start of the trail, or before a part where the arm would be
+    /// too close to an obstacle. That part and the older trail are discarded. After a stop, the remaining
+    /// trail is kept.
     HoldMotion motion();
 
     /// Positions closer than this to the previous one are not recorded [rad].
     static constexpr double kSpacing = 0.0087;
     static constexpr int kCapacity = 4000;
-    /// A larger change between two reported positions counts as a jump [rad].
+    /// A larger change between two reported positions is a jump [rad].
     static constexpr double kJump = 0.15;
 
 private:

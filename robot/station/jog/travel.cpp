@@ -12,7 +12,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPadKeys = 12;
-/// Minimum remaining travel of a button that moves the arm away from a limit.
+/// Minimum remaining travel of a suggested button.
 constexpr double kMinTravel = 0.030;      ///< [m]
 constexpr double kMinTravelAngle = 0.10;  ///< [rad]
 
@@ -45,7 +45,7 @@ int bestKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, doub
     int best = -1;
     for (int key = 0; key < kPadKeys; ++key) {
         const Vector6 twist = twistOf(key, R_base_frame);
-        // A metre and a radian are weighted equally, because each takes about one second of jogging.
+        // A metre and a radian have the same weight, because each takes about one second of jogging.
         const double gained = gain(solver.solve(twist));
         if (gained > least && hasTravelLeft(state, twist, key)) {
             least = gained;

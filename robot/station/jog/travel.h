@@ -13,11 +13,11 @@
 
 namespace tiller {
 
-/// Maximum distance over which a jog is evaluated.
+/// Maximum distance for which a jog is evaluated.
 inline constexpr double kTravelSeen = 1.0;       ///< [m]
 inline constexpr double kTurnSeen = 3.14159265;  ///< [rad]
 
-/// Remaining travel for a button of the jog pad from the current position of the arm.
+/// Remaining travel of a jog pad button from the current arm position.
 /// direction  unit twist in the base frame, as control::jogReach
 /// Threads    any. Takes about a millisecond
 control::JogReach travelLeft(const SessionState& state, const Vector6& direction);
@@ -30,9 +30,9 @@ struct NearestBodies {
 /// Returns nothing if no pair is closer than its safety distance plus `beyond` [m].
 std::optional<NearestBodies> nearestBodies(const SessionState& state, double beyond);
 
-// These functions return the one of the twelve buttons (X-, X+, Y-, Y+, ... Rz-, Rz+) that moves the arm away
-// from a limit fastest and has sufficient remaining travel, or -1.
-// R_base_frame  the axes of the buttons
+// These functions return one of the twelve buttons (X-, X+, Y-, Y+, ... Rz-, Rz+), or -1. It is the button
+// that moves the arm away from a limit fastest and has sufficient remaining travel. R_base_frame  axes of the
+// buttons
 
 /// Moves this joint away from its limit.
 int escapeKey(const SessionState& state, const Eigen::Matrix3d& R_base_frame, int joint);
