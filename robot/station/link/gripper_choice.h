@@ -16,8 +16,8 @@ struct GripperChoice {
 
     Kind kind = Kind::None;
     Model model = Model::TwoF85;
-    /// Bit numbers of the outputs. Switching `closeOutput` on closes the gripper. With two outputs,
-    /// `openOutput` is then switched off, and vice versa.
+    /// Bit numbers of the outputs. `closeOutput` on closes the gripper. With two outputs, `openOutput` is
+    /// then switched off, and vice versa.
     int closeOutput = io::kFirstTool;
     int openOutput = io::kFirstTool + 1;
 
@@ -30,9 +30,9 @@ struct GripperChoice {
     std::uint32_t outputsTo(bool close) const {
         return close ? 1U << closeOutput : kind == Kind::TwoOutputs ? 1U << openOutput : 0U;
     }
-    /// Text for the settings, e.g. "robotiq|2F-85", "outputs|16|17"; empty if there is no gripper.
+    /// Text for the settings, e.g. "robotiq|2F-85", "outputs|16|17"; empty without a gripper.
     QString toText() const;
-    /// Returns a choice without gripper if the text is invalid.
+    /// Returns a choice without a gripper if the text is invalid.
     static GripperChoice fromText(const QString& text);
     friend bool operator==(const GripperChoice&, const GripperChoice&) = default;
 };

@@ -8,7 +8,7 @@ namespace tiller {
 
 std::int64_t HoldBounds::longestOf(double seconds) {
     constexpr double kSpare = 5;
-    constexpr double kMax = 3600;  // limits the hold even for an invalid number
+    constexpr double kMax = 3600;  // limits the hold even if `seconds` is invalid
     const double sane = std::isfinite(seconds) ? std::clamp(seconds, 0.0, kMax) : 0.0;
     return static_cast<std::int64_t>((sane + kSpare) * kNsPerSecond);
 }

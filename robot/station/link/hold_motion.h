@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A motion that runs only while an operator holds a button: its start, refresh, end and maximum duration.
+// A motion that runs only while an operator holds a button: start, refresh, end and maximum duration.
 
 #include <cstdint>
 #include <functional>
@@ -21,35 +21,34 @@ struct HoldBounds {
     static constexpr double kUnconfirmedLength = 0.025;            ///< [m]
     static constexpr double kUnconfirmedAngle = 0.26179938779915;  ///< [rad] 15 deg
 
-    /// Maximum duration of the motion [ns]. If 0, HoldPolicy::longestNs applies.
+    /// Maximum duration of the motion [ns]. 0: HoldPolicy::longestNs applies.
     std::int64_t longestNs = 0;
     /// Maximum time without an event from the touch contact or joystick [ns].
     std::int64_t holdTimeoutNs = kMinHoldTimeoutNs;
 
-    /// Maximum duration of a motion with a known duration: the duration plus 5 s.
+    /// Maximum duration of a motion with a known duration: that duration plus 5 s.
     static std::int64_t longestOf(double seconds);
-    /// Time in which the arm moves at most by kUnconfirmedLength and kUnconfirmedAngle, limited to
-    /// kMinHoldTimeoutNs ... kMaxHoldTimeoutNs [ns].
-    /// linear, angular  speeds [m/s, rad/s]; a speed of 0 is ignored
+    /// Time in which the arm moves by kUnconfirmedLength or kUnconfirmedAngle at most, limited to
+    /// kMinHoldTimeoutNs ... kMaxHoldTimeoutNs [ns]. linear,
+    /// angular  speeds [m/s, rad/s]; a speed of 0 is ignored
     static std::int64_t holdTimeoutAt(double linear, double angular);
 };
 
-/// The motion of one held button: its start, refresh and end, and its limits. Created from MotionPort, which
-/// provides jogs, moves and freedrive independently of buttons. HoldGuard monitors the button independently
-/// of the robot.
+/// The motion of one held button: start, refresh, end and limits. Created from MotionPort, which provides
+/// jogs, moves and freedrive independent of buttons. HoldGuard monitors the button independent of the robot.
 struct HoldMotion {
     using Id = std::uint64_t;
-    /// Starts the motion, or returns the reason why it is refused.
+    /// Starts the motion, or returns an error if it is refused.
     std::function<Result<Id>()> begin;
     /// Keeps the motion active. Returns false if the motion has been stopped or has reached its target.
     std::function<bool(Id)> hold;
     std::function<void(Id, control::StopCause)> end;
-    /// Called when the button is pressed. Returns true for a short limited step, which runs to its end after
-    /// the button is released. All other stop conditions still apply. If empty, releasing the button ends the
-    /// motion.
+    /// Called when the button is pressed. Returns true for a short limited step, which continues to its end
+    /// after the button is released. All other stop conditions still apply. Empty: releasing the button ends
+    /// the motion.
     std::function<bool()> runsToEnd;
-    /// Called after the start. Returns the limits of the hold. If empty, the motion itself has no duration
-    /// limit.
+    /// Called after the start. Returns the limits of the hold. Empty: the motion has no duration limit of its
+    /// own.
     std::function<HoldBounds()> bounds = {};
 };
 

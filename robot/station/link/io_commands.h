@@ -10,8 +10,8 @@
 
 namespace tiller {
 
-/// A general purpose input register and the value to be read from it by a program on the robot. Integers
-/// 24-33 and doubles 24-41 are reserved for the control program and other channels of this interface.
+/// A general purpose input register, and a value that a robot program can read from it. Integers 24-33 and
+/// doubles 24-41 are reserved for the control program and other channels of this interface.
 struct RegisterValue {
     enum class Kind { Int, Double, Bit };
     Kind kind = Kind::Int;
@@ -22,11 +22,11 @@ struct RegisterValue {
     static constexpr int last(Kind kind) { return kind == Kind::Bit ? 127 : 47; }
 };
 
-/// Label printed next to the terminal of the controller, e.g. "DI 0", "CO 3", "TO 1".
+/// Label of the controller terminal, e.g. "DI 0", "CO 3", "TO 1".
 /// channel  0-7 standard, 8-15 configurable, 16-17 tool
 QString ioTerminal(bool output, int channel);
 
-/// Reason why outputs cannot be set, by group; empty if they can. Valid after connecting.
+/// Why outputs cannot be set, by group; empty if they can. Valid after connecting.
 struct OutputHolders {
     QString standard;
     QString configurable;

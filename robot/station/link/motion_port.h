@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The interface through which all panels move the arm, so that each panel can be tested without a robot.
-// HoldMotion (hold_motion.h) describes the motion of a single held button.
+// The interface through which all panels move the arm. It allows a panel to be tested without a robot.
+// HoldMotion (hold_motion.h) describes the motion of a held button.
 
 #include <cstdint>
 #include <functional>
@@ -35,7 +35,7 @@ struct MotionPort {
     std::function<Result<void>(std::span<const JointPositions>)> permitsPath = {};
 };
 
-/// Returns the port of a session, which must outlive it.
+/// Returns the port of a session. The session must outlive the port.
 MotionPort motionPort(RobotSession& session);
 
 }  // namespace tiller

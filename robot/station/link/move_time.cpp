@@ -15,14 +15,14 @@ namespace tiller {
 namespace {
 
 constexpr double kMinFraction = 0.02;  // minimum of the speed slider
-/// Below this speed the motion counts as a pure rotation of the TCP [m/s].
+/// Below this speed, the motion is treated as a pure rotation of the TCP [m/s].
 constexpr double kMinShownSpeed = 0.0005;
-constexpr double kMinMotion = 1e-4;  // [rad], or [m] for a line; above the position noise of an arm at rest
+constexpr double kMinMotion = 1e-4;  // [rad], or [m] for a line; exceeds the position noise at rest
 
 struct LineDistance {
     double distance = 0;  ///< translation of the TCP [m]
     double turn = 0;      ///< [rad]
-    double length = 0;    ///< path length that the commanded speed refers to [m]
+    double length = 0;    ///< path length to which the commanded speed refers [m]
 };
 
 LineDistance lineDistance(const Pose& from, const Pose& to) {
@@ -31,13 +31,13 @@ LineDistance lineDistance(const Pose& from, const Pose& to) {
             kinematics::lineLength(from, to)};
 }
 
-/// Maximum commanded speed of the line at which TCP and elbow stay below `cap` [m/s].
+/// Maximum commanded line speed at which TCP and elbow stay below `cap` [m/s].
 double lineBound(const SessionState& state, const Pose& to, double cap) {
     if (!std::isfinite(cap)) {
         return std::numeric_limits<double>::infinity();
     }
-    // Use the TCP computed from the model instead of the reported one, so that distance and speed bound refer
-    // to the same line.
+    // Use the calculated TCP instead of the reported one, so that distance and speed bound refer to the same
+    // line.
     const DhParameters& dh = state.dh;
     const LineDistance way = lineDistance(kinematics::forwardTcp(dh, state.q, state.tcpOffset), to);
     const double tcp = kinematics::lineSpeedBound(dh, state.q, to, state.tcpOffset, cap,
@@ -67,7 +67,7 @@ QString moveSpeedText(const MoveRequest& request, const SessionState& state) {
         if ((request.q.values - state.q.values).cwiseAbs().maxCoeff() < kMinMotion) {
             return {};
         }
-        // The bound is proportional to the cap. For a cap of 1 m/s it is the joint travel per metre.
+        // The bound is proportional to the cap. With a cap of 1 m/s, it is the joint travel per metre.
         const kinematics::SpeedBound bound =
             kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, 1.0);
         tcp = request.speed / bound.speed;
@@ -90,8 +90,8 @@ MoveRequest slowedTo(const HeldSpeed& speed, MoveRequest request, const SessionS
              kinematics::jointSpeedBound(state.dh, state.q, request.q, state.tcpOffset, speed.tcp).speed});
         return request;
     }
-    // The commanded speed of a line refers to the longer of distance and rotation. Each of the two stays
-    // below its limit.
+    // The commanded speed of a line refers to the longer of distance and rotation. Both speeds stay below
+    // their limits.
     const LineDistance way = lineDistance(state.tcpPose, request.pose);
     if (way.distance > kMinMotion) {
         request.speed = std::min({request.speed, speed.tcp * way.length / way.distance,

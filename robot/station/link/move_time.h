@@ -7,11 +7,11 @@
 
 namespace tiller {
 
-/// Duration of the move from the current position of the arm at the current speed slider [s].
+/// Duration of the move from the current arm position at the current speed slider [s].
 double moveSeconds(const MoveRequest& request, const SessionState& state);
 
-/// Maximum speed of the move at the current speed slider. The value refers to TCP and elbow ("50 mm/s"), or
-/// to the rotation if they hardly move ("15 °/s"). Empty if there is no motion.
+/// Maximum speed of the move at the current speed slider, of TCP and elbow ("50 mm/s"), or of the rotation if
+/// they hardly move ("15 °/s"). Empty without motion.
 QString moveSpeedText(const MoveRequest& request, const SessionState& state);
 
 /// Maximum speed of a hold-to-run motion, as selected next to the jog buttons.
@@ -21,7 +21,7 @@ struct HeldSpeed {
     double joint = std::numeric_limits<double>::infinity();     ///< [rad/s]
 };
 
-/// Returns the same move, limited to that speed.
+/// Returns the same move, limited to this speed.
 MoveRequest slowedTo(const HeldSpeed& speed, MoveRequest request, const SessionState& state);
 
 }  // namespace tiller

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Reasons why the robot cannot perform an action in its current state, each as a sentence that ends with the
-// suggested action.
+// Why the robot cannot perform an action in its current state, as sentences that end with the suggested
+// action.
 
 #include <QString>
 
@@ -10,17 +10,16 @@
 
 namespace tiller {
 
-/// The reason reported by the session, or one derived from connection and modes. Empty only if
+/// The reason reported by the session, or a reason derived from connection and modes. Empty only if
 /// state.canMove().
 QString cannotMoveReason(const SessionState& state);
 
 /// The cause to report when the arm can no longer be moved.
 control::StopCause stopCauseFor(const SessionState& state);
 
-/// Reason why this robot accepts no commands for power, recovery and programs over the network; empty if it
-/// does.
+/// Why this robot accepts no commands for power, recovery and programs over the network; empty if it does.
 QString serviceObstacle(const SessionState& state);
-/// Like serviceObstacle() above, for one command, because some robots do not support all commands.
+/// Like serviceObstacle() above, but for one command, because some robots do not support all commands.
 QString serviceObstacle(const SessionState& state, dashboard::RobotCommand command);
 
 }  // namespace tiller

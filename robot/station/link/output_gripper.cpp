@@ -6,7 +6,7 @@
 namespace tiller {
 namespace {
 
-/// Maximum time for which an unconfirmed command is shown as "pending".
+/// Maximum time for which an unconfirmed command is displayed as "pending".
 constexpr std::int64_t kGripperConfirmNs = 2 * kNsPerSecond;
 
 bool isOn(const SessionState& state, int output) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A gripper on one or two digital outputs: its reported state, the output levels for closing and opening, and
-// the reasons that prevent them. With one output, the level "on" closes the gripper. With two, one output
-// closes and the other opens; both are never on at the same time.
+// A gripper on one or two digital outputs: reported state, output levels for closing and opening, and
+// obstacles. With one output, "on" closes the gripper. With two outputs, one closes and the other opens; both
+// are never on at the same time.
 
 #include <QCoreApplication>
 #include <QString>
@@ -30,15 +30,15 @@ public:
     /// Updates the state from the robot. A command that is not confirmed within two seconds is no longer
     /// pending.
     void follow(const SessionState& state, std::int64_t nowNs);
-    /// Returns the outputs for closing or opening, and marks the command as pending until the robot reports
-    /// them.
+    /// Returns the outputs for closing or opening. The command is pending until the robot reports these
+    /// outputs.
     Command command(bool close, std::int64_t nowNs);
 
     /// Examples: "close requested", "pending…", "unknown".
     QString text() const;
-    /// Reason why the outputs cannot be used to close or open the gripper; empty if they can.
+    /// Why the outputs cannot be used to close or open the gripper; empty if they can.
     QString obstacle(const OutputHolders& holders) const;
-    /// A sentence if the robot did not confirm the newest command; otherwise empty.
+    /// A sentence if the robot has not confirmed the last command; empty otherwise.
     const QString& complaint() const { return complaint_; }
 
 private:

@@ -23,7 +23,7 @@ constexpr qsizetype kMaxNameLength = 120;
 constexpr int kMaxFileNumber = 99'999;
 const QString kNumber = QStringLiteral("{number}");
 
-/// Characters that are not allowed in file names on some file systems.
+/// Characters that some file systems do not allow in file names.
 bool isForbidden(QChar c) {
     return !c.isPrint() || QStringLiteral("/\\:*?\"<>|").contains(c);
 }
@@ -45,15 +45,15 @@ QString nameOf(const QString& pattern, const QString& robot, const QDateTime& no
     name.replace(QStringLiteral("{time}"), now.toString(QStringLiteral("HH-mm-ss")));
     name.replace(QStringLiteral("{robot}"), robot);
     std::replace_if(name.begin(), name.end(), isForbidden, QLatin1Char('_'));
-    // Robot names can be empty, or start with a dot, which would hide the file.
+    // Robot names can be empty or start with a dot, which would hide the file.
     if (name.isEmpty() || name.startsWith(QLatin1Char('.'))) {
         name.prepend(QLatin1Char('_'));
     }
     return name.left(kMaxNameLength);
 }
 
-/// All entries of the folder, including hidden and broken ones, in lower case because some file systems
-/// ignore case. On a network drive, listing the folder once is faster than testing each file name.
+/// All entries of the folder in lower case, because some file systems ignore case, including hidden and
+/// broken ones. On a network drive, listing the folder once is faster than testing each file name.
 QSet<QString> namesIn(const QDir& folder) {
     QSet<QString> names;
     const QStringList entries =

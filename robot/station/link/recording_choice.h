@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Recording settings chosen by the operator: folder, file name, recorded signals, and the number of packets
-// per row.
+// Recording settings of the operator: folder, file name, recorded signals, and the number of packets per row.
 
 #include <QDateTime>
 #include <QString>
@@ -14,23 +13,23 @@ namespace tiller {
 
 struct RecordingChoice {
     QString folder{};                        ///< empty: recordingFolder()
-    QString pattern = defaultPattern();      ///< pattern of the file name; see recordingPath()
+    QString pattern = defaultPattern();      ///< file name pattern; see recordingPath()
     QStringList fields{};                    ///< RTDE names; empty: all of recordableFields()
     int every = 1;                           ///< every n-th packet becomes a row
-    QString format = QStringLiteral("csv");  ///< usual suffix of a row of recording::fileFormats()
-    int keepFree = 200;                      ///< stops recording when less is free on the disk [MB]
+    QString format = QStringLiteral("csv");  ///< suffix of a row of recording::fileFormats()
+    int keepFree = 200;                      ///< minimum free disk space; recording stops below it [MB]
 
     static constexpr int kMaxDecimation = 500;
     static constexpr int kMaxKeptFree = 100'000;  ///< [MB]
     static QString defaultPattern() { return QStringLiteral("{date}_{time}"); }
 
-    /// Returns the settings with invalid values replaced by the nearest valid ones.
+    /// Returns the settings with invalid values replaced by the nearest valid values.
     RecordingChoice sane() const;
 
     friend bool operator==(const RecordingChoice&, const RecordingChoice&) = default;
 };
 
-/// The row of a format that a recorder can write; CSV for unknown names.
+/// The row of a format that a recorder can write; CSV for unknown suffixes.
 const recording::FileFormat& recordingFormat(const QString& suffix);
 
 /// Translated words for a format.
@@ -46,8 +45,8 @@ QStringList recordableFields();
 QString recordingFolder();
 /// The error in a pattern, as a sentence; empty if the pattern is valid.
 QString patternProblem(const QString& pattern);
-/// The path of a new file: {date}, {time} and {robot} in the pattern are replaced, and {number} is the next
-/// number after those of the existing files. Never returns the path of an existing file.
+/// The path of a new file. {date}, {time} and {robot} in the pattern are replaced; {number} is one more than
+/// the highest number of the existing files. Never returns the path of an existing file.
 QString recordingPath(const RecordingChoice& choice, const QString& robot, const QDateTime& now);
 
 }  // namespace tiller

@@ -19,11 +19,11 @@ struct RecoveryGuide {
     /// Checks that the operator must confirm before `step` can be executed; empty if nothing is unlocked.
     QStringList checks;
     RecoveryStep step = RecoveryStep::Look;  ///< next step; keyText() is the label of its button
-    bool takesControl = false;  ///< the robot has completed the recovery; the next action is to take control
-    QString waiting;            ///< why the step is not possible yet with all checks confirmed; may be empty
-    int countdown = 0;          ///< remaining lock time of the controller, rounded up [s]
+    bool takesControl = false;               ///< the recovery is complete; the next action is to take control
+    QString waiting;    ///< why the step is not possible yet with all checks confirmed, or empty
+    int countdown = 0;  ///< remaining lock time of the controller, rounded up [s]
 
-    /// The label of the button, e.g. "Unlock"; empty if the PC cannot perform the step.
+    /// Label of the button, e.g. "Unlock"; empty if the step must be performed at the robot.
     QString keyText() const;
 };
 

@@ -15,9 +15,8 @@ using dashboard::RobotCommand;
 /// The label of the button and the name in the log, e.g. "Power on".
 QString commandText(RobotCommand command);
 
-/// Confirmation by the operator that the arm has been inspected. Only RecoveryPage, which asks for the
-/// confirmation, can create this object, so no other part of the program can unlock a protective stop. The
-/// manufacturer forbids automatic reset.
+/// Confirmation by the operator that the arm has been inspected. Only RecoveryPage can create this object, so
+/// no other part of the program can unlock a protective stop. The manufacturer forbids automatic reset.
 class UnlockConsent {
     friend class RecoveryPage;
     UnlockConsent() = default;

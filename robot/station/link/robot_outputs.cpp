@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kConfirmTime{2000};
 constexpr milliseconds kQuickTime{500};
 constexpr milliseconds kConnectTime{3000};
-/// If a pulse exceeds the requested duration by more than this, the robot has failed to end it.
+/// A pulse that exceeds the requested duration by more than this time has not been ended by the robot.
 constexpr milliseconds kPulseGrace{300};
 
 QString holderOf(const Result<void>& can) {
@@ -42,15 +42,15 @@ struct PulseLevels {
     std::uint32_t after;
 };
 
-/// Shared objects that allow a pulse to complete safely while the connection is being closed.
+/// Objects shared with a pulse, so that it can end safely while the connection is being closed.
 struct PulseLink {
     std::shared_ptr<control::Controller> controller;
     std::shared_ptr<receive::Receiver> receiver;
     std::shared_ptr<io::Outputs> outputs;
 };
 
-/// Starts a pulse and waits until the robot ends it. Ends the pulse early when the button is released, and
-/// restores the outputs over RTDE if the robot did not restore them.
+/// Starts a pulse and waits until the robot ends it. Ends the pulse early when the button is released.
+/// Restores the outputs over RTDE if the robot has not restored them.
 /// leaving  the connection is being closed, so the remaining steps must be fast
 /// ended    the order was cancelled, or `leaving`
 Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, const OutputOrder::Pulse& pulse,
@@ -89,7 +89,7 @@ Result<void> runHeldPulse(const PulseLink& link, const PulseLevels& levels, cons
     }
     const Deadline quick = Deadline::after(leaving.isCancelled() ? kQuickTime : kConfirmTime);
     (void)pulses.end(levels.mask,
-                     quick);  // fails without control or response; the outputs are restored below
+                     quick);  // fails without control or a response; the outputs are restored below
     const Result<void> back = link.outputs->setDigitalOutputs(levels.mask, levels.after, quick);
     return begun ? back : begun;
 }
@@ -120,7 +120,8 @@ const OutputHolders& RobotOutputs::holders() const {
 }
 
 void RobotOutputs::followControl() {
-    // Long enough for the steps of dragging the slider, short enough for a client that retries its start.
+    // Long enough for the intervals while the slider is dragged, short enough for a client that retries its
+    // start.
     constexpr std::int64_t kUnusedNs = 2 * kNsPerSecond;
     const std::int64_t nowNs = d_.clock->nowNs();
     if (d_.state.control == ControlState::InControl && !d_.monitorOnly) {
@@ -137,7 +138,7 @@ void RobotOutputs::followControl() {
 }
 
 void RobotOutputs::release() {
-    // Another client may need the inputs that an open connection claims.
+    // Another client may need the inputs that this connection claims.
     releasing_ = true;
     holders_ = {};
     d_.worker.post(&session_, [this, outputs = d_.link->outputs](const CancelToken&) {
@@ -186,7 +187,7 @@ void RobotOutputs::setDigitalOutput(int output, bool on) {
 
 void RobotOutputs::writeDigitalOutput(int output, bool on) {
     usedNs_ = d_.clock->nowNs();
-    // An output that is set manually is no longer tracked as a pulse.
+    // A manually set output is no longer tracked as a pulse.
     std::erase_if(pulses_, [output](const RunningPulse& pulse) { return pulse.output == output; });
     const QString done =
         tr("Output %1: %2").arg(terminalText(ioTerminal(true, output)), on ? tr("on") : tr("off"));
@@ -417,10 +418,10 @@ void RobotOutputs::setSpeedSlider(double fraction) {
     });
 }
 
-// Logs slider changes by any client, but only after the slider has stopped moving.
+// Logs slider changes by any client when the slider has stopped moving.
 void RobotOutputs::reportSlider() {
     constexpr std::int64_t kRestNs = 500 * kNsPerMs;
-    constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // time for a requested value to take effect
+    constexpr std::int64_t kOursNs = 3 * kNsPerSecond;  // maximum time until a requested value takes effect
     constexpr double kSame = 0.005;
     const std::int64_t now = d_.clock->nowNs();
     const double fraction = d_.state.speedFraction;

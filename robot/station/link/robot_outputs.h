@@ -2,7 +2,7 @@
 #pragma once
 
 // Commands of the session other than motion: outputs, registers, the speed slider. Operations that wait for
-// the robot run on the session's worker. The result is reported by a message and shown in the next state.
+// the robot run on the session's worker. A message reports the result, and the next state shows it.
 
 #include <QCoreApplication>
 #include <QMap>
@@ -21,9 +21,9 @@ namespace tiller {
 class RobotSession;
 struct SessionBackend;
 
-/// For a command whose result the caller needs, or that the caller may cancel while it is queued.
+/// For a command whose result the caller needs, or which the caller may cancel while it is queued.
 struct OutputOrder {
-    /// A temporary change. The robot measures the time and then restores the outputs, independently of this
+    /// A temporary change. The robot measures the time and then restores the outputs, independent of this
     /// program. Requires control.
     struct Pulse {
         double seconds = 0;
@@ -32,8 +32,7 @@ struct OutputOrder {
         std::function<std::uint32_t()> holds;
     };
 
-    /// If cancelled, a queued command is not sent. A command already sent is not undone, except that a pulse
-    /// ends.
+    /// Cancels a queued command. A command already sent is not undone, but a pulse ends.
     CancelToken token = {};
     std::optional<Pulse> pulse = {};
     /// Called with the result in the GUI thread: Cancelled if the command was not sent. May be empty, because
@@ -55,29 +54,30 @@ public:
     /// what  prefix in the log, e.g. "Gripper: close"
     void setDigitalOutputs(std::uint32_t mask, std::uint32_t values, const QString& what,
                            const OutputOrder& order = {});
-    /// Switches the output on, and off after `seconds`, measured by the robot. Rejected with a message if not
-    /// in control.
+    /// Switches the output on, and off after `seconds`, measured by the robot. Without control, rejected with
+    /// a message.
     void pulseDigitalOutput(int output, double seconds);
-    /// Reason why outputs cannot be pulsed now, as a sentence; empty if they can.
+    /// Why outputs cannot be pulsed now, as a sentence; empty if they can.
     QString pulseObstacle() const;
     /// output  0 or 1; level  0 ... 1, for 4 to 20 mA or 0 to 10 V
     void setAnalogOutput(int output, io::AnalogDomain domain, double level);
     void setRegister(const RegisterValue& value);
     const OutputHolders& holders() const;
-    /// Sets the operator's names by terminal ("DO 0", "AO 1"), used in messages.
+    /// Sets the operator's names by terminal ("DO 0", "AO 1"), for messages.
     void setNames(const QMap<QString, QString>& names);
 
-    // Used by the session.
-    /// Claims the inputs of the robot while in control, and releases them after some time without use.
+    // For the session.
+    /// Claims the inputs of the robot while in control, and releases them when they have not been used for
+    /// some time.
     void followControl();
     /// Releases the inputs of the robot immediately.
     void release();
     void reportSlider();
-    /// Restores outputs whose pulse was not ended by the robot because its control program was ended or
+    /// Restores outputs if the robot has not ended their pulse because its control program was ended or
     /// paused.
     void followPulses();
-    /// Switches off outputs that a pulse may have left on, even in monitor-only mode, because this program
-    /// started the pulse.
+    /// Switches off outputs that a pulse may have left on. Permitted in monitor-only mode, because this
+    /// program started the pulse.
     void endPulses();
     /// Clears all data about the robot except the names.
     void forget();
@@ -86,7 +86,7 @@ private:
     QString terminalText(const QString& terminal) const;
     QString changeText(int output, bool on, const std::optional<OutputOrder::Pulse>& pulse) const;
     void report(std::uint64_t generation, const QString& done, const Result<void>& result);
-    /// Claims the inputs and finds out which ones other clients have claimed.
+    /// Claims the inputs and determines which inputs other clients have claimed.
     void claim();
 
     RobotSession& session_;
@@ -96,15 +96,15 @@ private:
     /// Pulses timed by the robot, without a held button.
     struct RunningPulse {
         int output = 0;
-        std::int64_t dueNs = 0;  ///< the robot has ended the pulse by this time
+        std::int64_t dueNs = 0;  ///< latest end of the pulse by the robot
     };
     void writeDigitalOutput(int output, bool on);
 
     std::vector<RunningPulse> pulses_;
-    std::int64_t usedNs_ = 0;     ///< time of the last command, or of the last frame in control
+    std::int64_t usedNs_ = 0;     ///< time of the last command or of the last frame in control
     bool heldByControl_ = false;  ///< claimed since control was taken
     bool releasing_ = false;
-    std::optional<double> sliderWanted_;  ///< newest request while an earlier one is executed
+    std::optional<double> sliderWanted_;  ///< newest request while another is executed
     bool sliderBusy_ = false;
     std::optional<double> sliderLogged_;  ///< last logged value
     double sliderSeen_ = 0;               ///< value in the last frame

@@ -17,9 +17,9 @@ using dashboard::ServiceKind;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kReplyTime{3000};
-/// The Robot API might reply only after the command has been completed.
+/// The Robot API may reply only after the command is complete.
 constexpr milliseconds kDoneTime{10'000};
-/// A change to Local must be detected within one second, so the state is queried every half second.
+/// The state is queried every half second, because a change to Local must be detected within one second.
 constexpr std::int64_t kAskEveryNs = kNsPerSecond / 2;
 
 /// Sends one command and reports a rejection.
@@ -135,7 +135,7 @@ void RobotServices::stopPrograms(control::StopCause cause, std::uint64_t epoch) 
 
 void RobotServices::stopOnEveryRoute(control::StopCause cause) {
     unconfirmed_.reset();
-    // Cancel taking control first, so that the stop also applies to everything it still sends.
+    // Cancel taking control first, so that the stop also applies to anything that is still sent.
     d_.taking.cancel();
     d_.link->foreignStop->request(cause, *d_.link->receiver);
 }
@@ -187,7 +187,7 @@ void RobotServices::ask() {
                                  return;
                              }
                              reportAsked_ = false;
-                             // The kind of service remains known while the service does not respond.
+                             // The type of service stays known while the service does not respond.
                              dashboard::ServiceReport silent;
                              silent.kind = d_.report.kind;
                              d_.report = result ? *result : silent;
@@ -200,7 +200,7 @@ void RobotServices::followReport(const dashboard::ServiceReport& report) {
     if (!report.remoteControl) {
         return;
     }
-    // If a robot was never in Remote, remote control is assumed to be disabled, and the robot accepts
+    // If the robot was never in Remote, remote control is assumed to be disabled, and the robot accepts
     // commands in Local.
     const bool was = std::exchange(remoteSeen_, *report.remoteControl);
     if (was && !remoteSeen_) {
@@ -208,7 +208,7 @@ void RobotServices::followReport(const dashboard::ServiceReport& report) {
     } else if (!was && remoteSeen_) {
         d_.localRefuses = true;
         if (d_.state.control == ControlState::Refused) {
-            d_.refusal.clear();  // the cause is resolved, or is reported again by the next attempt
+            d_.refusal.clear();  // the cause is resolved, or the next attempt reports it again
         }
         d_.link->foreignStop->reconnect();
     }

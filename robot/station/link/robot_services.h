@@ -3,7 +3,7 @@
 
 // Requests from the session to the controller: power, recovery and programs, and stopping external programs.
 // Also queries the values that RTDE does not report: control mode, operational mode and loaded program.
-// Results are reported by messages and shown in the next state.
+// Messages report the results, and the next state shows them.
 
 #include <QCoreApplication>
 #include <QString>
@@ -29,26 +29,25 @@ class RobotServices {
 public:
     RobotServices(RobotSession& session, SessionBackend& backend) : session_(session), d_(backend) {}
 
-    /// confirmed  the operator agrees that the command ends a program of another client. Without this
-    ///            confirmation, PowerOff while such a program runs only emits
-    ///            RobotSession::powerOffQuestion().
+    /// confirmed  the operator agrees that the command ends a program of another client. Without
+    /// confirmation, PowerOff only emits RobotSession::powerOffQuestion() while such a program runs
     void perform(RobotCommand command, bool confirmed = false);
     /// Requires the operator's explicit confirmation.
     void unlockProtectiveStop(const UnlockConsent& consent);
     /// name  relative to the controller's programs folder
     void loadProgram(const QString& name);
 
-    // Used by the session.
+    // For the session.
     /// Handles a stop by STOP, Esc or Space. Stops external programs. Also stops Tiller's own program on all
-    /// routes unless a confirmation arrives that the control program has stopped.
+    /// routes, unless it is confirmed that the control program has stopped.
     /// epoch  of the stop, see Controller::stop()
     void stopPrograms(control::StopCause cause, std::uint64_t epoch);
-    /// True if the connection for stopping external programs is open, so that a stop can be sent immediately.
+    /// True if the connection for stopping external programs is open, so that a stop can be sent at once.
     bool stopsForeignProgramsAtOnce() const;
     void followForeignStop(const SampleBatch& batch);
     /// Queries the values not available over RTDE about twice a second.
     void ask();
-    /// Discards a pending stop so that it does not affect programs started later.
+    /// Discards a pending stop, so that it cannot affect programs started later.
     void forgetStop() { unconfirmed_.reset(); }
     void forget();
 
@@ -59,7 +58,7 @@ private:
 
     RobotSession& session_;
     SessionBackend& d_;
-    /// A stop during control that has not been confirmed yet.
+    /// A stop while in control that is not confirmed yet.
     struct Unconfirmed {
         control::StopCause cause;
         control::StopConfirmation confirmation;

@@ -26,7 +26,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kTakeControlTime{5000};
 constexpr milliseconds kSendPathTime{5000};
 
-/// A stop by the robot is described by its safety mode, e.g. "Protective stop".
+/// The safety mode describes a stop by the robot, e.g. "Protective stop".
 QString stopSentence(const control::StopMeasurement& stop, SafetyStatus safety) {
     const bool bySafety = stop.cause == control::StopCause::UnsafeMode && !allowsMotion(safety);
     return RobotSession::tr("Stopped: %1 (%2 ms, %3)")
@@ -120,7 +120,7 @@ void RobotSession::connectTo(const RobotAddress& address) {
     }
     link->receiver = std::make_shared<receive::Receiver>(receiverOptions);
     link->stream = link->receiver->subscribe();
-    static_cast<void>(link->receiver->start());  // failures are stored in lastError(), which readLink() shows
+    static_cast<void>(link->receiver->start());  // lastError() keeps a failure, which readLink() shows
 
     control::ControllerOptions controllerOptions;
     controllerOptions.host = address.host;
@@ -171,7 +171,7 @@ void RobotSession::disconnectFromRobot() {
     ++d_->generation;
     d_->controlling.cancelAll();
     d_->worker.cancelAll();
-    // Joining the threads of the link takes a few tenths of a second, so this is done by the worker.
+    // Joining the threads of the link takes a few tenths of a second, so the worker does it.
     d_->worker.postCleanup([link = std::shared_ptr<RobotLink>(std::move(d_->link))]() mutable {
         link->controller->release();
         link->outputs->disconnect();
@@ -227,7 +227,7 @@ void RobotSession::setMonitorOnly(bool on) {
         return;
     }
     if (on) {
-        outputs_.endPulses();  // ends the control program that times the pulses
+        outputs_.endPulses();  // releaseControl() ends the program that times the pulses
         stop(control::StopCause::ControlLost);
         releaseControl();
     }
@@ -263,7 +263,7 @@ void RobotSession::takeControl(ForeignProgram program) {
         return;
     }
     if (program == ForeignProgram::Ask && !d_->state.hasData()) {
-        // It is unknown whether an external program runs.
+        // Whether an external program is running is unknown.
         Q_EMIT message(Severity::Warning, d_->state.controlReason);
         return;
     }
@@ -456,7 +456,7 @@ Result<RobotSession::MotionId> RobotSession::beginProgram(const QString& script,
                 }
                 shared->motion = motion;
                 shared->isStarted = true;
-                motion.setGate(shared->gate);  // may have changed since the call
+                motion.setGate(shared->gate);  // the gate may have changed since the call
                 return true;
             };
             const Result<void> outcome =
@@ -548,7 +548,7 @@ void RobotSession::startPath(MotionId ticket, const Result<control::PreparedPath
 
 namespace {
 
-/// Starts the path after it has been sent, if the button is still held, and then keeps it active.
+/// If the button is still held, starts the path when it has been sent. Then keeps the path active.
 bool holdPath(RobotLink& link) {
     PathStart& path = link.path;
     if (path.phase == PathStart::Phase::Ready) {
@@ -678,7 +678,7 @@ void RobotSession::stop(control::StopCause cause) {
 // -----------------------------------------------------------------------------------------------------
 
 void RobotSession::refresh() {
-    // Moved out of the member for this frame, because a connected slot may process events and thereby start
+    // Move the buffer out of the member, because a connected slot may process events and thereby start
     // another frame.
     std::vector<receive::Sample> room = std::move(d_->room);
     const std::uint64_t connection = d_->sample.connection;

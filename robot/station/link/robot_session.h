@@ -43,14 +43,14 @@ class PreparedPath;
 }  // namespace control
 
 struct RobotAddress {
-    QString name;  ///< shown in the robot selector
+    QString name;  ///< displayed in the robot selector
     QString host;  ///< address or host name
     int portOffset = 0;
     bool simulated = false;
 };
 
 enum class Severity { Info, Warning, Error };
-/// Originator of the action described by a message.
+/// Origin of the action described by a message.
 enum class Origin { Tiller, Operator, Robot };
 
 /// A limited motion: a jog step, or a move to a waypoint.
@@ -61,11 +61,11 @@ struct MoveRequest {
     Pose pose;                  ///< MoveL: target TCP pose in the base frame
     double speed = 0.25;        ///< MoveJ [rad/s], MoveL [m/s]
     double acceleration = 1.2;  ///< MoveJ [rad/s2], MoveL [m/s2]
-    /// For several motions of one button press. The motion starts only if the number of stops still has this
+    /// For several motions of one button press. The motion starts only if the number of stops is still this
     /// value.
     std::optional<std::uint64_t> stops = {};
-    /// True if the target is a position of the project. The motion does not start while the project guard of
-    /// the session refuses it.
+    /// True if the target is a position of the project. The project guard of the session can refuse such a
+    /// motion.
     bool toProject = false;
 };
 
@@ -73,18 +73,17 @@ class RobotSession : public QObject {
     Q_OBJECT
 
 public:
-    /// clock  used for all timeouts and ages in the session; the steady clock except in tests
+    /// clock  for all timeouts and ages in the session; the steady clock except in tests
     explicit RobotSession(const Clock& clock = SteadyClock::shared(), QObject* parent = nullptr);
     ~RobotSession() override;
 
     const SessionState& state() const;
-    /// For clients with a separate update rate; null while disconnected. For display use samplesReceived and
+    /// For clients with their own update rate; null while disconnected. For display, use samplesReceived and
     /// stateChanged.
     receive::Receiver* receiver() const;
     /// Like receiver(), for another thread, which may keep the receiver slightly longer than the connection
     /// exists.
     std::shared_ptr<const receive::Receiver> sharedReceiver() const;
-    /// The address of the current or last connection.
     const RobotAddress& address() const;
 
     // Connection. These functions never block. The result is reported by stateChanged and message.
@@ -92,10 +91,9 @@ public:
     void disconnectFromRobot();
 
     /// Sets the additional fields requested by parts of the window, for this and later robots. Replaces
-    /// earlier requests. The fields are delivered by extraSamplesReceived.
+    /// earlier requests. extraSamplesReceived delivers the fields.
     void followExtraFields(const QStringList& fields);
-    /// Fields that this robot does not send: requested fields that it does not have, and fields missing in
-    /// its software.
+    /// Requested or standard fields that this robot does not send, e.g. because of its software version.
     QSet<QString> absentFields() const;
 
     /// Outputs, registers and the speed slider.
@@ -107,42 +105,42 @@ public:
     RobotTooling& tooling() { return tooling_; }
     SessionRecording& recording() { return recording_; }
 
-    /// In monitor-only mode every command that changes the robot is rejected with a message, regardless of
-    /// the caller. stop() still works. Control is released first.
+    /// In monitor-only mode, every command that changes the robot is rejected with a message, regardless of
+    /// the caller. stop() still works. Setting the mode releases control first.
     void setMonitorOnly(bool on);
     bool isMonitorOnly() const;
-    /// Checked first by every command that changes the robot, here and in the parts of the session. In
+    /// Must be called first by every command that changes the robot, here and in the parts of the session. In
     /// monitor-only mode, reports that `command` is rejected and returns true.
     bool refusesCommand(const QString& command);
 
-    /// For a change of outputs, gripper or speed slider by the operator. If a program of another client runs, emits
-    /// changeQuestion() and returns true, and the caller must not make the change. Without a receiver of the question,
-    /// returns false.
+    /// For a change of outputs, gripper or speed slider by the operator. If a program of another client is
+    /// running, emits changeQuestion() and returns true, and the caller must not make the change. If nothing
+    /// is connected to the signal, returns false.
     /// what    name of the change, e.g. "DO 3"
     /// change  makes the change after the operator has agreed
     bool asksBeforeChange(const QString& what, const std::function<void()>& change);
     /// True if asksBeforeChange() would ask now.
     bool mustAskBeforeChange() const;
-    /// The operator agreed: asksBeforeChange() returns false until this program ends.
+    /// The operator has agreed. asksBeforeChange() returns false until this program ends.
     void confirmChanges();
 
     // Control. The result is reported by stateChanged and message.
     /// Handling of another client's program that is running or paused on the robot.
     enum class ForeignProgram { Ask, Stop };
-    /// Uploads the control script. Requires RUNNING, and Remote control if the controller supports it. This
-    /// ends any other program on the robot. Unless `program` is Stop, takeControl() only emits
-    /// takeControlQuestion() if there is such a program, and only a message with the reason if there are no
-    /// data from the robot.
+    /// Uploads the control program. Requires RUNNING, and Remote control if the controller supports it. This
+    /// ends any other program on the robot. Unless `program` is Stop, only emits takeControlQuestion() if
+    /// there is such a program, or reports the reason if there are no robot data.
     void takeControl(ForeignProgram program = ForeignProgram::Ask);
-    /// Ends the control program, so that others can use the robot.
+    /// Ends the control program, so that other clients can use the robot.
     void releaseControl();
 
-    /// Takes effect immediately. Jogs slow down and end at the safety distance. Moves and paths that would
-    /// violate the safety distance are refused. Warns about objects whose position is unknown: while there
-    /// are such objects, moves are refused and jogs are not.
+    /// Takes effect at once. Jogs slow down and end at the safety distance. Moves and paths that would
+    /// violate the safety distance are refused. Objects whose position is unknown are reported in a warning;
+    /// while there are such objects, moves are refused, but jogs are permitted.
     void setSurroundings(const collision::CellSurroundings& cell);
-    /// Checks whether these moves, executed in sequence from the current position of the arm, are permitted.
-    /// Errors  NoSolution with a sentence that names the two bodies that would come too close, and where
+    /// Checks whether these moves are permitted in sequence from the current arm position.
+    /// Errors  NoSolution with a sentence that names the two bodies that would be too close, and the position
+    /// on the path
     Result<void> permits(std::span<const MoveRequest> moves) const;
     /// Like permits(), for a path of joint positions.
     Result<void> permitsPath(std::span<const JointPositions> way) const;
@@ -152,21 +150,21 @@ public:
     // again.
     using MotionId = std::uint64_t;
     /// guard  called before every move to a position of the project (MoveRequest::toProject, beginPath()).
-    ///        Returns the reason why the move must not start, as a sentence; empty if it may start. A refused
-    ///        move ends with Cancelled and this sentence.
+    /// Returns why the move must not start, as a sentence; empty if it may start. A refused move ends with
+    /// Cancelled and this sentence.
     void setProjectGuard(std::function<QString()> guard) { projectGuard_ = std::move(guard); }
     Result<MotionId> beginJog(const control::JogTarget& target);
-    /// Errors  include those of permits(), because every bounded motion of every button is started here
+    /// Errors  include those of permits(), because every limited motion of a button starts here
     Result<MotionId> beginMove(const MoveRequest& request);
     /// Starts several moves, blended by the controller. The moves are first sent to the controller, which
-    /// takes a few tenths of a second. During this time the motion counts as active: it can be held, ended and
+    /// takes a few tenths of a second. During this time, the motion is active: it can be held, ended and
     /// stopped, but the arm does not move yet. motionProgress() reports why a path could not start.
     /// stops   as MoveRequest::stops
     /// Errors  include those of permits()
     Result<MotionId> beginPath(std::vector<control::PathEntry> path, std::uint64_t stops);
-    /// Sends a complete program and runs it instead of the control program, and takes control again afterwards.
-    /// The program counts as an active motion from the call until control is back, and no other motion can
-    /// start. Ending the motion ends the program. motionProgress() reports the result.
+    /// Sends a complete program, runs it instead of the control program, and then takes control again. The
+    /// program is an active motion from this call until control is back, and no other motion can start.
+    /// Ending the motion ends the program. motionProgress() reports the result.
     /// script   URScript, one `def`. It ends when this process ends or the connection is lost
     /// holding  Held: needs hold() like every motion, and also ends when the program is paused
     /// stops    as MoveRequest::stops
@@ -183,33 +181,33 @@ public:
     ///         or did not end normally: those of control::Programs::runScript()
     ///         except Stopped
     Result<control::MotionProgress> motionProgress(MotionId motion) const;
-    /// Starts freedrive, in which the arm can be guided by hand.
+    /// Starts freedrive, in which the arm can be moved by hand.
     Result<MotionId> beginFreedrive(const control::Freedrive& freedrive);
-    /// Keeps the motion active. The target of a jog may change during the motion.
-    /// Returns  false if the motion has been stopped; the button has to be pressed again
+    /// Keeps the motion active. For a jog, the target may change.
+    /// Returns  false if the motion has been stopped; the button must be pressed again
     bool hold(MotionId motion);
     bool hold(MotionId motion, const control::JogTarget& target);
     void endMotion(MotionId motion, control::StopCause cause);
-    /// Stops any motion, regardless of what started it. STOP, Esc and Space (identified by the cause) also
-    /// stop an external program and cancel taking control. Can be called at any time.
+    /// Stops any motion. A stop by STOP, Esc or Space (identified by the cause) also stops an external
+    /// program and cancels taking control. Can be called at any time.
     void stop(control::StopCause cause);
     const control::MotionLimits& limits() const;
-    /// Sets the maximum speed of TCP and elbow [m/s], above 0. Takes effect immediately. A change stops the
+    /// Sets the maximum speed of TCP and elbow [m/s], above 0. Takes effect at once. A change stops the
     /// current motion.
     void setSpeedCap(double metresPerSecond);
 
     /// Processes one frame: fetches the samples since the last frame, creates a new SessionState from the
-    /// newest sample and emits it. Called by the frame timer of the session, and directly where a change must
-    /// be visible immediately. Tests in virtual time call it themselves.
+    /// newest sample and emits it. Called by the frame timer of the session, and directly if a change must be
+    /// visible at once. Tests in virtual time call it themselves.
     void refresh();
     /// Frame period [ms].
     static constexpr int kFrameMs = 16;
-    /// Closes the connection and waits until it is closed. Used at program end.
-    /// Blocks: half a second at most, longer only if a file system blocks
+    /// Closes the connection and waits until it is closed. For the end of the program. Blocks: half a second
+    /// at most, longer only if a file system blocks
     void shutDown();
 
 Q_SIGNALS:
-    /// A connection to a robot begins. Earlier data belong to another robot or connection.
+    /// A connection to a robot has started. Earlier data belong to another robot or connection.
     void linkBegan();
     /// The first data of a connection have arrived, after connecting or reconnecting.
     void connected();
@@ -218,27 +216,27 @@ Q_SIGNALS:
     /// Like samplesReceived(), for the fields of followExtraFields().
     void extraSamplesReceived(const tiller::SampleBatch& batch);
     void stateChanged(const tiller::SessionState& state);
-    /// A motion ended and its stop was measured.
+    /// A motion has ended and its stop was measured.
     void motionStopped(const tiller::control::StopMeasurement& measurement);
-    /// A message for the log, which the operator can read again later.
-    /// detail  meaning of the text and suggested action, as sentences; may be empty
+    /// A message for the log.
+    /// detail  explanation and suggested action, as sentences; may be empty
     void message(tiller::Severity severity, const QString& text,
                  tiller::Origin origin = tiller::Origin::Tiller, const QString& detail = {});
-    /// The operator added a note about a point in time, at which recordings store it.
+    /// The operator has added a note for a point in time. Recordings store it at that time.
     /// utcNs  this time [ns since 1970]
     void noteAdded(const QString& text, qint64 utcNs);
     /// The robot's service has replied to a command, or could not be reached.
     void commandDone(tiller::RobotCommand command, bool done);
-    /// takeControl() would end a program of another client. Call it again with ForeignProgram::Stop if the
-    /// operator agrees.
+    /// takeControl() would end a program of another client. If the operator agrees, call it again with
+    /// ForeignProgram::Stop.
     void takeControlQuestion();
     /// A change could disturb the program of another client. If the operator agrees, call confirmChanges() and
     /// `change`.
     void changeQuestion(const QString& what, const std::function<void()>& change);
-    /// RobotServices::perform(PowerOff) would end a program of another client. Call it again with `confirmed`
-    /// if the operator agrees.
+    /// RobotServices::perform(PowerOff) would end a program of another client. If the operator agrees, call
+    /// it again with `confirmed`.
     void powerOffQuestion();
-    /// A complete message from the controller. It is also emitted as message().
+    /// A complete message from the controller. Also emitted as message().
     void controllerMessage(const tiller::script::ControllerMessage& message);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Sets TCP and payload of the tool on the robot. Requires control of the robot. The next state shows whether
-// the robot has accepted them. The result is reported by a message.
+// Sets TCP and payload of the tool on the robot. Requires control. The next state shows whether the robot has
+// accepted them. A message reports the result.
 
 #include <QCoreApplication>
 #include <QString>
@@ -31,7 +31,7 @@ public:
         std::optional<std::array<double, 6>> inertia;      ///< Ixx, Iyy, Izz, Ixy, Ixz, Iyz [kg m2]
     };
 
-    /// Rejected while the arm moves, because its speed would refer to a different point.
+    /// Rejected while the arm moves, because its speed would then refer to a different point.
     /// tcp   T_flange_tcp [m, rad]
     /// name  for the log
     void setTcp(const Pose& tcp, const QString& name);

@@ -22,7 +22,7 @@ constexpr milliseconds kGripperReplyTime{2000};
 constexpr milliseconds kCommandTime{4000};
 constexpr int kActivationMs = 15'000;
 constexpr int kLookEveryMs = 100;
-/// Replies that are older than this are not used.
+/// Maximum age of a reply that is used [ms].
 constexpr int kFreshMs = 1000;
 constexpr std::array kRetryMs = {500, 1000, 2000, 5000};
 
@@ -157,7 +157,7 @@ void RobotiqLink::lose(const QString& reason) {
     activating_.reset();
     held_ = false;
     ++failures_;
-    // Each reason is logged once. Further attempts with the same reason are not logged.
+    // Each reason is logged once.
     if (reason != reason_) {
         reason_ = reason;
         Q_EMIT session_.message(Severity::Warning, reason);
@@ -253,7 +253,7 @@ void RobotiqLink::post(const Command& command) {
     busy_ = true;
     carriedOut_ = false;
     held_ = false;
-    // Not set while the command is queued, because another command may replace it.
+    // Not set for a queued command, because another command may replace it.
     if (command.activates) {
         activating_.emplace().start();
     }
@@ -261,7 +261,8 @@ void RobotiqLink::post(const Command& command) {
         const CancelToken either(
             [token, own = command.token] { return token.isCancelled() || own.isCancelled(); });
         const Deadline deadline = Deadline::after(kCommandTime, either);
-        // Do not reconnect to send a command, because the state may have changed since the command was given.
+        // Do not reconnect to send a command, because the state may have changed since the command was
+        // issued.
         const Result<void> result = command.token.isCancelled()
                                         ? Error{ErrorCode::Cancelled, command.what, {}}
                                         : command.call(*client, deadline);
@@ -280,7 +281,7 @@ void RobotiqLink::post(const Command& command) {
                 Q_EMIT session_.message(Severity::Error,
                                         tr("%1 failed. %2").arg(command.what, errorText(result.error())));
             }
-            // The next state query shows the effect and ends the busy state.
+            // The next state query reads the effect and ends the busy state.
             lookTimer_.start(0);
             Q_EMIT changed();
         });

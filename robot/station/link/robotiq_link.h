@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The connection of the window to a Robotiq gripper. A separate thread queries its state several times a
-// second and sends commands, so that an unresponsive gripper delays neither the window nor an output. Values
+// The connection of the window to a Robotiq gripper. A separate thread queries the state several times a
+// second and sends commands, so that an unresponsive gripper does not delay the window or an output. Values
 // that the gripper does not report are shown as unknown, with the reason. Every command and its result is
 // logged.
 //
-// The gripper is not part of the arm's motion. A stop of the arm does not affect the gripper, which keeps its
-// grip. A gripper command started by a held button is ended by stop() when the button is released.
+// The gripper is independent of the arm motion. A stop of the arm does not affect the gripper, which keeps
+// its grip. A gripper command started by a held button is ended by stop() when the button is released.
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -29,7 +29,7 @@ class RobotiqLink : public QObject {
     Q_OBJECT
 
 public:
-    /// session  used for the log only
+    /// session  used only for the log
     explicit RobotiqLink(RobotSession& session, QObject* parent = nullptr);
     ~RobotiqLink() override;
 
@@ -41,11 +41,11 @@ public:
 
     /// Empty if the state is unknown.
     std::optional<io::RobotiqState> state() const;
-    /// Reason why the state is unknown and the suggested action, as sentences; empty if it is known.
+    /// Why the state is unknown, and the suggested action, as sentences; empty if it is known.
     QString reason() const;
-    /// The fault with the suggested action; empty if there is no fault.
+    /// The fault and the suggested action; empty without a fault.
     QString faultText() const;
-    /// True while the effect of a sent command has not been read back.
+    /// True until the effect of a sent command has been read back.
     bool isBusy() const { return busy_; }
     /// Converts a position of the gripper to the distance between the fingers [m], and back.
     double opening(int position) const;
@@ -53,13 +53,13 @@ public:
 
     /// Activates the gripper: the fingers open and close once, and a held object is released.
     void activate();
-    /// While a command is being executed, one further command is queued. A later command replaces the queued
-    /// one.
-    /// position, speed, force  0 ... 255
+    /// While a command is being executed, one more command is queued. A later command replaces the queued
+    /// one. position, speed,
+    /// force  0 ... 255
     /// what   for the log, e.g. "Gripper: close"
     /// token  if cancelled, the command is not sent
     void move(int position, int speed, int force, const QString& what, const CancelToken& token = {});
-    /// Stops the fingers and discards queued commands. Reconnects if the connection was lost.
+    /// Stops the fingers and discards queued commands. Reconnects after a lost connection.
     void stop(const QString& what);
 
 Q_SIGNALS:
@@ -91,17 +91,17 @@ private:
     QString host_;
     int port_ = 0;
     GripperChoice::Model model_ = GripperChoice::Model::TwoF85;
-    std::uint64_t generation_ = 0;  ///< replies to an older follow() are ignored
+    std::uint64_t generation_ = 0;  ///< replies for an older follow() are ignored
     QTimer lookTimer_;
     bool looking_ = false;
     bool busy_ = false;
-    bool carriedOut_ = false;  ///< the newest command was executed; only a later query shows its effect
+    bool carriedOut_ = false;  ///< the last command was executed; the next query shows its effect
     std::optional<Command> next_;
     int failures_ = 0;  ///< number of consecutive failures
     std::optional<io::RobotiqState> state_;
     QElapsedTimer answered_;
     QString reason_;
-    bool held_ = false;  ///< an object is held, as last logged
+    bool held_ = false;  ///< an object is held, according to the log
     io::RobotiqFault logged_ = io::RobotiqFault::None;
     std::optional<QElapsedTimer> activating_;  ///< time since the activation command
     // End positions of the fingers in units of the gripper. Typical values are used until the fingers have

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// All packets that the frame timer fetched from the receiver since the previous frame, for plots and other
-// clients that need the full rate. SessionState is created from the last packet, so all parts of the window
-// show the same sample.
+// All packets that the frame timer has fetched from the receiver since the previous frame, for plots and
+// other clients that need the full rate. SessionState is created from the last packet, so that all parts of
+// the window show the same sample.
 
 #include <QMetaType>
 #include <cstdint>

@@ -54,7 +54,7 @@ std::shared_ptr<receive::Receiver> SessionRecording::receiverFor(const std::vect
     options.clock = d_.clock;
     options.priority = 0;
     options.fields.clear();
-    // The robot limits the number of fields. The registers of the link are last, so they are left out first.
+    // The robot limits the number of fields. Registers of the link are last, so that they are omitted first.
     std::vector<std::string> wanted = fields;
     for (const receive::SampleLayout::Entry& entry : receiver.layout()->entries()) {
         wanted.push_back(entry.name);
@@ -125,8 +125,8 @@ void SessionRecording::start(const RecordingOrder& order) {
     extras.facts["written_by"] = "tiller " + QCoreApplication::applicationVersion().toStdString();
     extras.attachmentName = projectName_.toStdString();
     extras.attachment = project_.toStdString();
-    // File access may be slow, so the file worker opens and closes the file. Until then, samples are kept in
-    // the subscription.
+    // File access may be slow, so the file worker opens and closes the file. Until then, the subscription
+    // keeps the samples.
     d_.files.post(&session_, [this, options, extras, &format, robot = d_.address,
                               isCb3 = receiver.version().isCb3(), stream = source->subscribe(), source,
                               isOwn = source != d_.link->receiver](const CancelToken& cancel) {

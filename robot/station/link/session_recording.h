@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Records the robot data in a file, with one row per packet or per n-th packet. All calls return immediately.
-// Results are shown in SessionState::recording and by messages.
+// Records robot data in a file, with one row per packet or per n-th packet. No call blocks.
+// SessionState::recording and messages show the results.
 
 #include <QByteArray>
 #include <QCoreApplication>
@@ -25,11 +25,11 @@ struct SessionBackend;
 /// Settings of a new recording.
 struct RecordingOrder {
     QString path;
-    QStringList fields{};  ///< RTDE names; empty: those that ur_rtde records, or all in a complete format
-    QStringList shown{};   ///< RTDE names of displayed signals, recorded in addition to the others
+    QStringList fields{};  ///< RTDE names; empty: those recorded by ur_rtde, or all in a complete format
+    QStringList shown{};   ///< RTDE names of displayed signals, recorded additionally
     int every = 1;         ///< every n-th packet becomes a row
     QString format = QStringLiteral("csv");  ///< as RecordingChoice::format
-    std::int64_t keepFree = 200'000'000;     ///< stops recording when less is free on the disk [bytes]
+    std::int64_t keepFree = 200'000'000;     ///< minimum free disk space; recording stops below it [bytes]
 };
 
 class SessionRecording {
@@ -39,28 +39,27 @@ public:
     SessionRecording(RobotSession& session, SessionBackend& backend);
 
     void start(const RecordingOrder& order);
-    /// Starts a recording in CSV format.
     void start(const QString& path, const QStringList& fields = {}) {
         start(RecordingOrder{.path = path, .fields = fields});
     }
-    /// Sets the project stored in files of formats that support it, from the next recording on. An empty name
-    /// stores no project.
+    /// Sets the project stored in files of formats that support it, from the next recording on. Empty name:
+    /// no project is stored.
     void setProject(const QString& name, const QByteArray& content);
     void stop();
 
-    // Used by the session.
+    // For the session.
     void reportFailure();
 
 private:
-    /// Adds an entry to the current recording, if any.
+    /// Adds an entry to the current recording, if there is one.
     void keep(const recording::RecordedNote& note);
-    /// The receiver of the link, or another one if fields are needed that the link does not receive.
+    /// The receiver of the link, or another receiver if the link does not receive all fields.
     std::shared_ptr<receive::Receiver> receiverFor(const std::vector<std::string>& fields);
 
     RobotSession& session_;
     SessionBackend& d_;
     bool wasRecording_ = false;
-    bool reportedNotes_ = false;  ///< that notes cannot be written
+    bool reportedNotes_ = false;  ///< a failure to write notes was reported
     QString projectName_;
     QByteArray project_;
 };

@@ -32,7 +32,7 @@ enum class LinkState {
 enum class ControlState {
     None,       ///< monitoring only
     Taking,     ///< the control script is being uploaded
-    InControl,  ///< the script responds: the arm can be moved
+    InControl,  ///< the script responds; the arm can be moved
     Refused,    ///< see SessionState::controlReason
 };
 
@@ -57,7 +57,7 @@ struct RecordingState {
     std::uint64_t rows = 0;
     double seconds = 0;
     std::int64_t bytes = 0;      ///< size of the file
-    std::uint64_t lost = 0;      ///< packets missing in the file, for any reason
+    std::uint64_t lost = 0;      ///< packets missing in the file for any reason
     std::int64_t freeBytes = 0;  ///< free space on the disk of the file
     QString error;               ///< why the last recording ended; empty if it was stopped on request
 };
@@ -77,7 +77,7 @@ struct SessionState {
         robotModel(RobotModelId::UR5e).dh;  ///< kinematics of the robot, with its calibration, if reported
     control::JointLimits jointLimits =
         control::jointLimitsOf(robotModel(RobotModelId::UR5e));  ///< reported values, if available
-    /// The collision model of the arm and its surroundings, with the safety distance of jogs and moves; null
+    /// The collision model of the arm and its environment, with the safety distance for jogs and moves; null
     /// while disconnected.
     std::shared_ptr<const collision::CollisionCheck> check;
     LinkQuality quality;
@@ -87,20 +87,20 @@ struct SessionState {
     SafetyMode safetyMode = SafetyMode::Undefined;
     SafetyStatus safetyStatus = SafetyMode::Undefined;  ///< Undefined if the software does not report it
     RuntimeState runtimeState = RuntimeState::Stopped;
-    /// The running program is a control program without a client, at standstill; see
-    /// control::AbandonedProgram. Taking control does not interrupt any other client.
+    /// The running program is a control program at standstill without a client; see
+    /// control::AbandonedProgram. Taking control does not interrupt another client.
     bool programAbandoned = false;
     bool remoteControl = false;
     bool controlPlaceKnown = true;  ///< false if the software reports neither Local nor Remote
-    bool remoteNeeded = false;      ///< the robot is in Local, and is known to reject commands in this mode
+    bool remoteNeeded = false;      ///< the robot is in Local and is known to reject commands in Local
     dashboard::ServiceKind service = dashboard::ServiceKind::Unknown;  ///< interface for power and programs
     QString operationalMode;  ///< "MANUAL", "AUTOMATIC"; empty: not set, or unknown
     QString loadedProgram;    ///< loaded on the robot; empty: no program
     double speedCap = 0.250;  ///< speed limit of Tiller for TCP and elbow [m/s]
     ControlState control = ControlState::None;
     QString controlReason;  ///< why the arm cannot be moved now, as a sentence; empty if it can
-    /// The connection was lost while in control, and since then control has neither been taken nor released.
-    /// Space and Esc still stop the robot regardless of the keyboard focus.
+    /// The connection was lost while in control, and control has not been taken or released since. Space and
+    /// Esc still stop the robot regardless of the keyboard focus.
     bool controlInDoubt = false;
     control::ControlLoss controlLoss =
         control::ControlLoss::NotTaken;  ///< reason for the last loss of control
@@ -129,7 +129,7 @@ struct SessionState {
     Vector6 jointCurrent = Vector6::Zero();      ///< [A]
     Vector6 jointTemperature = Vector6::Zero();  ///< [deg C]
     control::StopMeasurement lastStop;
-    bool lastStopSeen = true;  ///< false if data ended while the arm moved, so the stop is unknown
+    bool lastStopSeen = true;  ///< false if data ended during motion, so that the stop was not measured
     control::Limiter limiter;  ///< limit that reduces the requested speed
 
     // I/O: bits 0-7 standard, 8-15 configurable, 16-17 tool
@@ -142,7 +142,7 @@ struct SessionState {
     double robotTime = 0;        ///< the controller's time stamp [s]
     std::uint64_t sequence = 0;  ///< number of the displayed sample; 0: no sample yet
 
-    /// The robot's model with its calibrated kinematics.
+    /// The robot model with its calibrated kinematics.
     RobotModel arm() const {
         RobotModel own = robotModel(model);
         own.dh = dh;
@@ -150,14 +150,15 @@ struct SessionState {
     }
     /// True if pressing a jog button would move the arm.
     bool canMove() const { return control == ControlState::InControl && controlReason.isEmpty(); }
-    /// The more relevant of the two safety values that the controller sends.
+    /// The more relevant of the two safety values reported by the controller.
     SafetyStatus safety() const { return shownSafety(safetyMode, safetyStatus); }
     /// True if an external program is running, or will run shortly, and may move the arm.
     bool foreignProgramRuns() const {
         return hasData() && control != ControlState::InControl && runtimeState != RuntimeState::Stopped &&
                runtimeState != RuntimeState::Paused;
     }
-    /// True if a program of another client or of the pendant runs or is paused. Taking control would end it.
+    /// True if a program of another client or of the pendant is running or paused. Taking control would end
+    /// it.
     bool hasForeignProgram() const {
         return (foreignProgramRuns() && !(programAbandoned && isFresh())) ||
                (hasData() && control != ControlState::InControl && runtimeState == RuntimeState::Paused);
@@ -170,7 +171,7 @@ struct SessionState {
         constexpr double kFreshMs = 100;
         return hasData() && link == LinkState::Live && quality.ageMs <= kFreshMs;
     }
-    /// True if Space and Esc stop the robot regardless of the keyboard focus. Otherwise the focused control
+    /// True if Space and Esc stop the robot regardless of the keyboard focus. Otherwise, the focused widget
     /// receives these keys.
     bool keysStop() const {
         return control == ControlState::InControl || control == ControlState::Taking || controlInDoubt;

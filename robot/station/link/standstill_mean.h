@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Mean reading of the force sensor over one second at rest, because a single sample is too noisy. Any
-// movement invalidates the result.
+// Mean reading of the force sensor over one second at rest, because a single sample is too noisy. Any motion
+// invalidates the result.
 
 #include <optional>
 
@@ -13,7 +13,7 @@ namespace tiller {
 
 class StandstillMean {
 public:
-    /// Number of states with new data that are averaged.
+    /// Number of averaged states with new data.
     static constexpr int kSamples = 50;
 
     enum class Outcome { Collecting, Done, Moved, NoForce };
@@ -27,8 +27,8 @@ public:
     /// After Done: the reading at the flange, including everything mounted on it. Also available if the
     /// software does not report the raw value.
     kinematics::PayloadReading reading() const { return reading_; }
-    /// After Done: the remaining force at the TCP after subtracting the payload set on the robot, in the base
-    /// frame.
+    /// After Done: the force at the TCP that remains after subtracting the payload set on the robot, in the
+    /// base frame.
     Wrench remaining() const { return remaining_; }
     double payloadMass() const { return payloadMass_; }  ///< as set on the robot [kg]
 

@@ -14,7 +14,7 @@ using Pin = project::WaypointActionKind::Pin;
 using Time = project::WaypointActionKind::Time;
 using Grip = project::WaypointActionKind::Grip;
 
-/// Robot data that are older than this are not used [ms].
+/// Maximum age of robot data [ms].
 constexpr double kOldest = 100;
 /// Maximum duration of a gripper motion; a longer motion has failed [s].
 constexpr double kMaxGripTime = 15;
@@ -49,7 +49,7 @@ double ActionStep::longestOf(const project::WaypointAction& action) {
     if (kind.time == Time::Limit) {
         return action.seconds > 0 ? action.seconds : project::kMaxActionTime;
     }
-    // The opposite level at the end of a pulse is confirmed too.
+    // The opposite level at the end of a pulse is also confirmed.
     const int confirmations = kind.pin != Pin::Output ? 0 : kind.time == Time::Duration ? 2 : 1;
     return (kind.time == Time::Duration ? action.seconds : 0) + confirmations * kMaxConfirmation +
            (isGrip(action) ? kMaxGripTime : 0);

@@ -2,9 +2,9 @@
 #pragma once
 
 // One action at a waypoint as a step of a hold-to-run sequence: an output, a wait, or the gripper. No command
-// is sent after the button is released. Every condition that ends a motion also ends the action: the fingers
-// of a Robotiq stop, and a pulsed output is switched back, even if the window hangs. Times are measured with
-// the robot's clock. Inputs are checked once per frame, so a change shorter than 16 ms may be missed.
+// is sent after the button is released. Every condition that ends a motion also ends the action: a Robotiq
+// gripper stops, and a pulsed output is switched back, even if the window hangs. Times are measured with the
+// robot's clock. Inputs are checked once per frame, so a change shorter than 16 ms may be missed.
 
 #include <QCoreApplication>
 #include <atomic>
@@ -18,7 +18,7 @@
 
 namespace tiller {
 
-/// Robot functions that actions need, other than motion.
+/// Robot functions for actions, other than motion.
 struct ActionPort {
     /// Like RobotOutputs::setDigitalOutputs().
     std::function<void(std::uint32_t mask, std::uint32_t values, const QString& what,
@@ -44,7 +44,7 @@ public:
 
     /// Maximum duration of the action [s].
     static double longestOf(const project::WaypointAction& action);
-    /// Reason why the action is not possible with this gripper, as a sentence; empty if it is possible.
+    /// Why the action is not possible with this gripper, as a sentence; empty if it is possible.
     static QString obstacle(const project::WaypointAction& action, const GripperChoice& gripper);
 
 private:

@@ -20,7 +20,7 @@ public:
     static QStringList of(const project::WaypointActions& actions);
     /// One text per kind of action, in the order of the kinds, e.g. "Set an output".
     static QStringList kinds();
-    /// Label of the terminal, e.g. "DO 3", "TI 1": an input if the action waits for one, otherwise an output.
+    /// Label of the terminal, e.g. "DO 3", "TI 1": the input for which the action waits, or the output.
     static QString terminal(const project::WaypointAction& action);
 };
 

@@ -58,7 +58,7 @@ bool HoldToRunSequence::hold(HoldMotion::Id id) {
     if (id != id_ || step_ == nullptr) {
         return false;
     }
-    // A stop also ends the sequence between two moves, when there is no motion to stop.
+    // A stop also ends the sequence between two moves, when no motion is active.
     if (stops_() != stopsBefore_) {
         end(id, StopCause::ApiCall);
         return false;
@@ -76,7 +76,7 @@ bool HoldToRunSequence::hold(HoldMotion::Id id) {
     } else {
         step_.reset();
     }
-    // An earlier stop is not a failure.
+    // A stop is not a failure.
     if (!goesOn && goesOn.error().code != ErrorCode::Stopped) {
         failed_(goesOn.error());
     }

@@ -2,8 +2,8 @@
 #pragma once
 
 // A sequence of moves and actions that runs while a button is held. When the button is released or the hold
-// ends for any other reason, the current step ends and no further step starts. No step starts after a stop,
-// regardless of its cause.
+// ends for another reason, the current step ends and no other step starts. After a stop by any cause, no step
+// starts.
 
 #include <cstdint>
 #include <functional>
@@ -20,7 +20,7 @@ public:
     enum class State {
         Going,
         Done,
-        Ended,  ///< ended early, by a stop or by the robot
+        Ended,  ///< stopped early, by Tiller or by the robot
     };
 
     virtual ~SequenceStep() = default;
@@ -28,7 +28,7 @@ public:
     virtual Result<void> begin(std::uint64_t stops) = 0;
     /// Keeps the step active. Call at least every 100 ms.
     virtual Result<State> hold() = 0;
-    /// Ends the step early. No part of the step continues afterwards.
+    /// Ends the step early. No part of the step continues.
     virtual void end(control::StopCause cause) = 0;
 };
 
@@ -36,10 +36,10 @@ class HoldToRunSequence {
 public:
     /// Returns the next step, or null after the last. An error ends the sequence.
     using Next = std::function<Result<std::unique_ptr<SequenceStep>>()>;
-    /// Receives the error when the sequence ends early, except after a stop.
+    /// Receives the error if the sequence ends early, except after a stop.
     using Failed = std::function<void(const Error&)>;
 
-    /// stops  returns the number of stops so far, as MotionPort::stops
+    /// stops  returns the number of stops, as MotionPort::stops
     HoldToRunSequence(std::function<std::uint64_t()> stops, Next next, Failed failed);
     ~HoldToRunSequence();
 
@@ -52,7 +52,7 @@ private:
     Result<HoldMotion::Id> begin();
     bool hold(HoldMotion::Id id);
     void end(HoldMotion::Id id, control::StopCause cause);
-    /// Returns false if there is no next step or it could not start.
+    /// Returns false if there is no next step or if it could not start.
     Result<bool> beginNext();
 
     std::function<std::uint64_t()> stops_;
@@ -63,10 +63,10 @@ private:
     std::uint64_t stopsBefore_ = 0;
 };
 
-/// A motion that consists of one move, or of several moves blended into each other.
+/// One move, or several blended moves.
 class MoveStep : public SequenceStep {
 public:
-    /// told  called with the index of the current move, from 0, whenever the index changes
+    /// told  called with the index of the current move, from 0, when it changes
     MoveStep(const MotionPort& port, MoveRequest move, std::function<void(int)> told);
     MoveStep(const MotionPort& port, control::MotionPath path, std::function<void(int)> told);
 

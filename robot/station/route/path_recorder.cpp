@@ -19,10 +19,10 @@
 namespace tiller {
 namespace {
 
-/// Minimum speed, so that a pause during teaching does not create a waypoint with a very low speed [rad/s].
+/// Minimum speed, so that a pause during teaching does not cause a very slow waypoint [rad/s].
 const double kSlowest = toRadians(2);
 
-/// Smaller changes count as standstill [rad].
+/// Smaller changes are treated as standstill [rad].
 constexpr double kNoPath = 0.005;
 
 double largestTurn(const JointPositions& a, const JointPositions& b) {
@@ -108,7 +108,7 @@ void PathRecorder::take(const SampleBatch& batch) {
     lost_ += batch.lost;
     for (const receive::Sample& sample : batch.samples) {
         const receive::RobotState robot(sample);
-        // After a restart, the clock of the controller starts again, so this is a new motion.
+        // After a restart, the controller clock starts again, so this is a new motion.
         if (shown_.size() > 0 && robot.timestamp() <= shown_.times.back()) {
             if (robot.timestamp() < shown_.times.back() - 1) {
                 Q_EMIT ended();
@@ -173,7 +173,7 @@ void PathRecorder::importFrom(const QString& path, int afterRow) {
 void PathRecorder::thin(project::Demonstration shown, int afterRow) {
     busy_ = true;
     Q_EMIT changed();
-    // Runs on the worker because the reduction repeatedly evaluates thousands of positions.
+    // Runs on the worker, because the reduction evaluates thousands of positions repeatedly.
     worker_.post(this, [this, afterRow, shown = std::move(shown), dh = document_.robot().dh,
                         tcpOffset = tcpOffset_, tolerance = tolerance_](const CancelToken&) {
         const project::Demonstration moving = project::withoutPauses(shown);

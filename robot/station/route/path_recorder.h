@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Implements "Record path": records the motion of the arm, guided by hand or jogged, between two presses of
-// the button, and reduces it to waypoints within a given tolerance. Recording does not move the arm. Also
-// imports and exports demonstrations.
+// Implements "Record path": records the arm motion by hand guiding or jogging between two presses of the
+// button, and reduces it to waypoints within a tolerance. Recording does not move the arm. Also imports and
+// exports paths.
 
 #include <QObject>
 #include <memory>
@@ -34,33 +34,31 @@ public:
     const project::PathTolerance& tolerance() const { return tolerance_; }
     void setTolerance(const project::PathTolerance& tolerance) { tolerance_ = tolerance; }
 
-    /// Starts a recording. Emits refused() with the reason if there are no data from the robot.
     void start();
     /// Adds the recorded path after this row (-1: at the end).
     void stop(int afterRow);
     /// Discards the recording.
     void abandon();
-    /// Imports a demonstration and adds it after this row.
+    /// Imports a path and adds it after this row.
     void importFrom(const QString& path, int afterRow);
-    /// Exports the path through these rows as a demonstration: linear in joint space, at the speeds of the
-    /// waypoints.
+    /// Exports the path through these rows: linear in joint space, at the waypoint speeds.
     /// Errors  InvalidArgument (fewer than two rows, or an unreachable waypoint), FileNotWritable, DiskFull
     Result<void> exportTo(const QString& path, const QList<int>& rows) const;
 
     /// Maximum duration of a recording [s].
     static constexpr double kLongest = 600;
-    /// Sample period of an exported demonstration [s].
+    /// Sample period of an exported path [s].
     static constexpr double kExportPeriod = 0.008;
 
 Q_SIGNALS:
     /// Emitted when isRecording(), seconds() or isBusy() has changed.
     void changed();
-    /// The recording ended because there are no more data or the maximum duration was reached. Call stop() to
-    /// keep it.
+    /// The recording has ended because no data arrive or the maximum duration is reached. Call stop() to keep
+    /// it.
     void ended();
     /// A path was added. `summary` describes the recording and the result.
     void kept(const QString& summary);
-    /// No path was added, for the given reason.
+    /// No path was added. `reason` explains why.
     void refused(const QString& reason, const QString& details);
 
 private:

@@ -11,7 +11,7 @@ namespace tiller {
 namespace {
 
 constexpr int kPathLookMs = 40;
-constexpr int kAtOnceMs = 4;             ///< time limit per update
+constexpr int kAtOnceMs = 4;             ///< time limit per frame
 constexpr double kSamePosition = 0.002;  ///< minimum change of any joint [rad]
 
 }  // namespace
@@ -25,14 +25,14 @@ PathWatch::PathWatch(const ProjectDocument& document, Permits permits, QObject* 
 }
 
 void PathWatch::setState(const SessionState& state) {
-    // Without data, the position is unknown and nothing can be checked.
+    // Without data, the arm position is unknown, so nothing can be checked.
     const auto check = state.hasData() ? state.check : nullptr;
     if (check != lookedWith_ || (state.q.values - lookedFrom_.values).cwiseAbs().maxCoeff() > kSamePosition) {
         lookedWith_ = check;
         lookedFrom_ = state.q;
         isOutdated_ = true;
     }
-    // While the arm moves, the results would be outdated immediately.
+    // While the arm moves, the results would be outdated at once.
     if (isOutdated_ && !state.moving) {
         isOutdated_ = false;
         lookAgain();

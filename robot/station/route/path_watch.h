@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Checks for each waypoint whether the arm may move to it from its current position. Only a few waypoints are
-// checked per frame, so that the check does not delay a frame.
+// Checks for each waypoint whether the arm may move to it from its current position. Checks only a few
+// waypoints per frame, so that frames are not delayed.
 
 #include <QObject>
 #include <QTimer>
@@ -30,7 +30,7 @@ public:
 
 Q_SIGNALS:
     /// A waypoint was checked.
-    /// limit  reason why the move would be refused, as a sentence; empty if the move is allowed
+    /// limit  why the move would be refused, as a sentence; empty if it is permitted
     void looked(const QUuid& waypoint, const QString& limit);
 
 private:

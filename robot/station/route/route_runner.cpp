@@ -47,7 +47,7 @@ RouteRunner::RouteRunner(const MotionPort& port, const ActionPort& actions, cons
           [this](const Error& error) { fail(error); }) {}
 
 QString RouteRunner::whyNot(const Error& error) {
-    // These errors are already complete sentences.
+    // These errors are complete sentences.
     const bool said = error.code == ErrorCode::NoSolution || error.code == ErrorCode::Cancelled;
     return said && error.controllerMessage.isEmpty() ? error.context : texts::errorText(error);
 }
@@ -76,7 +76,7 @@ HoldMotion RouteRunner::motion(Way way) {
         }
         return begin();
     };
-    // No action is active after the motion has ended for any reason.
+    // When the motion has ended for any reason, no action is active.
     motion.hold = [this, hold = std::move(motion.hold)](HoldMotion::Id id) {
         const bool alive = hold(id);
         if (!alive) {
@@ -165,7 +165,7 @@ QString RouteRunner::obstacle(Way way) const {
         document_.waypoints().at(rowOf(0)).actions.empty()) {
         return tr("A loop requires at least two waypoints. Select more waypoints, or clear “Loop”.");
     }
-    // Do not start a route that cannot be completed.
+    // Do not start a loop that cannot be completed.
     const bool whole = way == Way::Through && route_.isLoop();
     for (int place = whole ? 0 : *first; place <= lastPlace(way); ++place) {
         const int row = rowOf(place);
@@ -185,7 +185,7 @@ int RouteRunner::lastPlace(Way way) const {
     return way == Way::Through ? route_.size() - 1 : firstPlace(way).value_or(-1);
 }
 
-/// The gripper may change at any time, so it is only checked when the button is pressed.
+/// Checked only when the button is pressed, because the gripper may change at any time.
 QString RouteRunner::actionObstacle(Way way) const {
     if (way == Way::StepBack) {
         return {};
@@ -202,7 +202,7 @@ QString RouteRunner::actionObstacle(Way way) const {
     return {};
 }
 
-/// Prevents the start of a route that leads to a collision. Moves beyond those examined here are checked when
+/// Prevents the start of a route that leads to a collision. Moves beyond those checked here are checked when
 /// they start.
 Result<void> RouteRunner::permits(Way way) const {
     std::vector<MoveRequest> moves;
@@ -333,10 +333,10 @@ void RouteRunner::finishStep(Way way) {
     Q_EMIT routeChanged();
 }
 
-/// The next action of the waypoint that the arm has reached, or null if all actions are done.
+/// The next action of the waypoint that the arm has reached; null if all actions are complete.
 const project::WaypointAction* RouteRunner::nextAction() {
     const project::WaypointActions& all = document_.waypoints().at(rowOf(*route_.coming())).actions;
-    // If the actions were edited, all of them are executed again.
+    // If the actions were edited, execute all of them again.
     if (done_.size() > all.size() || !std::equal(done_.begin(), done_.end(), all.begin())) {
         done_.clear();
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 // Implements "Run route": moves through the waypoints of a route while a button is held. Each move has the
-// move type, the speed (limited by the selected one), and the blend of its waypoint. Releasing the button
+// move type, the speed (limited by the selected speed), and the blend of its waypoint. Releasing the button
 // pauses the route, and the next press continues to the next waypoint. Two more buttons move one waypoint
 // forward or back. Waypoints with a blend are combined into one path of the controller. At waypoints where
 // the arm stops or an action is executed, a separate move begins.
@@ -55,18 +55,18 @@ public:
 
     /// The hold-to-run motion for the button of this direction.
     HoldMotion motion(Way way);
-    /// Reason why the route does not allow this direction, as a sentence; empty if it does. Does not depend
-    /// on the robot.
+    /// Why the route does not permit this direction, as a sentence; empty if it does. Independent of the
+    /// robot.
     QString obstacle(Way way) const;
     /// Text for an error at the start or during the motion.
     static QString whyNot(const Error& error);
-    /// The move that a button press would start, or the current one.
+    /// The current move, or the move that a button press would start.
     Result<MoveRequest> firstMove(Way way) const;
 
 Q_SIGNALS:
     /// The next waypoint has changed.
     void routeChanged();
-    /// Emitted when the run aborts; `reason` is a translated sentence.
+    /// The run has been aborted. `reason` is a translated sentence.
     void failed(const QString& reason);
 
 private:
@@ -102,7 +102,7 @@ private:
     QVector<int> rows_;              ///< rows of the waypoints of the route
     QVector<int> leg_;               ///< the waypoints of the current segment
     int legs_ = 0;                   ///< segments started since the button was pressed
-    QUuid actingAt_;                 ///< last reached waypoint while its actions are incomplete
+    QUuid actingAt_;                 ///< last reached waypoint, while its actions are incomplete
     project::WaypointActions done_;  ///< completed actions
     std::optional<project::WaypointAction> acting_;
     HoldToRunSequence through_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Creates the move to a waypoint for hold-to-run operation, within the speed limits of the user interface.
+// Creates the hold-to-run move to a waypoint, within the speed limits of the user interface.
 
 #include "robot/project/reachability.h"
 #include "robot/station/link/robot_session.h"

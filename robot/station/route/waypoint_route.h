@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The waypoints of "Run route" in their order, and the progress along them: the next waypoint forward and the
-// next one back. Indices count from 0. This class only keeps the state and does not move the arm.
+// The waypoints of "Run route" in their order, and the progress: the next waypoint forward and back. Indices
+// count from 0. This class only keeps the state and does not move the arm.
 
 #include <QUuid>
 #include <QVector>
@@ -14,20 +14,20 @@ class WaypointRoute {
 public:
     /// Sets the waypoints and restarts before the first one.
     void setWaypoints(const QVector<QUuid>& ids);
-    /// Call after an edit of the list. Keeps the next waypoint, or restarts the route if this waypoint was
+    /// Call after an edit of the list. Keeps the next waypoint, or restarts the route if that waypoint was
     /// removed.
     void follow(const QVector<QUuid>& ids);
-    /// If true, the first waypoint follows the last one.
+    /// If true, the first waypoint follows the last waypoint.
     void setLoop(bool loop);
     bool isLoop() const { return loop_; }
 
     int size() const { return static_cast<int>(ids_.size()); }
     QUuid at(int place) const { return ids_.value(place); }
-    /// Target of a step forward; empty after the last waypoint.
+    /// Next waypoint in forward direction; empty after the last waypoint.
     std::optional<int> coming() const;
-    /// Target of a step back; empty before the first waypoint.
+    /// Next waypoint in backward direction; empty before the first waypoint.
     std::optional<int> before() const;
-    /// True from the first passed waypoint until a restart.
+    /// True from the first reached waypoint until a restart.
     bool isUnderWay() const { return underWay_; }
     /// True after the last waypoint.
     bool isDone() const { return underWay_ && !coming(); }
@@ -46,7 +46,7 @@ private:
     QVector<QUuid> ids_;
     bool loop_ = false;
     bool underWay_ = false;
-    bool cameRound_ = false;  ///< moved from the last waypoint to the first at least once
+    bool cameRound_ = false;  ///< has moved from the last waypoint to the first
     std::optional<int> on_;
     std::optional<int> back_;
 };

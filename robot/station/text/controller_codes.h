@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts for the numbered messages from the controller, with their meaning and the suggested action.
+// Texts for numbered controller messages: meaning and suggested action.
 
 #include <QString>
 
@@ -14,8 +14,8 @@ struct CodeWords {
     bool known = false;
 };
 
-/// code  as in ControllerMessage::code, e.g. 153 for C153. For codes without an entry, the function returns a
-///       text for the type of message, and the advice to look up the code.
+/// code  as in ControllerMessage::code, e.g. 153 for C153. For a code without an entry, returns a text for
+/// the type of message, and the advice to look up the code.
 CodeWords controllerCode(int code);
 
 }  // namespace tiller

@@ -13,7 +13,7 @@ namespace {
 
 constexpr QChar kMinus(0x2212);
 
-/// Uses the decimal separator of the window language, see LanguageTexts. Only for display, never for files.
+/// Uses the decimal separator of the window language, see LanguageTexts. For display only, not for files.
 QString withDecimalSign(QString figure) {
     const QString sign = QLocale().decimalPoint();
     return sign == QLatin1String(".") ? figure : figure.replace(QLatin1Char('.'), sign);

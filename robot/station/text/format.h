@@ -2,9 +2,9 @@
 #pragma once
 
 // Formats numbers for display. Input values are in SI units. Angles are displayed in degrees, with a true
-// minus sign, a fixed number of digits and the unit. Lengths and speeds are in notation.h because the
-// operator can choose their unit. The decimal separator is that of the window language, not of the system's
-// locale.
+// minus sign, a fixed number of digits and the unit. Lengths and speeds are in notation.h, because the
+// operator can choose their units. The decimal separator is that of the window language instead of the
+// system's locale.
 
 #include <QString>
 #include <cstdint>

@@ -184,7 +184,7 @@ ModeWords runtimeWords(RuntimeState state) {
 
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status) {
     if (status == SafetyMode::Undefined) {
-        return mode;  // `status` is not available in software before 3.10 and 5.4
+        return mode;  // before 3.10 and 5.4, `status` is not available
     }
     return allowsMotion(status) && !allowsMotion(mode) ? mode : status;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 // Display names of the controller modes, and the suggested actions. There is one table per enumeration, so
-// every mode has its own text.
+// that every mode has its own text.
 
 #include <QString>
 
@@ -19,8 +19,8 @@ ModeWords robotModeWords(RobotMode mode);
 ModeWords safetyWords(SafetyStatus status);
 ModeWords runtimeWords(RuntimeState state);
 
-/// Selects which of the two safety values of a controller to show. The status distinguishes causes. If only
-/// one of the two values permits motion, the one that forbids it takes precedence.
+/// The safety value to display. The status distinguishes more causes. If only one of the two values permits
+/// motion, the other value is displayed.
 SafetyStatus shownSafety(SafetyMode mode, SafetyStatus status);
 
 }  // namespace tiller

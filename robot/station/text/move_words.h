@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts that explain why a move ends early, and the names of the arm's links.
+// Texts that explain why a move ends early, and the names of the arm links.
 
 #include <QString>
 
@@ -19,7 +19,7 @@ QString limitText(const collision::MoveLimit& limit, const collision::Surroundin
 QString surroundingsText(collision::Contact::With with, int other,
                          const collision::Surroundings& surroundings);
 
-/// Reason why the object cannot be checked, with the suggested actions; without the final period.
+/// Why the object cannot be checked, with the suggested actions; without the final period.
 QString unplacedText(const collision::UnplacedObject& object);
 
 /// Name of the body that slows down a jog, e.g. "Upper arm", "“crate”".

@@ -2,7 +2,7 @@
 #pragma once
 
 // Formats lengths, speeds and rotations in the units chosen by the operator. All internal values are in SI
-// units; the choice is only applied in this file.
+// units. Only this file converts them.
 
 #include <Eigen/Core>
 #include <QString>
@@ -24,7 +24,7 @@ struct Notation {
     LengthUnit length = LengthUnit::Millimetres;
     RotationNotation rotation = RotationNotation::RollPitchYaw;
 
-    /// The notation passed to the last setNotation().
+    /// The notation set with setNotation().
     /// Threads  GUI
     static Notation current();
     friend bool operator==(const Notation&, const Notation&) = default;
@@ -46,8 +46,7 @@ QString shortLength(double metres);
 QString shortLengthNumber(double metres);
 /// "mm" or "in".
 QString lengthUnit();
-/// Length of one display unit [m]: 0.001 or 0.0254. Multiply an entered value by this factor to convert it to
-/// metres.
+/// Length of one display unit [m]: 0.001 or 0.0254. Converts an entered value to metres.
 double metresPerUnit();
 
 /// Example: "250 mm/s" or "9.84 in/s" for 0.25.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts that explain why the arm cannot reach a waypoint, as a short label and as a sentence.
+// Texts that explain why the arm cannot reach a waypoint: a short label and a sentence.
 
 #include <QString>
 
@@ -11,7 +11,7 @@ namespace tiller {
 
 /// Short label: "✓", "✕ reach", "✕ joint", "✕ frame", "✕ line" or "✕ model".
 QString reachText(const project::Reach& reach);
-/// A sentence that ends with the suggested action; empty if the waypoint can be reached.
+/// A sentence that ends with the suggested action; empty if the waypoint is reachable.
 QString reachAdvice(const project::Reach& reach);
 
 }  // namespace tiller

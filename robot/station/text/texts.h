@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Texts for the error codes of the backend, with the event, its cause and the suggested action.
+// Texts for the error codes of the backend: the event, its cause and the suggested action.
 
 #include <QString>
 
@@ -15,15 +15,15 @@ namespace tiller::texts {
 QString errorText(const Error& error);
 /// Text for messages about a stop, e.g. "button or key released", "pointer left the button".
 QString stopCauseText(control::StopCause cause);
-/// Reason why the arm cannot be moved in this robot mode, with the suggested action; empty if it can.
+/// Why the arm cannot be moved in this robot mode, with the suggested action; empty if it can.
 QString robotModeObstacle(RobotMode mode);
 /// Like robotModeObstacle(), for a safety mode.
 QString safetyModeObstacle(SafetyMode mode);
-/// Reason why no command is sent to the robot in monitor-only mode, with the suggested action.
+/// Why no command is sent to the robot in monitor-only mode, with the suggested action.
 QString monitorOnlyObstacle();
-/// Reason why a robot in Local control accepts no commands, with the suggested action.
+/// Why a robot in Local control accepts no commands, with the suggested action.
 QString remoteObstacle();
-/// Reason why Tiller is not in control of the robot.
+/// Why Tiller is not in control of the robot.
 QString controlLossText(control::ControlLoss loss);
 
 }  // namespace tiller::texts

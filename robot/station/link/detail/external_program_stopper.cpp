@@ -56,7 +56,7 @@ bool ExternalProgramStopper::isMeant(StopCause cause, const SessionState& state)
     }
     const bool button = cause == StopCause::StopButton;
     if (state.control == ControlState::Taking) {
-        return true;  // stops the program being replaced, and the control script being uploaded
+        return true;  // stops the program to be replaced, and the control script being uploaded
     }
     if (state.control == ControlState::InControl) {
         return false;
@@ -138,7 +138,7 @@ void ExternalProgramStopper::measure(const SampleBatch& batch) {
     }
 }
 
-/// True for the first sample of a stop by the safety system while a program of another client may run.
+/// True for the first sample of a stop by the safety system while a program of another client may be running.
 bool ExternalProgramStopper::isSafetyStop(const receive::Sample& sample) {
     const bool allowed = allowsMotion(receive::RobotState(sample).safetyMode());
     return std::exchange(motionAllowed_, allowed) && !allowed && isExternal_;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Stops any program that runs on the robot: an external one (from the pendant, another PC, or left running),
-// and Tiller's own program if the control connection is unreliable. All routes are used simultaneously: "stop
+// Stops any program on the robot: an external program (from the pendant, another PC, or left running), and
+// Tiller's own program if the control connection is unreliable. All routes are used simultaneously: "stop
 // program" on the primary interface, and the stop command of the dashboard or the Robot API. Each route uses
-// a connection opened in advance and a new one, because the robot may have dropped the existing one without
-// closing it. The data received from the robot determine whether the stop succeeded. Private to
-// robot/station/link.
+// a connection opened in advance and a new connection, because the robot may have dropped the existing one
+// without closing it. Robot data determine whether the stop has succeeded. Private to robot/station/link.
 
 #include <atomic>
 #include <memory>
@@ -21,7 +20,7 @@
 
 namespace tiller {
 
-/// Threads  GUI; any thread for the destructor
+/// Threads  GUI; the destructor: any
 class ExternalProgramStopper {
 public:
     /// context  receives the replies in its thread; must outlive this object
@@ -30,37 +29,39 @@ public:
     ExternalProgramStopper(const ExternalProgramStopper&) = delete;
     ExternalProgramStopper& operator=(const ExternalProgramStopper&) = delete;
 
-    /// True if the cause stops everything: STOP (including the stop button of a device), Esc, Space.
+    /// True for causes that stop everything: STOP (including the stop button of a device), Esc, Space.
     static bool isByStopKey(control::StopCause cause);
-    /// Returns whether a stop for this cause is sent on all routes at once. Only the causes of isByStopKey()
-    /// are considered. While control is being taken, the stop is always sent. With fresh data, it is sent if
-    /// an external program runs or is just being paused or resumed, or if the arm moves; for STOP also if a
-    /// program is paused. Without fresh data, it is always sent for STOP, and for the other keys if control
-    /// is in doubt, if there were no data yet, or if the last data showed a program. While in control, a stop
-    /// is first sent to Tiller's own program, see control::StopConfirmation.
+    /// True if a stop for this cause is sent on all routes at once. Only the causes of isByStopKey() are
+    /// considered:
+    /// - While control is being taken, the stop is always sent.
+    /// - With fresh data, it is sent if an external program is running or is just being paused or resumed, or
+    /// if the arm moves; for STOP also if a program is paused.
+    /// - Without fresh data, it is always sent for STOP. For the other keys, it is sent if control is in
+    /// doubt, if there were no data yet, or if the last data showed a program.
+    /// - While in control, a stop is first sent to Tiller's own program, see control::StopConfirmation.
     static bool isMeant(control::StopCause cause, const SessionState& state);
 
-    /// Opens missing connections so that a stop does not have to wait for them.
+    /// Opens missing connections in advance, so that a stop need not wait for them.
     void warmUp();
-    /// True if the stop on the primary interface can be sent immediately, without connecting first.
+    /// True if the stop on the primary interface can be sent at once, without connecting.
     bool isReady() const { return stopper_.isConnected(); }
     /// Reconnects, because the robot applies a change to Remote only to new connections.
     void reconnect() { stopper_.reconnect(); }
 
     void request(control::StopCause cause, const receive::Receiver& receiver);
-    /// Cancels the request, so that it does not stop a program started intentionally from now on.
+    /// Cancels the request, so that it cannot stop a program that is started later.
     void withdraw();
 
     bool isPending() const {
         return request_.has_value();
     }  ///< A stop was requested and is not confirmed yet.
 
-    /// A stop, also one by the safety system, is being measured until standstill.
+    /// A stop is being measured until standstill. This includes stops by the safety system.
     bool isMeasuring() const { return meter_.isMeasuring(); }
 
     enum class Outcome { None, Stopped, Failed };
-    /// Measures the stop, also one by the safety system, and repeats the request if useful. Call once per frame with
-    /// the samples of the frame.
+    /// Measures the stop, including stops by the safety system, and repeats the request if useful. Call once
+    /// per frame with the samples of the frame.
     /// Returns  the result of the request, once
     Outcome follow(const SessionState& state, const SampleBatch& batch);
     /// Error of the last failed request.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Additional fields requested by parts of the window, received on a separate connection, so that changing the
-// fields never interrupts the stream used for motion.
+// Additional fields requested by parts of the window. They use a separate connection, so that changing the
+// fields never interrupts the stream for motion.
 
 #include <QSet>
 #include <QStringList>
@@ -22,7 +22,7 @@ public:
     /// cleanup  joins the threads of receivers that are no longer needed
     ExtraFieldStream(const Clock& clock, SerialExecutor& cleanup) : clock_(clock), cleanup_(cleanup) {}
 
-    /// Receives exactly these fields of this robot from now on; may be empty.
+    /// Receives exactly these fields of this robot from now on. May be empty.
     void follow(const QString& host, std::uint16_t port, const QStringList& fields);
     void end();
     /// Samples since the last call, stored in `into`.

@@ -15,7 +15,7 @@ PacketCounts LinkHistory::add(std::int64_t nowNs, const PacketCounts& now) {
     if (points_.empty() || nowNs - points_.back().ns >= kStepNs) {
         points_.push_back({nowNs, now});
     }
-    // Keep the last point before the time span, because the result is the increase since this point.
+    // Keep the last point before the time span, because the result is the increase since that point.
     while (points_.size() > 1 && nowNs - points_[1].ns >= kSpanNs) {
         points_.pop_front();
     }

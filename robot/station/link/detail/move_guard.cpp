@@ -10,8 +10,8 @@
 namespace tiller {
 namespace {
 
-/// The joint positions of a target. Empty if the target cannot be reached, because the controller rejects
-/// such a target.
+/// The joint positions of a target. Empty if the target is unreachable, because the controller then rejects
+/// it.
 std::optional<JointPositions> jointsOf(const DhParameters& dh, const Pose& tcpOffset,
                                        const control::PathEntry::Target& target, const JointPositions& from) {
     if (const auto* q = std::get_if<JointPositions>(&target)) {
@@ -20,7 +20,7 @@ std::optional<JointPositions> jointsOf(const DhParameters& dh, const Pose& tcpOf
     return kinematics::inverseNearest(dh, std::get<Pose>(target), tcpOffset, from);
 }
 
-/// The first position on this path at which the TCP has this distance from the corner.
+/// The first position on this path at this TCP distance from the corner.
 JointPositions positionAt(const DhParameters& dh, const Pose& tcpOffset,
                           std::span<const JointPositions> fromCorner, double distance) {
     constexpr int kParts = 16;  // number of subdivisions between two positions
@@ -98,7 +98,7 @@ Result<void> MoveGuard::permit(const SessionState& state, const control::MotionP
         const bool linear = entry.kind != control::PathEntry::Kind::MoveJ;
         if (entry.via) {
             legs.push_back(
-                {*entry.via, linear, 0, point});  // an arc is approximated by two lines through its via point
+                {*entry.via, linear, 0, point});  // an arc is approximated by two lines through `via`
         }
         legs.push_back({entry.target, linear, entry.blend, point});
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The collision model of the arm and its surroundings, used to check moves. Updated when the arm, its tool or
-// its surroundings change.
+// The collision model of the arm and its environment, for checking moves. Updated when the arm, its tool or
+// its environment changes.
 
 #include <memory>
 #include <span>
@@ -25,11 +25,11 @@ public:
     /// Null if no arm is connected.
     const std::shared_ptr<const collision::CollisionCheck>& check() const { return check_; }
 
-    /// Checks moves in sequence from the current position of the arm.
+    /// Checks moves in sequence from the current arm position.
     /// Errors  NoSolution with a sentence that names the part of the arm, the object and the position on the
-    ///         path, or the object whose position is unknown
+    /// path, or the object whose position is unknown
     Result<void> permit(const SessionState& state, std::span<const MoveRequest> moves) const;
-    /// Checks a path of joint positions from the current position of the arm.
+    /// Checks a path of joint positions from the current arm position.
     Result<void> permit(const SessionState& state, std::span<const JointPositions> way) const;
     /// Checks a path with its blends.
     Result<void> permit(const SessionState& state, const control::MotionPath& path) const;
@@ -39,7 +39,7 @@ private:
         control::PathEntry::Target target;
         bool linear = false;
         double blend = 0;  ///< [m]
-        int point = 0;     ///< number of the point of the path that it belongs to, from 1
+        int point = 0;     ///< number of its path point, from 1
     };
     Result<void> permit(const JointPositions& start, const std::vector<Leg>& legs) const;
     /// Errors  NoSolution while the position of an object is unknown

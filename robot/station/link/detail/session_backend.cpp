@@ -72,7 +72,7 @@ void SessionBackend::read() {
     }
     state.monitorOnly = monitorOnly;
     if (state.isFresh()) {
-        // Stops of external programs are only measured if Tiller or the safety system stopped the program.
+        // Stops of external programs are measured only if Tiller or the safety system caused the stop.
         const bool ours =
             state.control == ControlState::InControl ||
             (link->foreignStop && (link->foreignStop->isPending() || link->foreignStop->isMeasuring()));
@@ -142,7 +142,7 @@ void SessionBackend::readSample() {
     state.q = robot.q();
     state.qd = robot.qd();
     state.tcpPose = robot.tcpPose();
-    // If the software does not report these values, no tool and full speed are shown.
+    // If the software does not report these values, display no tool and full speed.
     state.tcpOffset = robot.has("tcp_offset") ? robot.tcpOffset() : Pose();
     state.tcpSpeed = robot.tcpSpeed();
     state.tcpForce = robot.tcpForce();
@@ -161,7 +161,7 @@ void SessionBackend::readSample() {
     state.remoteControl = state.version.isCb3() || report.remoteControl.value_or(false);
     state.controlPlaceKnown = state.version.isCb3() || report.remoteControl.has_value() ||
                               report.kind == dashboard::ServiceKind::Unknown;
-    // If remote control is disabled, the robot reports "Local" and accepts all commands.
+    // With remote control disabled, the robot reports "Local" and accepts all commands.
     state.remoteNeeded = localRefuses && report.remoteControl == false;
     state.operationalMode = report.operationalMode;
     state.loadedProgram = report.program;
@@ -194,8 +194,8 @@ void SessionBackend::readControl() {
     state.controlInDoubt = isControlInDoubt();
 }
 
-/// True after a loss of control until the receiver has delivered fresh data for some time. From then on the
-/// window only monitors, and a running program is an external one. A control program that ended while its
+/// True after a loss of control until the receiver has delivered fresh data for some time. After that, the
+/// window only monitors, and a running program is external. A control program that has ended while its
 /// connection still works has most likely been replaced.
 bool SessionBackend::isControlInDoubt() {
     using control::ControlLoss;
@@ -218,14 +218,14 @@ bool SessionBackend::isControlInDoubt() {
     return !doubtEnded;
 }
 
-/// True if the control program ended without a request while another program runs now.
+/// True if the control program has ended without a request and another program is running.
 bool SessionBackend::isTakenOver() const {
     using control::ControlLoss;
     return (loss == ControlLoss::ScriptStopped || loss == ControlLoss::EchoStalled) && state.isFresh() &&
            state.foreignProgramRuns() && !state.programAbandoned;
 }
 
-/// True while the control program is uploaded again with a path in it. This is not a loss of control.
+/// True while the control program is uploaded again with a path. This is not a loss of control.
 bool SessionBackend::isSendingPath(const control::ControllerStatus& status) const {
     return link->path.sending > 0 && status.loss == control::ControlLoss::Taking && status.fresh;
 }
@@ -260,7 +260,7 @@ control::StopEvidence SessionBackend::stopEvidence() const {
     const bool sending = isSendingPath(status);
     const bool program = link->program.isRunning() && status.fresh;
     evidence.inControl = status.inControl || sending || program;
-    // A path that is being sent does not start a motion after a stop. A program may start one, e.g. after a
+    // A path that is being sent does not start after a stop. A program may still start a motion, e.g. after a
     // wait, until it has ended.
     evidence.restingEpoch = sending ? std::numeric_limits<std::uint64_t>::max() : status.restingEpoch;
     evidence.executedEpoch = status.executing ? status.motion : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// State of a session while connected, and between two frames. Private to robot/station/link.
+// State of a session while connected and between frames. Private to robot/station/link.
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -34,12 +34,12 @@
 
 namespace tiller {
 
-/// A path that is being sent to the robot. Its motion number is not known until it starts, so the path has a
-/// separate number.
+/// A path that is being sent to the robot. The number of its motion is not known before it starts, so the
+/// path has its own number.
 struct PathStart {
     enum class Phase {
         Sending,
-        Ready,  ///< starts with the next hold(), which proves that the button is still held
+        Ready,  ///< starts with the next hold(), which proves that the button is held
         Begun,
         Failed
     };
@@ -50,11 +50,11 @@ struct PathStart {
     Error error;             ///< why the path did not start
     int sending = 0;         ///< number of paths being sent, including cancelled ones
 
-    /// Path numbers start above all motion numbers of the controller.
+    /// Path numbers are above all motion numbers of the controller.
     static constexpr control::MotionId kFirstTicket = control::MotionId(1) << 62;
 };
 
-/// A program of a project that is being sent or runs. It has a separate number, like a path.
+/// A program of a project that is being sent or is running. It has its own number, like a path.
 struct ProgramRun {
     /// Shared with the thread that sends the program.
     struct Shared {
@@ -62,12 +62,12 @@ struct ProgramRun {
         std::mutex mutex;                     ///< protects the following members
         control::Motion motion;               ///< valid after the start
         bool isStarted = false;
-        std::optional<control::StopCause> cancelled;  ///< why the program must not start
+        std::optional<control::StopCause> cancelled;  ///< cause that prevents the start of the program
         script::StepGate gate;
     };
     control::MotionId ticket = control::kNoMotion;
     std::shared_ptr<Shared> shared;
-    std::optional<Result<void>> outcome;  ///< empty while the program is sent or runs
+    std::optional<Result<void>> outcome;  ///< empty until the program has ended
 
     bool isRunning() const { return shared != nullptr && !outcome; }
     /// Returns  false if the program has ended
@@ -77,7 +77,7 @@ struct ProgramRun {
     void cancelStart(control::StopCause cause);
     void setGate(const script::StepGate& gate);
 
-    /// Program numbers start above all path numbers.
+    /// Program numbers are above all path numbers.
     static constexpr control::MotionId kFirstTicket = control::MotionId(1) << 63;
 };
 
@@ -94,10 +94,10 @@ struct RobotLink {
     ProgramRun program;                                ///< the newest program
     std::shared_ptr<io::Outputs> outputs;
     std::unique_ptr<dashboard::ServiceWorker> service;
-    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< for queries, separate from commands
+    std::unique_ptr<dashboard::ServiceWorker> watch;  ///< for queries; separate from commands
     std::unique_ptr<ExternalProgramStopper> foreignStop;
     std::unique_ptr<script::PrimaryClient> primary;
-    script::MessageLimiter messageLimiter;  ///< limits the messages received by `primary`
+    script::MessageLimiter messageLimiter;  ///< limits the number of messages from `primary`
 };
 
 struct SessionBackend {
@@ -107,29 +107,29 @@ struct SessionBackend {
     SessionState state;
     RobotAddress address;
     std::uint64_t generation = 0;  ///< number of the connection; replies to earlier ones are ignored
-    /// Numbers of the next path and the next program. They do not start again with a connection, so that a
-    /// button of an earlier connection cannot hold a new motion.
+    /// Numbers of the next path and the next program. They do not restart with a connection, so that a button
+    /// of an earlier connection cannot hold a new motion.
     control::MotionId nextPath = PathStart::kFirstTicket;
     control::MotionId nextProgram = ProgramRun::kFirstTicket;
     std::unique_ptr<RobotLink> link;
-    /// Receives fields that the link does not receive, for the recorder. Used by jobs of `files` only.
+    /// Receives fields for the recorder that the link does not receive. Used only by jobs of `files`.
     std::shared_ptr<receive::Receiver> recorderReceiver;
     recording::Recorder recorder;
     QTimer frameClock;
 
     LinkHistory history;
-    receive::Sample sample;             ///< the newest sample, shown by all parts of the window
+    receive::Sample sample;             ///< newest sample, shown by all parts of the window
     std::vector<receive::Sample> room;  ///< buffer for the samples of a frame, reused
     control::AbandonedProgram abandoned;
     const std::array<std::string, 2> stateFields = control::AbandonedProgram::fields();
     dashboard::ServiceReport report;  ///< queried about twice a second; Unknown until the first reply
-    bool localRefuses = false;        ///< the robot was in Remote before, or has refused a command in Local
+    bool localRefuses = false;        ///< the robot was in Remote before, or has rejected a command in Local
     bool takingControl = false;
     bool monitorOnly = false;
     CancelToken taking;  ///< cancels taking control
     control::MotionLimits limits;
     MoveGuard guard;
-    QString refusal;  ///< why the last attempt to take control failed
+    QString refusal;  ///< why control could not be taken the last time
     QString linkReason;
 
     bool movedBefore = false;  ///< according to the newest fresh data
@@ -142,8 +142,8 @@ struct SessionBackend {
     LinkState linkSeen = LinkState::Disconnected;
     control::ControlLoss loss = control::ControlLoss::NotTaken;
     std::optional<std::int64_t>
-        freshSinceLossNs;     ///< start of fresh data after a loss of control, on the monotonic host clock
-    bool doubtEnded = false;  ///< data have been fresh for long enough
+        freshSinceLossNs;     ///< start of fresh data after a loss of control, host clock
+    bool doubtEnded = false;  ///< data have been fresh long enough
     control::ControlLoss lossSeen = control::ControlLoss::NotTaken;  ///< last reported loss
     bool externalRunSeen = false;               ///< the program of another client was reported
     bool externalExists = false;                ///< that program runs or is paused
@@ -154,7 +154,7 @@ struct SessionBackend {
     QStringList extraFields;                 ///< requested in addition to the standard fields
     std::vector<receive::Sample> extraRoom;  ///< reused buffer for extra samples
 
-    // Declared last, because their jobs use the members above.
+    // Last members, because their jobs use the members above.
     SerialExecutor files;
     SerialExecutor controlling;  ///< takes and releases control
     SerialExecutor worker;
@@ -168,9 +168,9 @@ struct SessionBackend {
     SampleBatch drain(std::vector<receive::Sample>& into);
     /// Fills `state` from the newest sample and the controller's status.
     void read();
-    /// The state of the last frame, updated with the current values of everything relevant for a stop.
+    /// The state of the last frame, with current values of everything relevant for a stop.
     SessionState stateNow() const;
-    /// Current evidence about a stop during control.
+    /// Current evidence about a stop while in control.
     control::StopEvidence stopEvidence() const;
     bool isTakenOver() const;
 
