@@ -9,7 +9,7 @@
 namespace tiller::program {
 namespace {
 
-/// Keywords that cannot be used as values.
+/// Keywords that are not permitted as values.
 const QSet<QString>& statementWords() {
     static const QSet<QString> words{QStringLiteral("def"),          QStringLiteral("sec"),
                                      QStringLiteral("thread"),       QStringLiteral("end"),

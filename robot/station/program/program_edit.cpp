@@ -167,7 +167,7 @@ Program withMovedSteps(const Program& program, const QSet<QUuid>& ids, const Ste
     if (moved.empty() || (!at.section.isNull() && findStep(moved, at.section) != nullptr)) {
         return program;
     }
-    // Moved steps before the target row at the same level do not count towards the row.
+    // Removing the moved steps above the target row, at the same level, shifts the row.
     const Steps* there = &program.steps;
     if (!at.section.isNull()) {
         const ProgramStep* section = findStep(program.steps, at.section);
@@ -257,8 +257,8 @@ Program withField(Program program, const QUuid& id, const QString& key, const QJ
 }
 
 QByteArray textOf(const Steps& steps) {
-    // Uses the file format of a project with one program, so that only one reader and one writer for steps
-    // are needed.
+    // Use the file format of a project with one program, so that only one reader and one writer for steps are
+    // needed.
     project::Project carrier;
     Program program;
     program.id = QUuid::createUuid();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Edits of a program's step tree, as functions that return a new program.
+// Edits of the step tree of a program, as functions that return a new program.
 
 #include <QByteArray>
 #include <QSet>
@@ -17,7 +17,7 @@ namespace tiller::program {
 
 using Steps = std::vector<project::ProgramStep>;
 
-/// Position at which steps are inserted: before the step at `row` of a section, or after the last step.
+/// Position for inserting steps: before the step at `row` of a section, or after the last step.
 struct StepPosition {
     QUuid section;  ///< null: the top level of the program
     int row = 0;    ///< 0 ... number of steps in the section
@@ -25,37 +25,35 @@ struct StepPosition {
 
 /// Returns null if the program does not contain the step.
 const project::ProgramStep* findStep(const Steps& steps, const QUuid& id);
-/// Returns nothing if the program does not contain the step.
+/// Empty if the program does not contain the step.
 std::optional<StepPosition> positionOf(const project::Program& program, const QUuid& id);
 
-/// The steps with these ids in tree order, each with its children. Steps inside another selected step are
+/// The steps with these IDs in tree order, with their children. Steps inside another selected step are
 /// omitted.
 Steps selectedSteps(const project::Program& program, const QSet<QUuid>& ids);
 
-/// Returns copies with new ids for all steps.
+/// Returns copies in which all steps have new IDs.
 Steps withNewIds(Steps steps);
 
 /// Inserts steps. Returns the unchanged program if the section does not exist or is not a section, or if the
-/// nesting would become too deep.
+/// nesting would be too deep.
 project::Program withSteps(project::Program program, const StepPosition& at, const Steps& steps);
-/// Removes the steps and their children.
 project::Program withoutSteps(project::Program program, const QSet<QUuid>& ids);
 /// Moves the steps, in tree order. Returns the unchanged program if `at` is inside one of them.
 project::Program withMovedSteps(const project::Program& program, const QSet<QUuid>& ids,
                                 const StepPosition& at);
-/// Position at which steps are added when a step is selected: inside it if it is an empty section, otherwise
-/// after it. At the end of the program if there is no such step.
+/// Position for adding steps when a step is selected: inside it if it is an empty section, otherwise after
+/// it. If the step does not exist, the end of the program.
 StepPosition positionBehind(const project::Program& program, const QUuid& id);
-/// Moves the steps before the step above them (direction -1) or after the step below them (1).
+/// Moves the steps before the previous step (direction -1) or after the next step (1).
 project::Program withShifted(const project::Program& program, const QSet<QUuid>& ids, int direction);
 /// Moves the steps to the end of the section directly above them at the same level. Returns the unchanged
-/// program if the step above is not a section.
+/// program if the step above them is not a section.
 project::Program withNested(const project::Program& program, const QSet<QUuid>& ids);
-/// Moves the steps to the position after the section that contains them.
+/// Moves the steps out of the section that contains them, to the position after it.
 project::Program withUnnested(const project::Program& program, const QSet<QUuid>& ids);
 /// Inserts copies of the steps after the last of these steps, at the same level.
 project::Program withDuplicates(const project::Program& program, const QSet<QUuid>& ids);
-/// Disables or enables the steps.
 project::Program withDisabled(project::Program program, const QSet<QUuid>& ids, bool disabled);
 /// Sets a field of a step. An undefined value removes the field.
 project::Program withField(project::Program program, const QUuid& step, const QString& key,
@@ -63,18 +61,18 @@ project::Program withField(project::Program program, const QUuid& step, const QS
 
 /// Converts steps to text for the clipboard. stepsFromText() is the inverse.
 QByteArray textOf(const Steps& steps);
-/// Returns the steps with new ids, or nothing if the text does not contain steps.
+/// Returns the steps with new IDs; empty if the text does not contain steps.
 std::optional<Steps> stepsFromText(const QByteArray& text);
 
 /// The values of a step in one line, in display units and with the names of waypoints and other entities,
 /// e.g. "pick, 50 mm/s".
 QString summaryOf(const project::Project& project, const project::ProgramStep& step);
-/// The name of the step's kind. For a kind unknown to this version, its id in the file.
+/// Name of the step kind, or its ID in the file if this version does not know the kind.
 QString kindName(const project::ProgramStep& step);
-/// The name of the kind of a step, identified by its number in the script. Empty if there is no such step.
+/// Name of the kind of a step with this number in the script. Empty if the step does not exist.
 QString stepName(const project::Project& project, const ProgramScript& script, int number);
 
-/// The possible values of a choice, channel or reference field, each with its name.
+/// The possible values of a choice, channel or reference field, with their names.
 std::vector<std::pair<QJsonValue, QString>> choicesOf(const project::Project& project,
                                                       const StepField& field);
 

@@ -11,9 +11,9 @@ namespace tiller::program {
 
 struct ProgramProblem {
     QUuid program;
-    QUuid step;      ///< null: the program as a whole
+    QUuid step;      ///< null: the whole program
     int number = 0;  ///< number in the step register; 0: no step
-    QString field;   ///< key of the field; empty: the step as a whole
+    QString field;   ///< key of the field; empty: the whole step
     QString text;    ///< a translated sentence
     friend bool operator==(const ProgramProblem&, const ProgramProblem&) = default;
 };

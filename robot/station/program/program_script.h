@@ -2,7 +2,7 @@
 #pragma once
 
 // Generates the URScript of a program and reports its problems. Generating the script is also the check of
-// the program. The script is one self-contained `def`, which can be sent, saved as .script, or run in the
+// the program. The script is one self-contained `def` that can be sent, saved as .script, or run in the
 // simulated controller.
 
 #include <QSet>
@@ -22,7 +22,7 @@ namespace tiller::program {
 /// the failed step if no On error section handled the failure.
 inline constexpr int kStepRegister = script::kStepRegister;
 
-/// A step, identified by program and step id, as numbered in the step register.
+/// A step, identified by program and step ID, as numbered in the step register.
 struct NumberedStep {
     QUuid program;
     QUuid step;
@@ -33,7 +33,7 @@ struct ProgramScript {
     QString text;  ///< empty if there are errors
     std::vector<NumberedStep>
         steps;  ///< step 1 is at index 0; steps of called programs follow those of the main program
-    std::vector<int> stepOfLine;  ///< step number by line index; 0 if the line belongs to no step
+    std::vector<int> stepOfLine;  ///< step number by line index; 0: the line belongs to no step
     /// A line that differs in a run with a step gate.
     struct GateLine {
         std::size_t line = 0;  ///< index
@@ -41,7 +41,7 @@ struct ProgramScript {
         int step = 0;  ///< number of the step that begins in this line; 0: none
     };
     std::vector<GateLine> gateLines;
-    std::vector<int> cycles;  ///< step numbers of the endless loops that are not inside another one
+    std::vector<int> cycles;  ///< step numbers of the outermost endless loops
     std::optional<Pose> tcp;  ///< TCP required by the waypoints if the script does not set one
     std::vector<ProgramProblem> problems;
 
@@ -53,11 +53,11 @@ struct ProgramScript {
     bool canPauseBefore(const QUuid& step) const;
     /// Number of a step of the main program; 0 if there is no step with this id.
     int numberOf(const QUuid& step) const;
-    /// Number of the step that a line of the script belongs to, or 0. Lines count from 1.
+    /// Number of the step to which a script line belongs, or 0. Lines count from 1.
     int stepAt(int line) const;
 };
 
-/// Maximum speeds of the moves of a script. URScript text is not limited.
+/// Maximum speeds of the moves of a script. URScript text of the user is not limited.
 struct SpeedLimits {
     double tool = std::numeric_limits<double>::infinity();   ///< of linear and circular moves [m/s]
     double joint = std::numeric_limits<double>::infinity();  ///< of joint moves [rad/s]
@@ -65,9 +65,10 @@ struct SpeedLimits {
 
 struct ScriptOptions {
     SoftwareVersion version{5, 22, 0, 0};
-    std::optional<RobotModelId> model;  ///< empty: the model of the project or, if it has none, a UR5e
-    /// First step to run, at the top level of the program; null: run from the beginning. It is a problem if the
-    /// steps before it set a variable or the payload for it or a later step, or start a parallel watch.
+    std::optional<RobotModelId> model;  ///< empty: the model of the project; without a model, a UR5e
+    /// First step to run, at the top level of the program; null: run from the beginning. A problem is
+    /// reported if earlier steps set a variable or the payload for this or a later step, or start a parallel
+    /// watch.
     QUuid from;
     SpeedLimits limits = {};
 };

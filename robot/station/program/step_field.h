@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// One field of a step kind: its type, range, unit and initial value. The file stores the value under `key`:
-// numbers in SI units, references as ids, channels and choices as text.
+// One field of a step kind: type, range, unit and initial value. The file stores the value under `key`:
+// numbers in SI units, references as IDs, channels and choices as text.
 
 #include <QJsonValue>
 #include <QString>
@@ -18,11 +18,11 @@ enum class FieldType {
     Text,           ///< one line
     Lines,          ///< several lines
     Expression,     ///< URScript, see expression.h
-    Variable,       ///< name of a variable set by the step
+    Variable,       ///< name of the variable that the step sets
     DigitalInput,   ///< 0-7 standard, 8-15 configurable, 16-17 tool
     DigitalOutput,  ///< 0-7 standard, 8-15 configurable, 16-17 tool
-    Group,          ///< name of a group of waypoints
-    // Ids of entities of the project:
+    Group,          ///< name of a waypoint group
+    // IDs of entities of the project:
     Waypoint,
     Pattern,
     Frame,
@@ -53,26 +53,26 @@ struct StepField {
     const char* key = "";
     QString label;
     FieldType type = FieldType::Text;
-    QJsonValue initial = {};  ///< value in a new step, and if missing in the file
-    bool optional = false;    ///< the field may be omitted, and then has no value
+    QJsonValue initial = {};  ///< value in a new step, or if missing in the file
+    bool optional = false;    ///< the field may have no value
     Unit unit = Unit::None;
     double minimum = 0;
     double maximum = 0;
     std::vector<Choice> choices = {};
 };
 
-/// Typed text, converted to the value of a field.
+/// Entered text, converted to the value of a field.
 struct FieldInput {
     QJsonValue value = QJsonValue::Undefined;  ///< undefined if there is no value
-    QString refusal;                           ///< translated, with the permitted range; empty if accepted
+    QString refusal;                           ///< translated, with the permitted range; empty if valid
 };
-/// Converts the text of number, text, expression and variable fields. Numbers are in the display unit, with
-/// the decimal separator of the language or a point.
+/// Converts the text of number, text, expression and variable fields. Numbers are in the display unit, with a
+/// point or the decimal separator of the language.
 FieldInput fieldInput(const StepField& field, const QString& text);
-/// Text for an editor: the value in the display unit, without the unit. Empty if there is no value.
+/// Text for an editor: the value in the display unit, without the unit. Empty without a value.
 QString editText(const StepField& field, const QJsonValue& value);
 
-/// Label of a channel, e.g. "DI 3", "CI 0", "TI 1" or, if `output` is true, "DO 3".
+/// Label of a channel, e.g. "DI 3", "CI 0", "TI 1", or "DO 3" if `output` is true.
 QString channelName(int channel, bool output);
 
 double screenFactor(Unit unit);  ///< Converts an SI value to the display unit.

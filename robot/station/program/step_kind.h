@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The kinds of steps. Each kind has a file in steps/ and an entry in the table in step_kind.cpp.
+// The step kinds. Each kind has a file in steps/ and an entry in the table in step_kind.cpp.
 
 #include <QString>
 #include <span>
@@ -22,17 +22,17 @@ struct StepKind {
     StepGroup group = StepGroup::Structure;
     QString (*name)() = nullptr;  ///< translated
     std::vector<StepField> (*fields)() = nullptr;
-    /// Writes the script of the step and reports problems. Its fields are checked beforehand.
+    /// Writes the script of the step and reports problems. The fields have already been checked.
     void (*write)(StepWriter& writer) = nullptr;
     bool isSection = false;  ///< contains other steps
     bool moves = false;      ///< moves the arm, so it must not run in parallel
     bool takesTime = false;  ///< takes at least one control period
     bool isMarker = false;   ///< has no effect on its own: comment, else, case
-    /// Kinds of steps that may directly precede this one; empty: any.
+    /// Kinds of steps that may directly precede this step; empty: any.
     std::vector<const char*> follows = {};
     const char* inside = "";  ///< kind of section that must contain this step; empty: any
-    /// Why a program cannot continue after a stop in this step or in the steps in it, as a translated
-    /// sentence; null: that depends on the effects of the steps.
+    /// Why a program cannot continue after a stop in this step or its child steps, as a translated sentence;
+    /// null: that depends on the effects of the steps.
     QString (*cannotContinue)() = nullptr;
     /// What a stop in this step leaves unfinished, as a translated sentence; null: a motion to its target.
     QString (*partlyDone)() = nullptr;
@@ -41,10 +41,10 @@ struct StepKind {
 std::span<const StepKind* const> stepKinds();     ///< All kinds, in the order of the palette.
 const StepKind* findStepKind(const QString& id);  ///< Returns null for a kind of a newer version.
 
-/// Returns a step of this kind with a new id and initial field values.
+/// Returns a step of this kind with a new ID and initial field values.
 project::ProgramStep newStep(const StepKind& kind);
 
-/// The value of a field, or its initial value if it is not set.
+/// The value of a field, or the initial value if it is not set.
 QJsonValue fieldValue(const project::ProgramStep& step, const StepField& field);
 
 }  // namespace tiller::program

@@ -10,8 +10,7 @@
 
 namespace tiller::program {
 
-/// Closes a branch of an `if` with `end`, unless the next step is of one of these kinds and continues the
-/// `if`.
+/// Closes a branch of an `if` with `end`, unless the next step has one of these kinds and continues the `if`.
 inline void closeBranch(StepWriter& writer, std::initializer_list<const char*> continuations) {
     const StepKind* next = writer.next();
     const bool goesOn =

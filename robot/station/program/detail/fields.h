@@ -47,7 +47,7 @@ inline StepField optionalField(const char* key, const QString& label, FieldType 
 inline StepField timeLimitField() {
     return optionalNumber("timeLimit", ProgramText::tr("Timeout"), Unit::Time, 0.01, kMaxStepTime);
 }
-/// Choice of the reaction when the step fails.
+/// Choice of the reaction if the step fails.
 inline StepField otherwiseField(const QString& label) {
     return choiceField("otherwise", label,
                        {{"fail", ProgramText::tr("Fail")}, {"continue", ProgramText::tr("Continue")}});

@@ -11,7 +11,7 @@ namespace tiller::program {
 /// mayNotEnd  iterations are not counted, so a loop that never waits is an error
 void writeLoopBody(StepWriter& writer, bool mayNotEnd);
 
-/// Writes a loop that sets the step's `variable` to one pose after the other.
+/// Writes a loop that assigns the poses to the step's `variable` in turn.
 /// key  field with the poses
 void writePlaceLoop(StepWriter& writer, const std::vector<project::Waypoint>& places, const char* key);
 

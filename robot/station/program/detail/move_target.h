@@ -15,27 +15,28 @@ std::vector<StepField> moveFields(MoveCommand command);
 
 /// A target as URScript.
 struct MoveTarget {
-    QString joints;             ///< if the target is given in joint space; otherwise empty
+    QString joints;             ///< if the target is in joint space; empty otherwise
     QString pose;               ///< TCP pose in the base frame
-    QString near;               ///< joint positions near the desired solution; may be empty
-    std::optional<Pose> known;  ///< value of `pose` if it is known before the run
-    /// For movel and similar commands, which accept both notations.
+    QString near;               ///< joint positions near the solution to use; may be empty
+    std::optional<Pose> known;  ///< value of `pose`, if known before the run
+    /// For movel and similar commands, which accept both.
     QString either() const { return joints.isEmpty() ? pose : joints; }
     /// For movej.
     QString asJoints() const;
 };
 
 /// before  distance from the target along -Z of the tool [m]
-/// key     field used to report problems
+/// key     field for reporting problems
 std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& waypoint, double before,
                                    const char* key);
 
-/// Writes the whole step: the move to its target and the actions at the target.
+/// Writes the whole step: the move to its target and the actions there.
 void writeMove(StepWriter& writer, MoveCommand command);
-/// Writes a move to one waypoint with the speed and blend of the step or, if not set, of the waypoint.
+/// Writes a move to one waypoint with the speed and blend of the step or, if they are not set, of the
+/// waypoint.
 void writeMoveTo(StepWriter& writer, MoveCommand command, const project::Waypoint& waypoint, bool stops);
 
-/// The waypoint selected in a field that has already been checked.
+/// The waypoint in a field that has already been checked.
 const project::Waypoint& waypointOf(StepWriter& writer, const char* key);
 
 }  // namespace tiller::program

@@ -368,7 +368,7 @@ void StepWriter::Private::addEffects(const Steps& steps, int caller, int depth,
     }
 }
 
-/// Returns true unless the first line with the variable sets it at the top level of the program.
+/// Returns true if the first line that uses the variable does not set it at the top level of the program.
 bool StepWriter::Private::usesBeforeSetting(const QString& variable) const {
     static const QRegularExpression kText(QStringLiteral("\"[^\"]*\"|#.*"));
     const QRegularExpression word(QStringLiteral("\\b%1\\b").arg(QRegularExpression::escape(variable)));
@@ -419,8 +419,7 @@ ProgramScript StepWriter::Private::write(const QUuid& id) {
         report({}, ProgramText::tr("The project does not contain this program. Select a different program."));
         return result;
     }
-    result.name =
-        QStringLiteral("program_") + scriptName(program->name);  // must not be the name of a function
+    result.name = QStringLiteral("program_") + scriptName(program->name);  // must not be a function name
     if (options.model && project.robot && *options.model != *project.robot) {
         report({}, ProgramText::tr("The project was taught with a %1, but the robot is a %2. Use “Adapt "
                                    "project to this robot…” first.")

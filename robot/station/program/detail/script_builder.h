@@ -63,10 +63,10 @@ public:
     const StepField* field(const char* key) const;
     QJsonValue value(const char* key) const;
     void writeFrom(const project::Program& program);
-    /// An effect of a step on the steps after it, outside of sections.
+    /// An effect of a step on later steps, outside of sections.
     struct Effect {
         int step = 0;      ///< number in the main program
-        QString variable;  ///< that the step sets; empty: payload or parallel watch
+        QString variable;  ///< variable set by the step; empty: payload or parallel watch
     };
     void addEffects(const Steps& steps, int caller, int depth, std::vector<Effect>& effects) const;
     bool usesBeforeSetting(const QString& variable) const;
@@ -81,8 +81,8 @@ public:
     Lines functions;
     QMap<QString, QString> helpers;
     std::vector<std::pair<QString, VariableType>> variables;
-    QHash<std::pair<QUuid, QUuid>, int> numbers;  ///< step numbers by program and step id
-    QStringList calls;                            ///< ids of the programs being written, main program first
+    QHash<std::pair<QUuid, QUuid>, int> numbers;  ///< step numbers by program and step ID
+    QStringList calls;                            ///< IDs of the programs being written, main program first
     QHash<QString, QString> callFunctions;        ///< function names by program and scope
     Scope scope;
     Place place;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Interface through which step kinds write their script. Provides the field values of the step, the lines of
-// the script, and the state that sections set for the steps in them. Fields are checked beforehand, so the values
+// Interface with which step kinds write their script. Provides the field values of the step, the lines of the
+// script, and the state set by the enclosing sections. The fields have already been checked, so the values
 // exist and are valid.
 
 #include <functional>
@@ -18,12 +18,12 @@
 
 namespace tiller::program {
 
-/// Types of variables; a variable never changes its type.
+/// Types of variables. A variable never changes its type.
 enum class VariableType { Number, Whole, Flag, Text, Pose };
 
 class StepWriter {
 public:
-    /// State that sections set for the steps in them.
+    /// State set by the enclosing sections.
     struct Scope {
         std::optional<Pose> tcp;  ///< flange to TCP, as set by the script
         double speedFactor = 1;
@@ -31,8 +31,8 @@ public:
         int loops = 0;      ///< number of enclosing loops that `break` can leave
         bool isParallel = false;
         bool isForce = false;     ///< the arm is not at standstill between the steps
-        bool isCycle = false;     ///< inside of an endless loop
-        bool isFunction = false;  ///< a failure is returned as its text
+        bool isCycle = false;     ///< inside an endless loop
+        bool isFunction = false;  ///< a failure is returned as text
         bool isTop = true;        ///< true at the top level of the main program
     };
 
@@ -59,7 +59,7 @@ public:
     const RobotModel& model() const;
     const SoftwareVersion& version() const;
     const SpeedLimits& speedLimits() const;
-    /// Speeds of a move, after the Speed sections and the limits of the script [m/s], [rad/s].
+    /// Speeds of a move [m/s], [rad/s], with the Speed sections and the limits of the script applied.
     double toolSpeed(double speed) const;
     double jointSpeed(double speed) const;
     Scope& scope();  ///< Changes apply to the rest of the section; see inScope().
@@ -69,8 +69,8 @@ public:
     void open(const QString& text);  ///< Writes a line and indents the following lines.
     /// Ends the indentation and, unless the text is empty, writes it as the closing line.
     void close(const QString& text = QStringLiteral("end"));
-    void mark();  ///< Writes the step's number to the step register. A run can pause here before the step.
-    void markReturn();  ///< Writes the number again after the steps of another program.
+    void mark();  ///< Writes the step number to the step register. A run can pause here, before the step.
+    void markReturn();  ///< Writes the step number again after the steps of another program.
     /// Writes the line that counts the iterations of an endless loop. A run can end here.
     void countCycle(const QString& counter);
     void steps();  ///< Writes the steps of the section, indented.
@@ -78,13 +78,13 @@ public:
     void inScope(const std::function<void()>& write);
     /// Writes a function before the main part. `body` writes its content.
     void function(const QString& header, const std::function<void()>& body);
-    /// Adds a helper function to the script, only once.
+    /// Adds a helper function to the script once.
     /// definition  complete lines
     void require(const QString& name, const QString& definition);
     /// Ends the program with this error text, or continues in the enclosing On error section.
     void fail(const QString& text);
     void failWith(const QString& expression);  ///< Like fail(), with a text computed by the script.
-    /// Like fail(), but only if selected in the field `key` of the step.
+    /// Like fail(), if this is selected in the field `key` of the step.
     void failIfChosen(const char* key, const QString& condition, const QString& text);
     void declare(const QString& variable,
                  VariableType type);  ///< Declares a variable for the whole program.
@@ -95,10 +95,10 @@ public:
     void waitUntil(const QString& condition, std::optional<double> limit);
 
     // ---- moves ------------------------------------------------------------------------------------------
-    /// The TCP of the targets. Reports a problem if a waypoint was taught with a TCP that differs from the
-    /// one used by the program.
+    /// TCP of the targets. Reports a problem if a waypoint was taught with a TCP other than that of the
+    /// program.
     std::optional<Pose> tcpFor(const project::Waypoint& waypoint, const char* key);
-    /// Records a move for the check of blends.
+    /// Records a move for the blend check.
     /// target  in the base frame, if known
     void noteMove(const std::optional<Pose>& target, double blend);
 

@@ -9,8 +9,8 @@
 
 namespace tiller::program {
 
-/// Thread: one at a time, normal priority, started by start(), ended by cancel(), the next start() and the
-/// destructor. Only the flag `cancelled` is shared with it.
+/// Runs one task at a time in a thread of normal priority. cancel(), the next start() and the destructor end
+/// the task. Only the flag `cancelled` is shared with the thread.
 class BackgroundTask {
 public:
     BackgroundTask() = default;
@@ -19,7 +19,8 @@ public:
     BackgroundTask& operator=(const BackgroundTask&) = delete;
 
     /// Cancels the running task and starts this one.
-    /// work     called in the thread; ends soon after `cancelled` becomes true, and then reports nothing
+    /// work     called in the thread; must end soon after `cancelled` becomes true, and must then not report
+    /// a result
     /// Threads  one. Blocks: a few milliseconds while a running task ends
     void start(std::function<void(const std::atomic<bool>& cancelled)> work);
     void cancel();  ///< Ends the running task.

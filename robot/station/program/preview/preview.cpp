@@ -20,8 +20,8 @@ namespace tiller::program {
 namespace {
 
 constexpr int kCancelEvery = 500;       ///< number of control periods
-constexpr int kHeartbeatRegister = 24;  ///< integer input; the first register that a run from the PC uses
-constexpr double kMaxStoppingTime = 2;  ///< of the arm, after the program was stopped [s]
+constexpr int kHeartbeatRegister = 24;  ///< integer input; the first register used by a run from the PC
+constexpr double kMaxStoppingTime = 2;  ///< maximum time from the stop of the program to standstill [s]
 
 RobotModelId modelFor(const project::Project& project, const ScriptOptions& options) {
     return options.model.value_or(project.robot.value_or(RobotModelId::UR5e));
@@ -43,7 +43,7 @@ QString contactText(const collision::Contact& contact, const collision::Surround
     return {};
 }
 
-/// One simulated run of a script, observed step by step.
+/// A simulated run of a script, monitored step by step.
 class Follower {
 public:
     Follower(const project::Project& project, const ProgramScript& script, const ScriptOptions& scriptOptions,
@@ -113,7 +113,7 @@ private:
         result_.findings.push_back({kind, step, run_.time(), text});
     }
 
-    /// before  position before the last control period, in which the steps of this period start
+    /// before  arm position before the last control period, in which the steps of this period start
     void followMarks(const JointPositions& before) {
         for (const std::int32_t value : run_.takeWritten()) {
             const double now = run_.time();
@@ -148,8 +148,8 @@ private:
         }
     }
 
-    // The first step of a cycle starts once in each cycle. A section that starts with it can mark it twice; then fewer
-    // cycles are run, but at least one.
+    // The first step of a cycle starts once in each cycle. A section that starts with this step can mark it
+    // twice. Then fewer cycles are run, but at least one.
     void followCycles() {
         if (std::find(script_.cycles.begin(), script_.cycles.end(), step_) != script_.cycles.end()) {
             cycle_ = step_;
@@ -165,14 +165,14 @@ private:
 
     StepTiming& timing(int step) { return result_.timings[static_cast<std::size_t>(step - 1)]; }
 
-    /// Adds an event, after those of the same time.
+    /// Adds an event after those with the same time.
     void schedule(std::size_t event, double due) {
         const auto later = std::upper_bound(due_.begin(), due_.end(), due,
                                             [](double time, const Due& other) { return time < other.time; });
         due_.insert(later, {due, event});
     }
 
-    /// Schedules the events that follow the n-th beginning of the running step.
+    /// Schedules the events for the n-th beginning of the running step.
     void scheduleAtStep(int run) {
         for (std::size_t i = 0; i < options_.events.size(); ++i) {
             if (options_.events[i].step == step_ && options_.events[i].run == run) {
@@ -267,7 +267,7 @@ private:
         return false;
     }
 
-    /// Adds a sample to the path, and checks the segment since the previous sample for collisions.
+    /// Adds a sample to the path, and checks the segment from the previous sample for collisions.
     void sample() {
         nextSample_ = run_.time() + options_.sampleInterval;
         const PathSample now{run_.time(), step_, run_.q(), run_.tcpPose()};
@@ -321,7 +321,7 @@ private:
         if (hasSafetyStop && run_.safetyMode() != SafetyMode::RobotEmergencyStop) {
             find(Finding::Kind::ProtectiveStop, step_, run_.stopText());
         }
-        // A program that has written the 0 at its end was not affected by the stop.
+        // A program that has already written 0 was not affected by the stop.
         const bool stopped = hasSafetyStop || (isStopped_ && lastMark_ != 0);
         const bool cut =
             std::any_of(result_.findings.begin(), result_.findings.end(), [](const Finding& finding) {
@@ -367,7 +367,7 @@ private:
     script::SupervisedProgram text_;
     Preview result_;
     std::optional<std::int32_t> lastMark_;  ///< last value of the step register
-    bool isStopped_ = false;                ///< by an event
+    bool isStopped_ = false;                ///< stopped by an event
     bool hasHeartbeat_ = false;
     std::int32_t heartbeat_ = 0;
     std::uint64_t outputs_ = 0;
@@ -377,7 +377,7 @@ private:
     std::set<std::array<int, 3>> contactSteps_;  ///< each contact is reported once per step
     int steps_ = 0;
     bool failed_ = false;
-    int cycle_ = 0;         ///< step number of the endless loop that runs; 0: none
+    int cycle_ = 0;         ///< step number of the running endless loop; 0: none
     int firstOfCycle_ = 0;  ///< step number; 0: not known yet
     int cycles_ = 0;        ///< cycles that have begun
 };

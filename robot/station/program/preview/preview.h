@@ -2,8 +2,8 @@
 #pragma once
 
 // Predicts the behaviour of a program by running its actual script in the simulated controller, in virtual
-// time. The result contains the path, the time of each step, and problems by step. Everything is simulated:
-// there are no parts, and inputs have the values given in the options.
+// time. The result contains the path, the time of each step, and problems by step. Workpieces are not
+// simulated, and inputs have the values given in the options.
 
 #include <QJsonArray>
 #include <QString>
@@ -22,7 +22,8 @@
 
 namespace tiller::program {
 
-/// The preview of an endless program ends after this number of cycles. The second one begins where the first ended.
+/// Number of cycles after which the preview of an endless program ends. The second cycle begins where the
+/// first one has ended.
 inline constexpr int kPreviewCycles = 2;
 
 /// A digital input that switches during the run.
@@ -32,22 +33,22 @@ struct InputChange {
     bool value = true;
 };
 
-/// An input or a stop from outside. It takes effect in the control period after its time.
+/// An input or an external stop. Takes effect in the control period after its time.
 struct PreviewEvent {
     enum class Kind {
         DigitalInput,    ///< `channel` as in InputChange; on unless `value` is 0
         AnalogInput,     ///< AI0 or AI1, `value` in [A or V]
-        HandForce,       ///< a hand at the TCP exerts `force`
-        ProtectiveStop,  ///< same stop as after a collision
+        HandForce,       ///< hand force `force` at the TCP
+        ProtectiveStop,  ///< same reaction as to a collision
         OperatorStop,    ///< the stop button of the pendant
         EmergencyStop,   ///< the emergency stop button of the pendant
-        PowerLoss,       ///< the supply of the arm fails
-        LinkLoss,        ///< the connection to the PC is lost
+        PowerLoss,       ///< failure of the power supply of the arm
+        LinkLoss,        ///< loss of the connection to the PC
     };
     Kind kind = Kind::DigitalInput;
     double time = 0;  ///< since the start or since the beginning of `step` [s]
     int step = 0;     ///< step number; 0: `time` is since the start
-    int run = 1;      ///< the first, second ... beginning of the step counts
+    int run = 1;      ///< number of the beginning of `step`, from 1
     int channel = 0;
     double value = 0;
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< [N], base frame
@@ -59,20 +60,20 @@ bool isStop(PreviewEvent::Kind kind);
 struct PreviewOptions {
     std::optional<JointPositions> start;  ///< [rad]; if empty, see startPosition()
     std::vector<InputChange> inputs;
-    /// With a LinkLoss event, the script runs as in a run from this PC: it ends if the heartbeat is missing.
+    /// With a LinkLoss event, the script runs as if started from this PC: it ends without a heartbeat.
     std::vector<PreviewEvent> events = {};
-    /// For the questions to the operator, in this order; afterwards "no", zero or an empty text.
+    /// For the questions to the operator, in this order. Further answers are "no", zero or an empty text.
     QJsonArray answers = {};
     std::vector<std::string> variables = {};  ///< names of the variables for Preview::variables
     bool measuresClearance = false;           ///< whether Preview::clearance is measured
-    std::uint64_t seed = 1;                   ///< of the measurement noise and of random()
+    std::uint64_t seed = 1;                   ///< for the measurement noise and random()
     /// For several previews of the same arm in one thread, see CollisionCheck.
     collision::NeverMeeting* known = nullptr;
     int maxCycles = kPreviewCycles;          ///< of an endless loop; 0: no limit
     double timeLimit = 3600;                 ///< duration [s] after which the program is stopped
     double operatorTime = 1;                 ///< time until a message is closed or a question is answered [s]
     double sampleInterval = 0.02;            ///< time between two samples of the path [s]
-    std::function<bool()> isCancelled = {};  ///< polled; if it returns true, the preview ends
+    std::function<bool()> isCancelled = {};  ///< polled; the preview ends when it returns true
 };
 
 struct PathSample {
@@ -94,7 +95,7 @@ struct Finding {
         ScriptError,     ///< the controller cannot compile the script
         RuntimeError,    ///< runtime error that ended the program
         ProtectiveStop,  ///< the arm stopped: reach, joint limits, speed, force
-        Collision,       ///< the arm violated the safety distance from itself or the cell
+        Collision,       ///< the arm was closer than the safety distance to itself or the cell
         StepFailed,      ///< a step failed and no On error section handled it
         TimeLimit,       ///< the program had not ended after `timeLimit`
         Cancelled,
@@ -126,12 +127,12 @@ struct Preview {
         Completed,
         Failed,   ///< by a step or by the script
         Stopped,  ///< by a protective stop or an event
-        Running,  ///< the program was still running when the preview ended
+        Running,  ///< the program was still running at the end of the preview
     };
     bool completed = false;  ///< the program ended normally, or is endless
     bool isEndless = false;  ///< the preview ended after PreviewOptions::maxCycles cycles of an endless loop
     End end = End::Failed;
-    int endStep = 0;      ///< step that failed, or that was running at the end; 0: none
+    int endStep = 0;      ///< step that failed or was running at the end; 0: none
     double duration = 0;  ///< until the end of the preview [s]
     std::vector<PathSample> path;
     std::vector<int> order;           ///< step numbers in the order of their start
@@ -145,15 +146,15 @@ struct Preview {
     std::uint64_t outputs = 0;              ///< digital outputs at the end
     std::array<double, 2> analogOutputs{};  ///< at the end [A or V]
     std::vector<OutputChange> outputChanges;
-    Extreme force;  ///< largest force at the TCP as a client of the robot receives it [N]
-    /// Smallest distance of the arm from the floor, planes and boxes of the cell [m], at the samples of the path.
-    /// Empty if it was not measured, or if the cell has none of these.
+    Extreme force;  ///< largest TCP force as received by a client of the robot [N]
+    /// Smallest distance of the arm from the floor, planes and boxes of the cell [m], at the samples of the
+    /// path. Empty if it was not measured or the cell has no such objects.
     std::optional<Extreme> clearance;
     /// Last values, see simulator::ScriptRun::followedVariable().
     std::map<std::string, QJsonValue> variables;
     std::vector<std::size_t> unusedEvents;  ///< indices of the events that did not take place
     int questions = 0;                      ///< number of questions to the operator
-    std::vector<int> unfitAnswers;          ///< indices of the answers of another type than the question
+    std::vector<int> unfitAnswers;          ///< indices of answers whose type does not match the question
 
     bool isGood() const { return completed && findings.empty(); }  ///< The program ended without a finding.
 };
@@ -165,8 +166,8 @@ QString findingText(const project::Project& project, const ProgramScript& script
 /// Positions of the TCP along the path, at least `spacing` [m] apart, in the base frame [m].
 std::vector<Eigen::Vector3d> tcpPath(const Preview& preview, double spacing);
 
-/// Start position of a preview: the joints of the first waypoint of the program, otherwise the project's home
-/// position, otherwise the start position of the simulated controller.
+/// Start position of a preview: the first waypoint of the program, otherwise the home position of the
+/// project, otherwise the start position of the simulated controller.
 JointPositions startPosition(const project::Project& project, const ProgramScript& script);
 
 /// script  without errors, see ProgramScript::ok()

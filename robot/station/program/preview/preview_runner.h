@@ -10,7 +10,7 @@
 
 namespace tiller::program {
 
-/// Copies of project and script are passed to the thread of the task, which returns the preview.
+/// The task thread works on copies of project and script, and returns the preview.
 class PreviewRunner {
 public:
     /// Cancels the running preview and starts this one.
@@ -18,7 +18,7 @@ public:
     /// Threads  one. Blocks: a few milliseconds while a running preview ends
     void start(project::Project project, ProgramScript script, ScriptOptions scriptOptions,
                PreviewOptions options, std::function<void(const Preview&)> done);
-    void cancel();  ///< Ends the running preview; `done` is not called afterwards.
+    void cancel();  ///< Ends the running preview without calling `done`.
 
 private:
     BackgroundTask task_;

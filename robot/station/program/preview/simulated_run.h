@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The script of a program in the simulated controller, with the inputs and the operator of PreviewOptions.
+// The script of a program in the simulated controller, with the inputs and the operator actions of
+// PreviewOptions.
 
 #include <optional>
 #include <vector>
@@ -32,9 +33,9 @@ public:
     simulator::ScriptRun& controller() { return run_; }
     const simulator::ScriptRun& controller() const { return run_; }
     double time() const { return run_.time(); }  ///< since the start [s]
-    /// Changes of inputs that the run has not yet reached, with the remaining time until then.
+    /// Input changes that the run has not reached yet, with the remaining times.
     std::vector<InputChange> remainingInputs() const;
-    /// Values of the inputs that the run has set, as changes at time 0.
+    /// Input values set so far, as changes at time 0.
     std::vector<InputChange> inputs() const;
     int questions() const { return questions_; }  ///< number of questions to the operator so far
     /// Indices of the answers of another type than the question.

@@ -22,12 +22,12 @@ constexpr int kOutputs = 18;
 constexpr int kCheckedIterations = 2;   // of an endless loop
 constexpr double kSamePosition = 1e-4;  // [rad] for each joint
 constexpr double kAtStartPosition = 1e-3;
-constexpr double kAdditionalTime = 10;  // [s] before a repeated step counts as waiting
+constexpr double kAdditionalTime = 10;  // [s] after which a repeated step is considered to be waiting
 constexpr int kPollEvery = 500;         // control periods
 
-using SwitchCounts = std::array<int, kOutputs>;  ///< how often each output has switched on
+using SwitchCounts = std::array<int, kOutputs>;  ///< number of times each output has switched on
 
-/// Values where a step of the top level, or an iteration of its endless loop, begins or ends.
+/// State at the beginning or end of a top-level step, or of an iteration of a top-level endless loop.
 struct Boundary {
     double time = 0;
     ControllerState state;
@@ -35,10 +35,10 @@ struct Boundary {
     JointPositions q;
     bool isStandstill = false;
     std::map<QString, QString> variables;
-    std::size_t order = 0;  ///< number of steps that have begun
+    std::size_t order = 0;  ///< number of steps begun
 };
 
-/// Values at the beginning of a step in a group.
+/// State at the beginning of a step in a group.
 struct Snapshot {
     ControllerState state;
     SwitchCounts switches{};
@@ -47,16 +47,16 @@ struct Snapshot {
     std::map<QString, QString> variables;
 };
 
-/// A step at the top level of the program with the steps that must follow it, e.g. if and else.
+/// A step at the top level of the program, with the steps that must follow it, e.g. if and else.
 struct Group {
     int first = 0;  ///< step numbers
     int last = 0;
     QUuid step;
-    int iterationStep = 0;         ///< first step in an endless loop; 0: the group is no endless loop
+    int iterationStep = 0;         ///< first step in an endless loop; 0: not an endless loop
     bool isIterationCall = false;  ///< that step marks its beginning and its end
     bool isScript = false;         ///< contains URScript text, whose variables are unknown
-    bool isRelative = false;       ///< the steps depend on the exact position of the arm
-    QSet<QString> variables;       ///< set by the steps
+    bool isRelative = false;       ///< the steps depend on the exact arm position
+    QSet<QString> variables;       ///< variables that the steps set
     JointPositions start;          ///< [rad]
     std::vector<Boundary> boundaries;
     std::map<std::size_t, Snapshot> snapshots;  ///< up to the second boundary, by number of steps begun
@@ -64,11 +64,11 @@ struct Group {
     bool contains(int number) const { return number >= first && number <= last; }
 };
 
-/// A stop. The state is the one after the control period in which the stop takes effect.
+/// A stop. The state is that after the control period in which the stop takes effect.
 struct Moment {
     double time = 0;
     int step = 0;
-    int mainStep = 0;  ///< the step in the main program
+    int mainStep = 0;  ///< step in the main program
     std::size_t group = 0;
     std::size_t segment = 0;  ///< index of the boundary before the stop
     ControllerState state;
@@ -87,7 +87,7 @@ struct Repetition {
     std::vector<int> order;
 };
 
-/// A repetition with the state and inputs at its start.
+/// A repetition with the state and the inputs at its start.
 struct KnownRepetition {
     ControllerState state;
     std::vector<InputChange> inputs;
@@ -268,7 +268,7 @@ private:
         return values;
     }
 
-    /// before  values before the control period
+    /// before  state before the control period
     static Snapshot snapshotOf(const SimulatedRun& run, const SwitchCounts& switches,
                                const JointPositions& before, bool wasStandstill,
                                const QSet<QString>& variables) {
@@ -331,7 +331,7 @@ private:
         }
     }
 
-    /// before  values before the control period
+    /// before  state before the control period
     bool followMarks(SimulatedRun& run, const SwitchCounts& switches, const Boundary& before) {
         bool wasMarked = false;
         for (const std::int32_t value : run.controller().takeWritten()) {
@@ -362,8 +362,7 @@ private:
         return wasMarked;
     }
 
-    /// True if the step that begins is the first one of an iteration of the endless loop, except the first
-    /// iteration.
+    /// True if the step is the first of an iteration of the endless loop, except the first iteration.
     static bool isIteration(const Group& group, int step, int& marks) {
         if (group.iterationStep == 0 || step != group.iterationStep) {
             return false;
@@ -418,7 +417,7 @@ private:
 
     struct Rest {
         ProgramScript script;
-        std::vector<int> numbers;  ///< number in the complete script of each step
+        std::vector<int> numbers;  ///< for each step, its number in the complete script
     };
     const Rest& restOf(std::size_t group) {
         std::optional<Rest>& rest = rests_[group];
@@ -539,7 +538,7 @@ private:
 
     QString nameOf(int step) const { return stepName(project_, script_, step); }
 
-    /// The reason of the kinds of the steps that contain the stop; empty if there is none.
+    /// Why the kinds of the steps that contain the stop prevent recovery; empty if they do not.
     QString kindReason(const Moment& moment) const {
         for (const int inner : {moment.step, moment.mainStep}) {
             for (int at = inner; at > 0; at = parents_[static_cast<std::size_t>(at - 1)]) {
@@ -606,7 +605,7 @@ private:
                        : ProgramText::tr("%1 would have a different value.").arg(name);
     }
 
-    /// The first difference between the undisturbed run and the stop with the repetition, as a sentence.
+    /// The first difference between the undisturbed run and a stop followed by the repetition, as a sentence.
     QString difference(const Moment& moment, const Boundary& begin, const Boundary& end,
                        const Repetition& again) const {
         switch (again.end) {
@@ -663,7 +662,7 @@ private:
         return {};
     }
 
-    /// In later iterations of an endless loop, the step of the loop itself is missing.
+    /// In later iterations of an endless loop, the loop step itself is missing.
     bool isSameOrder(const Boundary& begin, const Boundary& end, const std::vector<int>& again) const {
         const auto first = order_.begin() + static_cast<std::ptrdiff_t>(begin.order);
         const auto last = order_.begin() + static_cast<std::ptrdiff_t>(end.order);
@@ -701,7 +700,8 @@ private:
         for (std::size_t i = 0; i < moments_.size(); ++i) {
             add(moments_[i].step, i);
         }
-        // Steps that take no time cannot be interrupted: the stop takes effect in the next step that does.
+        // Steps that take no time cannot be interrupted. The stop takes effect in the next step that takes
+        // time.
         for (const auto& [step, at] : begun_) {
             if (at < moments_.size() && moments_[at].step != step &&
                 result_.steps[static_cast<std::size_t>(step - 1)].from == 0) {
@@ -717,14 +717,14 @@ private:
     RecoveryOptions options_;
     std::vector<const ProgramStep*> steps_;  ///< by number
     std::vector<int> parents_;               ///< number of the enclosing section; 0: none
-    int mainSteps_ = 0;                      ///< steps of the main program have numbers up to this one
+    int mainSteps_ = 0;                      ///< steps up to this number belong to the main program
     std::vector<Group> groups_;
     QSet<int> gripperOutputs_;
     std::vector<std::optional<Rest>> rests_;
     std::vector<std::vector<KnownRepetition>> repetitions_;
 
     bool hasConstantInputs_ = true;
-    ControllerState installation_;  ///< of a started controller
+    ControllerState installation_;  ///< state of a started controller
     std::size_t group_ = 0;         ///< the running group; groups_.size(): none
     int mainStep_ = 0;
     int step_ = 0;
@@ -732,7 +732,7 @@ private:
     bool isOver_ = false;
     bool failed_ = false;
     std::vector<int> order_;
-    std::vector<std::pair<int, std::size_t>> begun_;  ///< steps with the next moment
+    std::vector<std::pair<int, std::size_t>> begun_;  ///< steps with their next stop
     std::vector<Moment> moments_;
     int periods_ = 0;
     bool isCancelled_ = false;

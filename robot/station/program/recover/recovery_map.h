@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Determines from which step a program can continue after a stop, for stops at the beginning of each step and
-// at regular intervals. A program continues by running from the step at the top level of the program that
-// contains the stop (ScriptOptions::from), with the arm at the start position of that step. The check runs the
-// step again in the simulated controller with the outputs and registers that the stop has left, and compares
-// outputs, registers, variables, steps and position with those of the undisturbed run. Everything is simulated:
-// parts and contacts are unknown, and a waiting input does not change while the program is stopped.
+// Determines from which step a program can continue after a stop. Checks stops at the beginning of each step
+// and at regular intervals. A program continues from the top-level step that contains the stop
+// (ScriptOptions::from), with the arm at the start position of that step. The check runs that step again in
+// the simulated controller with the outputs and registers that the stop has left. It compares outputs,
+// registers, variables, steps and position with those of the undisturbed run. Workpieces and contacts are not
+// simulated, and a waiting input does not change while the program is stopped.
 
 #include <QString>
 #include <QUuid>
@@ -21,17 +21,17 @@ namespace tiller::program {
 
 enum class StopKind {
     Protective,  ///< the arm stops, and the controller keeps outputs and registers
-    Operator,    ///< as Protective
-    LinkLoss,    ///< the program runs for up to kMaxLinkLossTime after the fault, perhaps into later steps
-    PowerLoss,   ///< outputs switch off; registers, TCP and payload have the values of a started controller
+    Operator,    ///< same as Protective
+    LinkLoss,    ///< the program continues for up to kMaxLinkLossTime, possibly into later steps
+    PowerLoss,   ///< outputs off; registers, TCP and payload as after a controller start
 };
 inline constexpr std::array kStopKinds{StopKind::Protective, StopKind::Operator, StopKind::LinkLoss,
                                        StopKind::PowerLoss};
 inline constexpr double kMaxLinkLossTime = 0.25;  ///< [s]
 
-/// From good to bad.
+/// From best to worst.
 enum class Recovery {
-    NotReached,  ///< the simulated program has no such stop
+    NotReached,  ///< no such stop in the simulated program
     Continue,    ///< the arm is at the start position of the step to run
     MoveBack,    ///< the arm must move to the start position of the step to run
     Unsafe,      ///< the program must not continue
@@ -50,7 +50,7 @@ struct StopPoint {
     StopMarks marks;
 };
 
-/// All stops in one step. For each kind of stop, the worst mark.
+/// All stops in one step, with the worst mark for each kind of stop.
 struct StepRecovery {
     StopMarks marks;
     int from = 0;          ///< number of the step to run after a stop; 0: not reached
@@ -71,19 +71,19 @@ struct RecoveryOptions {
     double interval = 0.1;   ///< time between two stops in a step [s]
 };
 
-/// Simulates the program from its beginning. In an endless loop at the top level, the first two iterations are
+/// Simulates the program from its beginning. For an endless loop at the top level, two iterations are
 /// checked, and the program continues at the loop.
 /// script   of the complete program, without errors
 /// options  of the script
-/// Threads  any. Blocks: seconds, and up to a minute if a program has many different states
+/// Threads  any. Blocks: seconds; up to a minute if a program has many different states
 RecoveryMap checkRecovery(const project::Project& project, const QUuid& program, const ProgramScript& script,
                           const ScriptOptions& scriptOptions = {}, const RecoveryOptions& options = {});
 
-/// The worst mark of the stops without a power loss, e.g. "✔ Continue".
+/// The worst mark of all stops except power loss, e.g. "✔ Continue".
 QString recoveryMark(const StepRecovery& recovery);
-/// One line for each kind of stop with its mark and the reason.
+/// One line for each kind of stop, with mark and reason.
 QString recoveryDetails(const StepRecovery& recovery);
-/// Number of steps with a stop, and of those that can continue after each stop without a power loss.
+/// Number of steps with a stop, and number of those that can continue after any stop except power loss.
 struct RecoveryCount {
     int steps = 0;
     int recoverable = 0;

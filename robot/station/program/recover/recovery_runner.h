@@ -10,7 +10,7 @@
 
 namespace tiller::program {
 
-/// Copies of project and script are passed to the thread of the task, which returns the marks.
+/// The task thread works on copies of project and script, and returns the marks.
 class RecoveryRunner {
 public:
     /// Cancels the running check and starts this one.
@@ -18,7 +18,7 @@ public:
     /// Threads  one. Blocks: a few milliseconds while a running check ends
     void start(project::Project project, const QUuid& program, ProgramScript script,
                ScriptOptions scriptOptions, std::function<void(const RecoveryMap&)> done);
-    void cancel();  ///< Ends the running check; `done` is not called afterwards.
+    void cancel();  ///< Ends the running check without calling `done`.
     bool isRunning() const { return task_.isRunning(); }
 
 private:

@@ -12,9 +12,9 @@
 namespace tiller::program {
 
 struct Continuation {
-    std::optional<StartStep> start;  ///< empty: the program must not continue, or nothing is known
-    int number = 0;                  ///< number of the step to run in the complete script
-    QString text;                    ///< one sentence with the mark and its reason; empty: nothing is known
+    std::optional<StartStep> start;  ///< empty: the program must not continue, or unknown
+    int number = 0;                  ///< number of this step in the complete script
+    QString text;                    ///< one sentence with the mark and its reason; empty: unknown
 };
 
 /// script   of the check

@@ -22,7 +22,8 @@ namespace {
 constexpr double kSameTcp = 1e-4;       // [m]
 constexpr double kSameRotation = 1e-3;  // [rad]
 constexpr double kAtStart = 0.01;       // [rad] for each joint
-/// A held run may take this multiple of the expected duration before the button must be pressed again.
+/// A hold-to-run program may take this multiple of the expected duration before the button must be pressed
+/// again.
 constexpr double kSlower = 1.5;
 
 bool isSameTcp(const Pose& a, const Pose& b) {
@@ -34,8 +35,9 @@ bool isAt(const JointPositions& q, const SessionState& state) {
     return (q.values - state.q.values).cwiseAbs().maxCoeff() < kAtStart;
 }
 
-/// Speed of TCP or elbow while the fastest joint rotates at 1 rad/s, for any joint move [m]. Each joint moves the TCP
-/// at most by its distance from the axis, which is at most the length of all later links.
+/// Upper bound of the TCP or elbow speed in a joint move in which the fastest joint rotates at 1 rad/s [m]. A
+/// joint moves the TCP at most by its distance from the axis, which is at most the length of all following
+/// links.
 double longestLever(const SessionState& state) {
     const DhParameters& dh = robotModel(state.model).dh;
     double sum = 0;
@@ -51,7 +53,7 @@ double longestLever(const SessionState& state) {
 /// Like longestLever(), for the joint motions of this path.
 double leverOf(const Preview& preview, const SessionState& state) {
     constexpr double kLeastTurn = 1e-4;  // [rad]
-    constexpr double kChord = 1.05;      // samples are connected by chords
+    constexpr double kChord = 1.05;      // samples are connected by chords, which are shorter than the path
     const DhParameters dh = state.arm().dh;
     double lever = 0;
     const auto elbow = [&dh](const PathSample& at) -> Eigen::Vector3d {
@@ -159,7 +161,7 @@ double slowedDuration(const Preview& preview, const SpeedLimits& limits, double 
         const PathSample& to = preview.path[i];
         const double line = (to.tcp.position - from.tcp.position).norm() / limits.tool;
         const double joints = (to.q.values - from.q.values).cwiseAbs().maxCoeff() / limits.joint;
-        // The script limits either of the two speeds, depending on the kind of the move.
+        // The script limits one of the two speeds, depending on the move type.
         sum += std::max({to.time - from.time, line, joints});
     }
     return sum / std::max(speedFraction, 0.01);
@@ -210,7 +212,7 @@ HoldMotion ProgramRunner::motion(std::function<RunPlan()> plan) {
         .bounds =
             [this] {
                 HoldBounds bounds;
-                // A program of unknown duration has the limit of motions without an end.
+                // A program of unknown duration has the time limit of motions without an end.
                 bounds.longestNs = expected_ > 0 ? HoldBounds::longestOf(kSlower * expected_) : 0;
                 bounds.holdTimeoutNs = HoldBounds::holdTimeoutAt(limits_.tool, limits_.joint);
                 return bounds;

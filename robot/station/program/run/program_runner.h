@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Runs a program of the project on the robot. The program runs instead of the control program and is
-// supervised by this computer: it ends within 250 ms of a stop, of the end of this process or of the loss of
-// the connection. Follows the running step, the time and the number of runs of each step.
+// Runs a program of the project on the robot, in place of the control program. This PC supervises the
+// program: it ends within 250 ms of a stop, of the end of this process or of the loss of the connection.
+// Monitors the running step, the time and the number of runs of each step.
 
 #include <QObject>
 #include <functional>
@@ -18,19 +18,19 @@
 
 namespace tiller::program {
 
-/// A script for the connected robot, and the reason why it cannot run.
+/// A script for the connected robot, or why it cannot run.
 struct RunPlan {
     ProgramScript script;
-    QString obstacle;     ///< a translated sentence; empty if the program can run
+    QString obstacle;     ///< translated sentence; empty if the program can run
     double expected = 0;  ///< expected duration [s]; 0: unknown
-    SpeedLimits limits;   ///< of the moves
+    SpeedLimits limits;   ///< speed limits of the moves
 };
 
-/// Speed limits of a held run, at which neither TCP nor elbow exceeds `tool` in a joint move.
+/// Speed limits of a hold-to-run program, at which neither TCP nor elbow exceeds `tool` in a joint move.
 /// tool     [m/s]
 /// joint    [rad/s]
-/// preview  of the same script, started at the current position of the arm: the limit fits its joint moves. Null: the
-///          limit fits every joint move of the arm and is much lower.
+/// preview  of the same script, from the current arm position; the limit then applies to its joint moves.
+/// Null: the limit applies to any joint move and is much lower
 SpeedLimits heldLimits(double tool, double joint, const SessionState& state, const Preview* preview);
 
 /// The first collision of the preview as a sentence; empty if there is none.
@@ -40,7 +40,7 @@ QString collisionText(const project::Project& project, const ProgramScript& scri
 /// speedFraction  speed slider, 0 ... 1
 double slowedDuration(const Preview& preview, const SpeedLimits& limits, double speedFraction);
 
-/// Options for a script that fits the connected robot.
+/// Options for a script that runs on the connected robot.
 ScriptOptions optionsFor(const project::Project& project, const SessionState& state,
                          const SpeedLimits& limits = {});
 
@@ -50,10 +50,10 @@ ScriptOptions optionsFor(const project::Project& project, const SessionState& st
 RunPlan planRun(const project::Project& project, const QUuid& program, const SessionState& state,
                 const SpeedLimits& limits = {}, const std::optional<StartStep>& start = {});
 
-/// Reason why the program must not run without a held button, as a sentence; empty if it may.
+/// Why the program must not run without hold-to-run, as a sentence; empty if it may.
 /// obstacle   RunPlan::obstacle
 /// script     text of the script
-/// preview    of the same script, started at the current position of the arm; null: none
+/// preview    of the same script, started at the current arm position; null: no preview
 /// previewed  text of the script of the preview
 QString obstacleWithoutHold(const QString& obstacle, const QString& script, const SessionState& state,
                             const Preview* preview, const QString& previewed);
@@ -69,7 +69,7 @@ public:
         Idle,     ///< no program has been started
         Sending,  ///< the control program ends and the program is sent
         Running,
-        Stopping,  ///< the program is ending, and control is taken again
+        Stopping,  ///< the program is ending, and control is being taken again
         Ended,
     };
     enum class End { Completed, StepFailed, Stopped, Failed };
@@ -78,17 +78,17 @@ public:
     explicit ProgramRunner(RobotSession& session, QObject* parent = nullptr);
 
     /// Starts the program of the plan.
-    /// Errors  Cancelled with the obstacle of the plan; those of RobotSession::beginProgram()
     /// permitted  number of steps before the program pauses
+    /// Errors  Cancelled with the obstacle of the plan; those of RobotSession::beginProgram()
     Result<RobotSession::MotionId> start(const RunPlan& plan, control::Holding holding,
                                          std::int32_t permitted = script::StepGate::kUnlimited);
     /// The motion of a button that runs the program while it is held.
     /// plan  called when the button is pressed
     HoldMotion motion(std::function<RunPlan()> plan);
-    /// Ends the program, if it runs.
+    /// Ends the program, if it is running.
     void stop(control::StopCause cause);
 
-    /// Pauses the program at standstill before its next step. The program continues to run.
+    /// Pauses the program at standstill before its next step. The program stays active on the robot.
     void pause();
     /// Continues a paused program.
     void resume();
@@ -97,7 +97,7 @@ public:
     void setBreakpoints(const QSet<QUuid>& steps);
     /// Runs one step of a waiting program, which then pauses again.
     void step();
-    /// Ends the program at standstill before the next iteration of its outermost endless loop, or not.
+    /// True: the program ends at standstill before the next iteration of its outermost endless loop.
     void setEndsWithCycle(bool ends);
 
     bool endsWithCycle() const { return gate_.endsWithCycle; }
@@ -109,8 +109,8 @@ public:
     State state() const { return state_; }
     bool isActive() const { return state_ != State::Idle && state_ != State::Ended; }
     End end() const { return end_; }  ///< Valid in State::Ended.
-    /// True if the program was stopped in log().lastStep(). After a connection loss, it may have begun later
-    /// steps.
+    /// True if the program was stopped in log().lastStep(). After a loss of connection, later steps may have
+    /// begun.
     bool isStoppedInLastStep() const;
     /// Describes the end in one sentence, with the step if the program did not complete.
     QString endText(const project::Project& project) const;

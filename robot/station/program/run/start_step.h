@@ -20,10 +20,10 @@ struct StartStepChoice {
     QString obstacle;  ///< why the program cannot start at this step, as a sentence; empty if it can
 };
 
-/// Determines the position of the arm at a step from a preview of the complete program.
+/// Determines the arm position at a step from a preview of the complete program.
 /// options  those of the preview, without ScriptOptions::from
 /// script   of the preview
-/// preview  null: none
+/// preview  null: not available
 StartStepChoice chooseStartStep(const project::Project& project, const QUuid& program, const QUuid& step,
                                 ScriptOptions options, const ProgramScript& script, const Preview* preview);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The steps of a running program, from the step register in consecutive samples of the robot. Steps that are
-// shorter than the interval between two samples can be missing.
+// The steps of a running program, from the step register in consecutive robot samples. Steps shorter than the
+// sample interval can be missing.
 
 #include <vector>
 
@@ -16,8 +16,8 @@ public:
     /// steps  number of steps of the script
     explicit StepLog(int steps = 0) : timings_(static_cast<std::size_t>(steps)) {}
 
-    /// Adds a sample. Samples before the start of the program (another program ends first) and after its end
-    /// have no effect.
+    /// Adds a sample. Samples have no effect before the start of the program, while another program ends, and
+    /// after its end.
     /// time   time stamp of the robot [s]
     /// value  of the step register
     /// gate   of script::kGateRegister
@@ -31,8 +31,8 @@ public:
     double seconds() const { return time_; }       ///< Duration of the run so far [s].
     bool hasBegun() const { return phase_ != Phase::Before && phase_ != Phase::Stopped; }
     bool hasEnded() const { return phase_ == Phase::Ended; }
-    /// One per step; step number 1 is at index 0. Times are relative to the start of the program, and do not
-    /// include the time for which the program waits before a step.
+    /// One per step; step number 1 is at index 0. Times are relative to the start of the program. They
+    /// exclude the time for which the program waits before a step.
     const std::vector<StepTiming>& timings() const { return timings_; }
 
 private:
@@ -40,7 +40,7 @@ private:
     void follow(int value);
 
     Phase phase_ = Phase::Before;
-    int settling_ = 0;  ///< samples to ignore, because the register may still have an earlier value
+    int settling_ = 0;  ///< samples to ignore, because the register may still have an old value
     double began_ = 0;  ///< time stamp of the start [s]
     double time_ = 0;
     int step_ = 0;

@@ -7,7 +7,7 @@ namespace tiller::program {
 
 namespace {
 
-/// Splits at commas that are not inside brackets.
+/// Counts the arguments separated by commas, except commas inside brackets.
 qsizetype argumentCount(const QString& arguments) {
     qsizetype depth = 0;
     qsizetype commas = 0;

@@ -118,7 +118,7 @@ std::optional<MoveTarget> targetAt(StepWriter& writer, const project::Waypoint& 
         return std::nullopt;
     }
     if (joints) {
-        // The robot computes the pose, because it uses its calibrated kinematics.
+        // The robot calculates the pose, because it uses its calibrated kinematics.
         target.joints = before == 0 ? target.near : QString();
         target.pose =
             QStringLiteral("pose_trans(get_forward_kin(%1), %2)").arg(target.near, scriptPose(along(before)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Tests of programs: what happens during a simulated run, and what is expected of the run. See test_file.h for
+// Tests of programs: the events during a simulated run, and the expectations of the run. See test_file.h for
 // the file format. Texts in this folder are not translated, because build servers compare them.
 
 #include <QJsonValue>
@@ -34,7 +34,7 @@ struct ExpectedOutput {
     int channel = 0;  ///< as in OutputChange
     double value = 0;
     double tolerance = 0;  ///< of analog outputs [A or V]
-    ExpectedRange time;    ///< of the change, since the start [s]
+    ExpectedRange time;    ///< time of the change since the start [s]
 };
 
 struct ExpectedVariable {
@@ -50,10 +50,11 @@ struct ExpectedRuns {
 
 struct ExpectedCycle {
     int step = 0;
-    ExpectedRange time;  ///< between two beginnings of the step [s]
+    ExpectedRange time;  ///< time between two beginnings of the step [s]
 };
 
-/// Empty members are not judged. The end, collisions and protective stops always are.
+/// Expectations of a test. Empty members are not checked. The end, collisions and protective stops are always
+/// checked.
 struct TestExpectations {
     Preview::End end = Preview::End::Completed;
     int endStep = 0;  ///< 0: any
@@ -74,7 +75,7 @@ struct TestExpectations {
 struct TestedProgram {
     QUuid id;
     QString name;
-    ProgramScript script;  ///< with problems, if the program cannot run
+    ProgramScript script;  ///< contains the problems if the program cannot run
 };
 
 struct ProgramTest {

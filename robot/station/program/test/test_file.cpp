@@ -44,7 +44,7 @@ struct Terminal {
 
 /// Parses "DI3", "CO0", "AI1" ...
 /// direction  'I' or 'O'
-/// Returns    channels as in InputChange or OutputChange; of analog inputs 0 and 1
+/// Returns    channels as in InputChange or OutputChange; for analog inputs 0 and 1
 std::optional<Terminal> terminalIn(const QString& text, char direction) {
     constexpr int kLetters = 2;
     bool ok = false;
@@ -72,7 +72,8 @@ std::optional<Terminal> terminalIn(const QString& text, char direction) {
     }
 }
 
-/// Reads one file. Each invalid value is a problem with its place, and is replaced by a harmless default.
+/// Reads one file. Each invalid value is reported as a problem with its position and replaced by a harmless
+/// default.
 class TestFileReader {
 public:
     ReadTestFile read(const QString& path) {
@@ -152,7 +153,7 @@ private:
         }
         return static_cast<int>(read);
     }
-    /// Returns the index of the word.
+    /// Returns the index of the string.
     int word(const QString& place, const QJsonValue& value, std::initializer_list<const char*> words) {
         QStringList known;
         for (const char* each : words) {
@@ -305,7 +306,7 @@ private:
         test.program = this->program(hasOwn ? fieldOf(place, "program") : QStringLiteral("program"),
                                      hasOwn ? object.value("program") : program);
         if (result_.problems.size() > before) {
-            return;  // steps cannot be checked
+            return;  // steps cannot be checked without a program
         }
         program_ = test.program;
         PreviewOptions& options = test.options;

@@ -18,7 +18,7 @@ const TestedProgram& programOf(const std::vector<TestFile>& files, const TestOut
     return files[outcome.file].programs[testOf(files, outcome).program];
 }
 
-/// Numbers of the steps that write the step register, in ascending order.
+/// Numbers of the steps that write the step register, ascending.
 std::vector<int> markedSteps(const ProgramScript& script) {
     static const QRegularExpression mark(
         QStringLiteral("write_output_integer_register\\(%1, (\\d+)\\)").arg(kStepRegister));

@@ -10,8 +10,8 @@
 
 namespace tiller::program {
 
-/// The steps of one program that ran in any of the tests. Comments, disabled steps, and steps that run in
-/// parallel do not count, because they do not write the step register.
+/// The steps of one program that ran in at least one test. Comments, disabled steps, and steps that run in
+/// parallel are excluded, because they do not write the step register.
 struct ProgramCoverage {
     QString projectPath;
     QUuid program;
@@ -26,7 +26,7 @@ struct ProgramCoverage {
     int executed() const;  ///< Number of steps that ran.
 };
 
-/// The programs in the order in which the files first name them.
+/// The programs in the order of their first use in the files.
 std::vector<ProgramCoverage> coverageOf(const std::vector<TestFile>& files,
                                         const std::vector<TestOutcome>& outcomes);
 /// {"simulated", "programs": [{"project", "program", "executed", "total", "steps": [...]}]}
@@ -35,11 +35,11 @@ QJsonObject coverageJson(const std::vector<ProgramCoverage>& coverage);
 /// All results as one JSON object.
 QJsonObject reportJson(const std::vector<TestFile>& files, const std::vector<TestOutcome>& outcomes,
                        std::uint64_t seed);
-/// JUnit XML as read by Jenkins, GitLab and others: a suite per file, a case per test. The times are those of
-/// the simulated runs, so the same seed gives the same text.
+/// JUnit XML for Jenkins, GitLab and others: one suite per file, one case per test. The times are simulated,
+/// so the same seed results in the same text.
 QByteArray junitXml(const std::vector<TestFile>& files, const std::vector<TestOutcome>& outcomes,
                     std::uint64_t seed);
-/// The results as text: a line per test and per expectation, the coverage and a summary.
+/// The results as text: one line per test and per expectation, the coverage, and a summary.
 QString reportText(const std::vector<TestFile>& files, const std::vector<TestOutcome>& outcomes,
                    std::uint64_t seed);
 

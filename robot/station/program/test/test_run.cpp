@@ -86,7 +86,7 @@ bool isSame(const QJsonValue& a, const QJsonValue& b, double tolerance) {
     return a == b;
 }
 
-/// Compares one run with the expectations of its test.
+/// Compares a run with the expectations of its test.
 class Judge {
 public:
     Judge(const TestFile& file, const ProgramTest& test, const Preview& preview)

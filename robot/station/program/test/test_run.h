@@ -2,7 +2,7 @@
 #pragma once
 
 // Runs tests of programs in the simulated controller, in virtual time, and compares the runs with the
-// expectations. The same seed gives exactly the same outcome, whatever the number of threads.
+// expectations. The same seed results in exactly the same outcome for any number of threads.
 
 #include <cstdint>
 #include <functional>
@@ -30,16 +30,15 @@ struct TestOutcome {
 };
 
 struct TestRunOptions {
-    std::uint64_t seed = 1;  ///< of the measurement noise and of random()
+    std::uint64_t seed = 1;  ///< for the measurement noise and random()
     int threads = 1;
     std::function<bool()> isCancelled = {};  ///< polled in the threads
 };
 
-/// Compares a run with the expectations of the test.
 std::vector<Verdict> judge(const TestFile& file, const ProgramTest& test, const Preview& preview);
 
 /// Runs all tests.
-/// Returns  the outcomes in the order of the files and their tests; incomplete if the run is cancelled
+/// Returns  the outcomes in the order of the files and tests; incomplete if the run is cancelled
 /// Threads  any. Blocks: until all tests have run, in the given number of threads
 std::vector<TestOutcome> runTests(const std::vector<TestFile>& files, const TestRunOptions& options = {});
 
